@@ -16,9 +16,11 @@ from dslkit.diagnostics import Template
 from ezskiros.catalog import CATALOG as EZSKIROS
 from ezskiros.cli.main import app as ezskiros_app
 from rossmarie.catalog import CATALOG as ROSSMARIE
+from rossmarie.check.operations.edges import MOST_EDGES
 from rossmarie.check.operations.functions import MOST_TURNING_POINTS, USAGES
 from rossmarie.check.rules.plans import MOST_TASKS
 from rossmarie.cli.main import app
+from rossmarie.core import MOST_SAMPLES
 from rossmarie.driver import check_file
 from rossmarie.ir import MOST_EVALUATIONS
 from rossmarie.syntax import limits
@@ -95,13 +97,15 @@ def test_the_limits_are_those_of_the_compiler() -> None:
     stated = [
         cell for line in section.split("\n") if line.startswith("| ") for cell in line.split(" | ")
     ]
-    assert stated[7::3][:8] == [
+    assert stated[7::3][:10] == [
         f"{limits.MAXIMUM_FILE_SIZE // 2**20} MiB, {spaced(limits.MAXIMUM_TOKENS)} words and signs",
         f"{limits.MAXIMUM_NESTING} levels",
         f"{limits.MAXIMUM_DEPTH} levels",
         spaced(limits.MAXIMUM_LENGTH),
         str(limits.MAXIMUM_ERRORS),
         str(MOST_TURNING_POINTS),
+        str(MOST_EDGES),
+        str(MOST_SAMPLES),
         spaced(MOST_EVALUATIONS),
         spaced(MOST_TASKS),
     ]

@@ -21,7 +21,16 @@ _PIECES = [
     ],
     *[b'<!ENTITY a "&b;">', b"<![CDATA[", b"xmlns:a='b' ", b" a owl:Class .", b"[ ", b"@prefix "],
     *[b"<<( ", b"^^xsd:int", b"&a", b"*a", b"<<: ", b"\xff" * 4, b"\0" * 8, b"\x7f" + b"\xff" * 7],
-    *[b"oscillates(", b" times", b"clear when ", b"latched until reset", b"\xe2\x80\xae", b"\r\n"],
+    *[
+        b"oscillates(",
+        b" times",
+        b"count(edges of ",
+        b" within ",
+        b"clear when ",
+        b"latched until reset",
+        b"\xe2\x80\xae",
+        b"\r\n",
+    ],
 ]
 PIECES = [piece if isinstance(piece, bytes) else bytes([piece]) for piece in _PIECES]
 

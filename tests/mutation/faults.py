@@ -277,13 +277,13 @@ _NUMBERS = (
 _OSCILLATION = (
     Fault(
         "a turning point counts an instant too long",
-        "oldest_turn(m, k) < turn_windows[k]",
-        "oldest_turn(m, k) <= turn_windows[k]",
+        "&& t_ns < recent_end(m, k)",
+        "&& t_ns <= recent_end(m, k)",
     ),
     Fault(
         "two turning points are three",
-        "m->turns[k] != turn_first[k + 1] - turn_first[k]",
-        "m->turns[k] + 1 < turn_first[k + 1] - turn_first[k]",
+        "return m->recent_count[k] == recent_first[k + 1] - recent_first[k]",
+        "return m->recent_count[k] + 1 >= recent_first[k + 1] - recent_first[k]",
     ),
     Fault("a swing that is reached counts", "x > extreme + swing", "x >= extreme + swing"),
     Fault(
@@ -298,13 +298,47 @@ _OSCILLATION = (
     ),
     Fault(
         "a gap ends an instant late",
-        "m->gap_end_ns[k] >= turn_windows[k]",
-        "m->gap_end_ns[k] > turn_windows[k]",
+        "m->gap_end_ns[k] >= recent_windows[k]",
+        "m->gap_end_ns[k] > recent_windows[k]",
     ),
-    Fault("a gap is never told", "        m->gap[k] = value;", ""),
+    Fault("a gap is never told", "        m->gap[k] = source;", ""),
+)
+
+_EDGES = (
+    Fault("what was unknown before has an edge", "&& before == FALSE", "&& before != TRUE"),
+    Fault("an edge is never over", "    m->edge_before[k] = operand;\n", ""),
+    Fault(
+        "a jump is taken for the start",
+        "m->edge_before[k] = m->started ? UNKNOWN",
+        "m->edge_before[k] = m->started ? FALSE",
+    ),
+    Fault(
+        "edges fall out of the window late", "recent_due(m, k) <= t_ns", "recent_due(m, k) < t_ns"
+    ),
+    Fault("nobody wakes for an edge", "        wake_by(m, recent_end(m, place));\n", "        ;\n"),
+    Fault(
+        "edges are kept over a jump",
+        "        forget_recent(m, k);\n        m->gap",
+        "        m->gap",
+    ),
+)
+
+_FILTERS = (
+    Fault(
+        "a window is added from the end",
+        "window_place(m, k, i)];\n        total",
+        "window_place(m, k, m->window_count[k] - 1 - i)];\n        total",
+    ),
+    Fault(
+        "a filter does not feed back",
+        "    sample(m, 1, m->value[VALUE_LOW_PASS_SPEED_0_3_SEC], t_ns);\n",
+        "",
+    ),
 )
 
 MONITOR = (
+    *_EDGES,
+    *_FILTERS,
     *_LIMITS,
     *_DURATIONS,
     *_TIME,

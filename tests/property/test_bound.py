@@ -56,6 +56,7 @@ def timer_cases(draw: st.DrawFn) -> Case:
             st.builds(ir.Or, st.tuples(some, some)),
             st.builds(ir.Held, some, st.integers(1, 3 * TICK), st.booleans()),
             st.builds(ir.Since, some, some),
+            st.builds(ir.Recurs, some, st.integers(1, 3), st.integers(1, 3 * TICK)),
         )
         truths.append(draft.truth(draw(nodes)))
     draft.rule(truths[-1])

@@ -74,7 +74,7 @@ def arrays() -> ir.Machine:
 
 
 def memories() -> ir.Machine:
-    """All that remembers samples, a quaternion, numbers compared with each other."""
+    """All that remembers samples or edges, a quaternion, numbers compared with each other."""
     draft = Draft(texts=("docked",))
     channel = draft.channel()
     used = draft.input(channel, SECOND)
@@ -92,6 +92,10 @@ def memories() -> ir.Machine:
     jolt = draft.truth(ir.Oscillates(x, 3, SECOND // 4, 0.1))
     draft.rule(draft.truth(ir.And((rising, draft.above(rate, 0.5)))))
     draft.rule(jolt)
+    mean = draft.signal(ir.Sampled(ir.Sampling.MEAN, x, SECOND), "mean(x, 1 sec)")
+    smooth = draft.signal(ir.Sampled(ir.Sampling.LOW_PASS, x, SECOND // 5), "low_pass(x, 0.2 sec)")
+    draft.rule(draft.truth(ir.And((draft.above(mean, 0.3), draft.above(smooth, 0.4)))))
+    draft.rule(draft.truth(ir.Recurs(jolt, 2, 10 * SECOND)))
     return draft.machine("memories")
 
 

@@ -9,12 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import cached_property
 
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis import arithmetic
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.formulas import Formulas, exactly
@@ -26,10 +24,9 @@ from rossmarie.analysis.terms import (
     Number,
     choice,
     literal,
-    within,
 )
 from rossmarie.analysis.times import SECOND, Times
-from rossmarie.core import View, row, sampling_row
+from rossmarie.core import View, sampling_row
 from rossmarie.core.expressions import Operand
 
 
@@ -332,78 +329,3 @@ class Course:
             leg.length_ns >= self.times.shortest_ns,
             leg.length_ns <= self.times.longest_ns + self.times.shortest_ns,
         ]
-
-    def hints(self) -> list[list[z3.BoolRef]]:
-        """Facts that make it likely that a proposal is borne out and easy to read, from much to
-        nothing: where a length rests on several numbers, one of them is all of it; and numbers are
-        near what they are compared with, and not negative.
-        """
-        lengths = []
-        near = []
-        for moment in self.moments:
-            for index in sorted(self._norms()):
-                node = self.asked.machine.signals[index].node
-                assert isinstance(node, ir.Apply)
-                parts = [moment.signal(operand).value for operand in node.operands]
-                lengths.append(_one_is_all(parts, moment.signal(index).value))
-            for index, (low, high) in self._near.items():
-                value = moment.signal(index).value
-                near += within(value, (low, high))
-        return [[*lengths, *near], *([lengths] if lengths else ()), []]
-
-    @cached_property
-    def _near(self) -> dict[int, tuple[float, float]]:
-        """Numbers around the constants that each signal is compared with."""
-        machine = self.asked.machine
-        limits: dict[int, list[float]] = {}
-        for truth in self.times.truths:
-            if self.asked.elements.truths[truth] is not None:
-                continue
-            compared = ir.compared_signals(machine.truths[truth].node)
-            nodes = [machine.signals[signal].node for signal in compared]
-            values = [node.value for node in nodes if isinstance(node, ir.Constant)]
-            for signal, node in zip(compared, nodes, strict=True):
-                if values and not isinstance(node, ir.Constant):
-                    limits.setdefault(signal, []).extend(values)
-        return {
-            signal: (
-                min(0.0, *(value - abs(value) / 2 for value in values))
-                if max(values) <= 0
-                else 0.0,
-                max(
-                    1.0 if max(values) <= 0 else 0.0, *(value + abs(value) / 2 for value in values)
-                ),
-            )
-            for signal, values in limits.items()
-        }
-
-    def _norms(self) -> set[int]:
-        """The functions asked for that are easy where all operands but one are 0: lengths."""
-        machine = self.asked.machine
-        waiting = [
-            signal
-            for truth in self.times.truths
-            for signal in ir.compared_signals(machine.truths[truth].node)
-        ]
-        found: set[int] = set()
-        while waiting:
-            index = waiting.pop()
-            node = machine.signals[index].node
-            if self.asked.elements.signals[index] is None:
-                waiting += ir.signal_operands(node)
-                if isinstance(node, ir.Apply) and row(node.function).easy is not None:
-                    found.add(index)
-        return found
-
-
-def _one_is_all(parts: Sequence[z3.ArithRef], length: z3.ArithRef) -> z3.BoolRef:
-    """Say whether all but one of some numbers are 0, and that one is the length of all."""
-    return z3.Or(
-        [
-            z3.And(
-                arithmetic.absolute(part) == length,
-                *(other == 0 for other in parts if other is not part),
-            )
-            for part in parts
-        ]
-    )

@@ -17,6 +17,7 @@ from rossmarie.analysis.course import Course, Leg
 from rossmarie.analysis.draft import Draft, drafted, witness_of
 from rossmarie.analysis.errors import RulesAlternate, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.hints import hints
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.published import Publication, publications, values_of
 from rossmarie.analysis.shrink import Replays, shortened
@@ -175,8 +176,8 @@ class Circle:
             claim = z3.And(claim, _is_each_alone(course, order))
         is_calm = world is not _World.SILENT
         wishes = course.calm if is_calm else ()
-        for hints in course.hints():
-            answer = ask(course.facts, claim, *wishes, *hints)
+        for preferred in hints(course):
+            answer = ask(course.facts, claim, *wishes, *preferred)
             if answer.model is None:
                 continue
             whole = drafted(course, answer.model, is_calm=is_calm)

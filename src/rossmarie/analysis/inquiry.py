@@ -13,6 +13,7 @@ from rossmarie.analysis.activity import seen_together, together, truths_of
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.draft import drafted
 from rossmarie.analysis.encoding import Questioned
+from rossmarie.analysis.hints import hints
 from rossmarie.analysis.part import part_below, part_of
 from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Outcome, ask
@@ -145,8 +146,8 @@ class Inquiry:
         """A witness on a course, the easiest to read that is found."""
         claim = question.in_course(course)
         wishes: Sequence[z3.BoolRef] = course.calm if is_calm else ()
-        for hints in course.hints():
-            answer = ask(course.facts, claim, *wishes, *hints)
+        for preferred in hints(course):
+            answer = ask(course.facts, claim, *wishes, *preferred)
             if answer.model is None:
                 continue
             draft = drafted(course, answer.model, is_calm=is_calm)
@@ -163,8 +164,8 @@ class Inquiry:
         self.check_time()
         course = Course(self.asked, truths, legs, is_brief=True)
         claim = in_course(course)
-        for hints in course.hints():
-            answer = ask(course.facts, claim, *course.calm, *hints)
+        for preferred in hints(course):
+            answer = ask(course.facts, claim, *course.calm, *preferred)
             if answer.model is not None:
                 draft = drafted(course, answer.model, is_calm=True)
                 replays = Replays(self.machine, in_view, truths)

@@ -211,7 +211,7 @@ class Numbers:
                 raise AssertionError(f"checked: {name} is no function to a number")
 
     def previous(self, node: ast.Expression) -> Components:
-        """What the components of an expression were in the sample before."""
+        """The components of an expression as they were in the sample before."""
         shown = self.shown(node)
         before = replace(shown, text=f"previous({shown.text})")
         parts = self.components(node)

@@ -36,13 +36,13 @@ _GENERATED = """
 # collects them.
 _PRIVATE = """
     above age always append arcsine arctangent are arithmetic array at before begins below by catch
-    change channel claiming column command covered cross dbl drop due earliest element engages
-    expire factor failed fails flag flt forget fp from gain gap give goes guard has held host how
-    index input int16 int32 int64 is late latest leaf limit literal look lose lost most never no
-    node now oldest on opposite or others pass planned receive report resource rossmarie row rule
-    sampled samples scale seconds set settle shown since size slot stage staged stamp start started
-    swings t take task term text texts timeout topic truth truths turn uint16 uint64 uint8 unknown
-    unknowns value values wake was watched width window yields
+    change channel claiming column command covered cross dbl drop due earliest edge element engages
+    enough expire factor failed fails flag flt forget fp from gain gap give goes guard has held
+    host how index input int16 int32 int64 is late latest leaf limit literal look lose lost most
+    never no node now on opposite or others pass planned receive recent report resource rossmarie
+    row rule sampled samples scale seconds set settle shown since size slot stage staged stamp
+    start started swings t take task term text texts timeout topic truth truths turn uint16 uint64
+    uint8 unknown unknowns value values wake was watched width window yields
 """
 
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())

@@ -14,6 +14,7 @@ from rich.text import Text
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie import ir
+from rossmarie.core import sampling_row
 from rossmarie.report.coverage import print_table
 from rossmarie.verification.check import Check
 from rossmarie.verification.errors import PartRefuted
@@ -97,9 +98,9 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
 
 
 def has_windows(machine: ir.Machine) -> bool:
-    """Say whether samples in windows are put in order, of which no question asks."""
+    """Say whether samples in windows are put in order or added, of which no question asks."""
     nodes = (signal.node for signal in machine.signals)
-    return any(isinstance(node, ir.Sampled) and node.window_ns > 0 for node in nodes)
+    return any(isinstance(n, ir.Sampled) and sampling_row(n.function).has_window for n in nodes)
 
 
 # --- the table -------------------------------------------------------------------------------

@@ -26,6 +26,7 @@ _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
     {"when", "until", "timeout", "then", "clear", "latched", "unless", "feedback", "mitigates"}
 )
+_JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
 # Words that do not make a declaration of the unknown word in front of them, as `imu` does in
@@ -136,7 +137,8 @@ class _Cutter:
         if token.kind != "word" or not self._source.begins_line(index):
             return False
         is_unfinished = before.text in _NEVER_LAST and not self._is_field(index - 1)
-        if is_unfinished or not self._ends_item(index - 1):
+        is_joined = not _JOINING.isdisjoint((token.text, before.text))
+        if is_unfinished or is_joined or not self._ends_item(index - 1):
             return False
         if kind in ("rule", "input") and {token.text, before.text} & _CONTINUATIONS:
             is_stray = token.text == "when" and before.text not in _CONTINUATIONS

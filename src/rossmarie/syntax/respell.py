@@ -22,7 +22,13 @@ _KEYWORDS = RESERVED | MEMBER_WORDS.keys() | PART_WORDS
 _BEHIND_VALUE = frozenset({"and", "or", "not", "in", "for", "then", "timeout"})
 _BEHIND_BRACE = frozenset({"clear", "latched"})
 _INSIDE_SYSTEM = MEMBER_WORDS.keys() | {"publishes", "subscribes"}
-_BEHIND_WORD = {("clear", "when"), ("clear", "for"), ("latched", "until"), ("until", "reset")}
+_BEHIND_WORD = {
+    ("clear", "when"),
+    ("clear", "for"),
+    ("latched", "until"),
+    ("until", "reset"),
+    ("edges", "of"),
+}
 _THOUSANDS = 3  # digits behind a comma that may separate thousands
 
 
@@ -125,6 +131,7 @@ def _is_keyword(before: Sequence[Token], token: Token, after: Token | None, text
         or (opener, last.text, word) in (("rule", ":", "if"), ("input", "=", "topic"))
         or (word == "times" and last.kind == "number")
         or (word in ("within", "by") and last.text == "," and _is_kind(after, "number"))
+        or (word == "within" and _ends_value(last) and _is_kind(after, "number"))
         or (word == "not" and last.text != "." and (_goes_on(after) or follows == "("))
     )
 

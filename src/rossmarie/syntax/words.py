@@ -54,7 +54,7 @@ MEMBER_WORDS = {
 """The words that begin a declaration inside a system."""
 
 PART_WORDS = frozenset(
-    {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by"}
+    {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
     | {"names"}
     | {"unless", "feedback", "per", "activation", "mitigates", "publishes", "subscribes"}
     | {"since", "once", "after"}

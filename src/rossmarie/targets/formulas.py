@@ -144,7 +144,7 @@ def definition_of_subfunction(function: Subfunction) -> Definition:
 def definition_of_samples(function: Sampling) -> Definition:
     """A function of what it looks at among samples."""
     declared = sampling_row(function)
-    remark = _sentence(declared.worded("a number", "a window"))
+    remark = _sentence(declared.worded("a number", "a window" if declared.has_window else "a time"))
     names = tuple(view.value for view in declared.views)
     return Definition(f"{function.value}_of", names, declared.expression, remark)
 

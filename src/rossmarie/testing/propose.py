@@ -191,7 +191,7 @@ class _Proposer:
     def _recurs(
         self, recurs: int, node: ir.Recurs, decision: int, calm: Values
     ) -> Iterator[Proposal]:
-        """What is counted comes and goes as often as it has to, as fast as it can."""
+        """The condition whose edges are counted comes and goes often enough, as fast as it can."""
         formula = self._world.formula(node.operand)
         hangs = self._hangs_on(recurs, decision)
         on = self._world.solve([formula, hangs], calm)

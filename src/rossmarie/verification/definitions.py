@@ -15,6 +15,7 @@ from rossmarie.ir import model as ir
 from rossmarie.verification import formulas, supports
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.layout import Layout
+from rossmarie.verification.recent import recurs
 
 HELPERS = """\
 /* Two numbers that nobody can tell apart. */
@@ -252,7 +253,7 @@ class Definitions:
             case ir.Since():
                 return self.since_then(self._layout.sinces.index(index), "m->")
             case ir.Recurs(operand=operand):
-                return self._recurs(index, node, self.truth(operand))
+                return recurs(self._layout, index, self.truth(operand))
             case ir.AgeReaches(input=used, age_ns=age_ns):
                 reached = f"t_ns - m->stamp_ns[{used}] >= INT64_C({age_ns}) ? TRUE : FALSE"
                 return f"m->state[{used}] == NEVER_RECEIVED ? {unknown} : {reached}"
@@ -282,33 +283,6 @@ class Definitions:
         held, begun = self.truth(node.held), self.truth(node.begun)
         before = f"spec_or({begun}, {memory}since_before[{k}])"
         return f"spec_or({begun}, spec_and({held}, {before}))"
-
-    def _recurs(self, index: int, node: ir.Recurs, operand: str) -> str:
-        """S48: known edges are facts; where these are too few, what was not seen counts."""
-        k = self._layout.recent.index(index)
-        end = f"m->gap_end_ns[{k}]"
-        near = f"{end} != NEVER && t_ns - {end} < INT64_C({node.window_ns})"
-        otherwise = f"{operand} >= UNKNOWN ? {operand} : {near} ? m->gap[{k}] : FALSE"
-        return f"{self.enough(k)} ? TRUE : {otherwise}"
-
-    def enough(self, k: int) -> str:
-        """Whether so many recent instants lie in the window as a truth asks for (S32, S48)."""
-        return f"(m->recent_count[{k}] == {self.recent(k).count} && t_ns < {self.window_end(k)})"
-
-    def window_end(self, k: int) -> str:
-        """When the oldest of them leaves the window."""
-        oldest = f"m->recent_ns[{self.first_recent(k)} + m->recent_next[{k}]]"
-        return f"{oldest} + INT64_C({self.recent(k).window_ns})"
-
-    def recent(self, k: int) -> ir.Oscillates | ir.Recurs:
-        """The k-th of the truths that count turning points or edges."""
-        node = self._machine.truths[self._layout.recent[k]].node
-        assert isinstance(node, ir.Oscillates | ir.Recurs), "the layout lists them"
-        return node
-
-    def first_recent(self, k: int) -> int:
-        """Where the instants of the k-th of them are kept."""
-        return sum(self.recent(before).count for before in range(k))
 
     def since(self, truth: int) -> str:
         """Since when a truth has its value."""

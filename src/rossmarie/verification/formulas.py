@@ -68,7 +68,8 @@ def definition_of_samples(function: Sampling) -> str:
     """The definition in C of a function of samples, before S4."""
     declared = sampling_row(function)
     names = [view.value for view in declared.views]
-    remark = f"{declared.rule}: {declared.worded('a number', 'a window')}"
+    time = "a window" if declared.has_window else "a time"
+    remark = f"{declared.rule}: {declared.worded('a number', time)}"
     return _definition(name_of_samples(function), names, declared.expression, remark)
 
 

@@ -13,6 +13,7 @@ from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import remark_of
 from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
+from rossmarie.verification.recent import first_recent, recent
 from rossmarie.verification.turning_points import followed_on, forgotten
 
 _MEMBER = re.compile(r"(?P<kind>.*?) ?\*?(?P<name>\w+)(\[(?P<count>\d+)\])?(\[\d+\])?;")
@@ -149,7 +150,7 @@ class Frames:
 
     def _edge(self, k: int) -> Iterator[str]:
         """S48: an edge is kept where a condition is true that was false."""
-        node, first = self._definitions.recent(k), self._definitions.first_recent(k)
+        node, first = recent(self._layout, k), first_recent(self._layout, k)
         if not isinstance(node, ir.Recurs):
             return
         place = k - len(self._layout.oscillations)
@@ -247,8 +248,8 @@ class Frames:
     def _turning_points(self, oscillations: Iterable[int]) -> Iterator[str]:
         """Whatever becomes of them; that is claimed apart."""
         for k in oscillations:
-            first = self._definitions.first_recent(k)
-            instants = range(first, first + self._definitions.recent(k).count)
+            first = first_recent(self._layout, k)
+            instants = range(first, first + recent(self._layout, k).count)
             yield from self._some("recent_ns", instants)
             for name in _TURNS:
                 yield from self._some(name, [k])

@@ -15,6 +15,7 @@ from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.layout import Layout, Value
 from rossmarie.verification.places import Watched
+from rossmarie.verification.recent import enough, first_recent, recent, window_end
 from rossmarie.verification.supports import truths_of
 
 _OLDEST = "(-LATEST)"
@@ -290,7 +291,7 @@ class Invariants:
     def recent(self) -> Iterator[Sentence]:
         """S32, S48: turning points and edges that can be looked at."""
         for k, truth in enumerate(self._layout.recent):
-            count, first = self._definitions.recent(k).count, self._definitions.first_recent(k)
+            count, first = recent(self._layout, k).count, first_recent(self._layout, k)
             about = f"what is kept of `{self._machine.truths[truth].text}`"
             sane = f"m->recent_count[{k}] <= {count} && m->recent_next[{k}] < {count}"
             yield Sentence(about, sane)
@@ -310,7 +311,7 @@ class Invariants:
             text = self._machine.truths[truth].text
             seen = f"m->swinging[{k}] == {self.seen(k)}"
             yield Sentence(f"what is seen of `{text}`", seen)
-            waited = f"m->swinging[{k}] != TRUE || {self._definitions.window_end(k)} >= m->wake_ns"
+            waited = f"m->swinging[{k}] != TRUE || {window_end(self._layout, k)} >= m->wake_ns"
             yield Sentence(f"the end of the window of `{text}` is waited for", waited)
             marked = self.marked(self._layout.node_of_truth[truth])
             yield Sentence(f"`{text}` is what it means", f"{marked} || {self.told(k)}")
@@ -319,8 +320,8 @@ class Invariants:
         """The truth that enough turning points lie within the window now."""
         truth = self._layout.oscillations[k]
         x = self._definitions.number(oscillation(self._layout, k).signal)
-        enough = self._definitions.enough(k)
-        return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {enough} ? TRUE : FALSE)"
+        is_enough = enough(self._layout, k)
+        return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {is_enough} ? TRUE : FALSE)"
 
     def told(self, k: int) -> str:
         """State that a monitor tells what is seen: nothing until a gap is a window ago."""
@@ -334,10 +335,10 @@ class Invariants:
 
     def _recent_timers(self, least: str) -> Iterator[Sentence]:
         for k, truth in enumerate(self._layout.recent):
-            window_ns = self._definitions.recent(k).window_ns
+            window_ns = recent(self._layout, k).window_ns
             value, end = self._definitions.truth(truth), f"m->gap_end_ns[{k}]"
             marked = self.marked(self._layout.node_of_truth[truth])
-            true = f"({value} != TRUE || {self._definitions.window_end(k)} >= {least})"
+            true = f"({value} != TRUE || {window_end(self._layout, k)} >= {least})"
             after = f"{end} + INT64_C({window_ns})"
             gap = f"({value} < UNKNOWN || {end} == NEVER || {after} >= {least})"
             about = f"the window of `{self._machine.truths[truth].text}` ends ahead"

@@ -11,6 +11,7 @@ from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import oscillation
 from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
+from rossmarie.verification.recent import first_recent
 
 
 def followed_on(layout: Layout, channel: int) -> list[int]:
@@ -33,7 +34,7 @@ def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
 
 def followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
     """The claims about the k-th oscillation."""
-    node, first = oscillation(layout, k), definitions.first_recent(k)
+    node, first = oscillation(layout, k), first_recent(layout, k)
     about = f"the turning points of `{layout.machine.truths[layout.oscillations[k]].text}`"
     extreme, heading, turns = f"old.extreme[{k}]", f"old.heading[{k}]", f"old.recent_count[{k}]"
     following = f"old.recent_next[{k}]"

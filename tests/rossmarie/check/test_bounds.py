@@ -58,6 +58,9 @@ def _grown(inner: st.SearchStrategy[str]) -> st.SearchStrategy[str]:
         st.builds("({}).{}".format, inner, NAMES),
         st.builds("({})[1]".format, inner),
         st.builds("[{}, {}]".format, inner, inner),
+        st.builds("(count(edges of {} within {}) > {})".format, inner, inner, inner),
+        st.builds("changed({})".format, inner),
+        st.builds("{}(edges of {} within {})".format, FUNCTIONS, inner, inner),
         st.builds("oscillates({}, 3 times, within {}, by {})".format, inner, inner, inner),
     )
 

@@ -1,11 +1,25 @@
-"""Edges of conditions: rule S48 of docs/explanation/semantics.md."""
+"""Changes and edges: rules S47 and S48 of docs/explanation/semantics.md."""
 
-from rossmarie.ir import Recurs, TruthValue
+from rossmarie.ir import Compare, Comparison, Recurs, Sampled, Sampling, TruthValue
 from support.bench import Bench
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
 F, T, U, L = TruthValue.FALSE, TruthValue.TRUE, TruthValue.UNKNOWN, TruthValue.LOST
+
+
+def test_s47_changed_compares_with_the_sample_before() -> None:
+    draft = Draft()
+    x = draft.read(timeout_ns=10 * SECOND)
+    before = draft.signal(Sampled(Sampling.PREVIOUS, x))
+    changed = draft.truth(Compare(Comparison.NOT_EQUAL, x, before))
+    draft.rule(changed)
+    bench = Bench(draft)
+    samples = ((0, 1.0), (1, 1.0), (2, 3.0))
+    assert values(bench, changed, *samples) == [U, F, T]
+    bench.advance(3)
+    assert bench.truth(changed) is T, "until the next message"
+    assert values(bench, changed, (4, 3.0), (5, NAN), (6, 3.0)) == [F, L, U]
 
 
 def recurring(count: int, window_s: int, timeout_ns: int | None = None) -> tuple[Bench, int]:
@@ -84,7 +98,7 @@ def test_s48_lost_while_the_input_is() -> None:
     assert values(bench, once, (5, 1.0)) == [L], "nobody saw it become true"
 
 
-def test_s17_a_jump_forgets_edges() -> None:
+def test_s48_a_jump_forgets_edges() -> None:
     bench, once = recurring(1, 10)
     assert values(bench, once, (20, 1.0), (5, 1.0)) == [T, U]
     assert bench.wake() == 15

@@ -74,3 +74,13 @@ def test_a_for_over_what_cannot_become_true_again_counts_once() -> None:
     swings = draft.truth(ir.Oscillates(draft.read(), 3, SECOND, 0.0))
     draft.truth(ir.Held(draft.truth(ir.Not(swings)), SECOND))
     assert max(count for _, count in ir.wakes(draft.machine())) == 1
+
+
+def test_edges_count_twice_and_once_more_for_each_that_can_come() -> None:
+    draft = Draft()
+    aged = draft.truth(ir.AgeReaches(draft.input(draft.channel()), SECOND))
+    draft.truth(ir.Recurs(aged, 3, SECOND))  # an edge, at which it is known as well
+    above = draft.above(draft.read(), 1.0)
+    draft.truth(ir.Recurs(above, 3, SECOND))  # no edge comes without a message
+    counts = [count for _, count in ir.wakes(draft.machine())]
+    assert counts == [0, 0, 1, 2 + 1 + 1, 0, 2]

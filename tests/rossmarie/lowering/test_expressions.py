@@ -172,6 +172,46 @@ def test_oscillates() -> None:
     assert node.swing == 0.0
 
 
+@pytest.mark.parametrize(
+    ("comparison", "nodes"),
+    [
+        ("{} > 3", [ir.Recurs(0, 4, SECOND)]),
+        ("3 < {}", [ir.Recurs(0, 4, SECOND)]),
+        ("{} >= 3", [ir.Recurs(0, 3, SECOND)]),
+        ("{} < 3", [ir.Recurs(0, 3, SECOND), ir.Not(1)]),
+        ("{} <= 3", [ir.Recurs(0, 4, SECOND), ir.Not(1)]),
+        ("{} == 3", [ir.Recurs(0, 4, SECOND), ir.Not(1), ir.Recurs(0, 3, SECOND), ir.And((3, 2))]),
+        ("{} != 3", [ir.Recurs(0, 3, SECOND), ir.Not(1), ir.Recurs(0, 4, SECOND), ir.Or((2, 3))]),
+        ("{} == 0", [ir.Recurs(0, 1, SECOND), ir.Not(1)]),
+        ("{} <= 0", [ir.Recurs(0, 1, SECOND), ir.Not(1)]),
+        ("{} > 0", [ir.Recurs(0, 1, SECOND)]),
+        ("{} != 0", [ir.Recurs(0, 1, SECOND)]),
+    ],
+)
+def test_edges(comparison: str, nodes: list[ir.TruthNode]) -> None:
+    machine = machine_of_condition(comparison.format("count(edges of estop within 1 sec)"))
+    found = [each.node for each in machine.truths if not isinstance(each.node, ir.Literal)]
+    assert found == [ir.Flag(0), *nodes]
+
+
+def test_what_is_never_true_has_no_edges() -> None:
+    machine = machine_of_condition("estop or count(edges of 1 > 2 within 1 sec) > 0")
+    assert not any(isinstance(truth.node, ir.Recurs) for truth in machine.truths)
+
+
+def test_changed_is_a_comparison_with_the_sample_before() -> None:
+    machine = machine_of_condition("changed(battery)")
+    changed = machine.truths[machine.rules[0].condition]
+    assert changed.text == "changed(battery)"
+    assert changed.node == ir.Compare(ir.Comparison.NOT_EQUAL, 0, 1)
+    assert machine.signals[1].node == ir.Sampled(ir.Sampling.PREVIOUS, 0)
+    machine = machine_of_condition("changed(imu.angular_velocity)")
+    node = machine.truths[machine.rules[0].condition].node
+    assert isinstance(node, ir.Or)
+    texts = [machine.truths[each].text for each in node.operands]
+    assert texts == [f"changed(imu.angular_velocity.{axis})" for axis in "xyz"]
+
+
 def test_words_stand_on_one_line_without_comments() -> None:
     machine = machine_of_condition('battery // the main one\n   > 3 V and mode == "a  // b"')
     assert machine.truths[-2].text == 'battery > 3 V and mode == "a  // b"'

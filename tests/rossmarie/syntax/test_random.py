@@ -133,6 +133,7 @@ SIMPLE: Words = (
     | words(NAMES)
     | st.sampled_from([["true"], ["false"], ['"text // \'"']])
     | words("[", "-", NUMBER, ",", NUMBER, "]", optional(UNITS))
+    | words("count", "(", "edges", "of", NAMES, "within", NUMBER, ")")
     | words("oscillates", "(", NAMES, ",", "3", "times", ",", "within", NUMBER, ")")
 )
 

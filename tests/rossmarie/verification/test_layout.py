@@ -34,6 +34,8 @@ rule median: if median(other, 2 sec) > 1 then { stop; };
 rule ever: if (turning > 1 since other > 1) or once turning > 2 within 1 sec then { stop; };
 rule late: if not after turning > 3, other > 3 within 1 sec then { stop; };
 rule again: if not after not (other > 3), other > 3 within 1 sec then { stop; };
+rule often: if count(edges of turning > other within 1 sec) > 2 then { stop; };
+rule smooth: if low_pass(turning, 2 sec) > 1 then { stop; };
 """
 
 
@@ -113,6 +115,7 @@ def _two_in_one_value(places: Places) -> Places:
         (_two_in_one_value, "a place stands for no number"),
         (lambda places: replace(places, held=()), "durations are misplaced"),
         (lambda places: replace(places, oscillations=()), "oscillations are misplaced"),
+        (lambda places: replace(places, recurring=()), "counts of edges are misplaced"),
         (lambda places: replace(places, windows=()), "windows are misplaced"),
         (lambda places: replace(places, sampled=()), "are remembered are misplaced"),
         (lambda places: replace(places, channel_names=("spin",) * 4), "have the same name"),

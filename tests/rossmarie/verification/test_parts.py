@@ -28,6 +28,8 @@ rule rocking: if oscillates(turning, 2 times, within 2.0 sec, by 0.2) then { sto
 rule steep: if orientation.pitch() > 10 deg then { stop; };
 rule near: if any(ranges < 0.5 m) then { stop; };
 rule far: if min(ranges) > 20 m then { stop; };
+rule often: if count(edges of turning > 1 within 2 sec) > 1 then { stop; };
+rule smooth: if low_pass(turning, 0.3 sec) > 2 then { stop; };
 """
 """What counts, angles, and elements of arrays."""
 
@@ -318,7 +320,7 @@ def test_what_counts_and_elements_are_what_they_mean(
 @pytest.mark.parametrize(
     ("change", "part", "expected"),
     [
-        (("    if (value == TRUE)\n        wake_by(m, oldest_turn(m, k) + turn_windows[k]);\n", ""),
+        (("    if (value == TRUE)\n        wake_by(m, recent_end(m, k));\n", ""),
          "tick", "is waited for"),
         (("    receive_imu(m, t_ns, orientation_x, orientation_y,",
           "    receive_imu(m, t_ns, orientation_y, orientation_x,"), "handed_imu",
@@ -328,9 +330,16 @@ def test_what_counts_and_elements_are_what_they_mean(
         (("    receive_spin(m, t_ns, data);\n    compute", "    compute"), "handed_spin",
          "what is not refused is handed on once"),
         (("x > extreme + swing", "x >= extreme + swing"), "numbers_spin", "the turning points of"),
-        (("        m->turn_next[k] = ", "        (void)"), "numbers_spin", "the turning points of"),
+        (("    m->recent_next[k] = ", "    (void)"), "numbers_spin", "the turning points of"),
+        (("    m->recent_next[k] = ", "    (void)"), "visit", "`recent_next` is as it has to be"),
+        (("operand == TRUE && before == FALSE", "operand == TRUE && before != TRUE"), "visit",
+         "is as it has to be"),
+        (("    m->edge_before[k] = operand;", ""), "visit", "is what it means"),
+        (("        m->edge_before[k] = m->started ? UNKNOWN : FALSE;", "        ;"), "restart",
+         "`edge_before` is as it has to be"),
+        (("recent_due(m, k) <= t_ns", "recent_due(m, k) < t_ns"), "tick", "`often`"),
         (("        forget_turns(m, k);\n        return", "        return"), "tick",
-         "`turns` is as it has to be"),
+         "`recent_count` is as it has to be"),
         (("unknowns != 0 || count == 0", "count == 0"), "numbers_scan",
          "`any(ranges < 0.5 m)` is what it means"),
         (("{ return m->value[guard_value[g]]; }", "{ return (void)m, (void)g, NAN; }"), "cross_1",

@@ -298,7 +298,9 @@ def _timer_tables(layout: Layout) -> str:
         *(recent_tables(layout) if layout.recent else ()),
         *(_literal_tables(layout) if layout.literals else ()),
     ]
-    return _section("Durations, ages, turning points, edges, and truths that never change.", parts)
+    edges = " edges," if layout.recurring else ""
+    title = f"Durations, ages, turning points,{edges} and truths that never change."
+    return _section(title, parts)
 
 
 def _literal_tables(layout: Layout) -> list[str]:

@@ -84,6 +84,21 @@ def words(condition: str) -> str:
             "each after a swing of more than 1 V)",
         ),
         (
+            "count(edges of estop or battery < 9 V within 2 sec) > 2",
+            "this has become true at least 3 times within the last 2 s: | "
+            "estop is true or battery is below 9 V",
+        ),
+        (
+            "count(edges of estop within 2 sec) < 1",
+            "this has not become true at least once within the last 2 s: | estop is true",
+        ),
+        (
+            "changed(battery)",
+            "battery is other than the sample before the last of battery",
+        ),
+        ("mean(battery, 1 sec) < 9 V", "the mean of battery over 1 s is below 9 V"),
+        ("low_pass(battery, 1 sec) < 9 V", "battery behind a low pass of 1 s is below 9 V"),
+        (
             "(estop or battery < 9 V) for 1 sec",
             "this has held throughout the last 1 s: | estop is true or battery is below 9 V",
         ),

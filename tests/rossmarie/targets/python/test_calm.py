@@ -62,6 +62,8 @@ CONDITIONS: dict[str, Callable[[Topics], int]] = {
     "age": lambda d: d.truth(ir.AgeReaches(0, SECOND // 4)),
     "rate": lambda d: d.above(d.signal(ir.Sampled(ir.Sampling.RATE, d.x)), 0.5),
     "swing": lambda d: d.truth(ir.Oscillates(d.x, 2, SECOND, 0.5)),
+    "edges": lambda d: d.truth(ir.Recurs(d.above(d.x, 0.5), 2, SECOND)),
+    "low pass": lambda d: d.above(d.signal(ir.Sampled(ir.Sampling.LOW_PASS, d.x, SECOND)), 0.5),
 }
 
 

@@ -1,0 +1,41 @@
+"""Recent instants: the turning points and edges that a monitor keeps, as C over its memory `m`.
+
+Takes a layout; `k` counts the truths that rest on them, as it lists these.
+"""
+
+from __future__ import annotations
+
+from rossmarie.ir import model as ir
+from rossmarie.verification.layout import Layout
+
+
+def recent(layout: Layout, k: int) -> ir.Oscillates | ir.Recurs:
+    """The k-th of the truths that count turning points or edges."""
+    node = layout.machine.truths[layout.recent[k]].node
+    assert isinstance(node, ir.Oscillates | ir.Recurs), "the layout lists them"
+    return node
+
+
+def first_recent(layout: Layout, k: int) -> int:
+    """The place of the first instant that is kept for it."""
+    return sum(recent(layout, before).count for before in range(k))
+
+
+def window_end(layout: Layout, k: int) -> str:
+    """The instant at which the oldest of them leaves the window."""
+    oldest = f"m->recent_ns[{first_recent(layout, k)} + m->recent_next[{k}]]"
+    return f"{oldest} + INT64_C({recent(layout, k).window_ns})"
+
+
+def enough(layout: Layout, k: int) -> str:
+    """State that so many lie in the window as the truth asks for (S32, S48)."""
+    return f"(m->recent_count[{k}] == {recent(layout, k).count} && t_ns < {window_end(layout, k)})"
+
+
+def recurs(layout: Layout, truth: int, operand: str) -> str:
+    """S48: known edges are facts; where these are too few, what was not seen counts."""
+    k = layout.recent.index(truth)
+    end = f"m->gap_end_ns[{k}]"
+    near = f"{end} != NEVER && t_ns - {end} < INT64_C({recent(layout, k).window_ns})"
+    otherwise = f"{operand} >= UNKNOWN ? {operand} : {near} ? m->gap[{k}] : FALSE"
+    return f"{enough(layout, k)} ? TRUE : {otherwise}"
