@@ -24,7 +24,7 @@ FOR_OTHER_COMMANDS = {
 CHECKS = {
     "rossmarie": (
         EXAMPLES / "demo" / "demo.ross",
-        FOR_OTHER_COMMANDS | {"pyoxigraph", "rossmarie.syntax.habits", "rossmarie.report"},
+        FOR_OTHER_COMMANDS | {"lark", "pyoxigraph", "rossmarie.syntax.habits", "rossmarie.report"},
     ),
     "ezskiros": (
         EXAMPLES / "pick_place" / "skills" / "motions.py",

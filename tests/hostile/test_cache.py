@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 
 import rossmarie
-from rossmarie.syntax.grammar import load_grammar
+from rossmarie.syntax.grammar import load_tables
 from support.depth import deep
 from support.parts import C_COMPILER, ROOT, needs
 
@@ -37,9 +37,9 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """The user's cache folder; it does not exist yet."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    load_grammar.cache_clear()
+    load_tables.cache_clear()
     yield tmp_path / "cache" / "rossmarie"
-    load_grammar.cache_clear()
+    load_tables.cache_clear()
 
 
 @pytest.fixture
@@ -59,7 +59,7 @@ def filled(tmp_path_factory: pytest.TempPathFactory) -> Path:
         rules = folder / "rules.ross"
         rules.write_text(RULES)
         stops_at(rules, 0.6)
-    load_grammar.cache_clear()
+    load_tables.cache_clear()
     return folder
 
 
@@ -79,7 +79,7 @@ def kept(cache: Path, kind: str) -> Path:
 
 def stops_at(rules: Path, metres: float) -> bool:
     """Whether the rule is active, in a monitor that is loaded as a new process loads it."""
-    load_grammar.cache_clear()
+    load_tables.cache_clear()
     monitor = rossmarie.load(rules)
     assert monitor.kind == "native"
     monitor.update(1_000_000_000, {"person": metres})

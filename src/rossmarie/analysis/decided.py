@@ -12,6 +12,7 @@ from functools import partial
 import z3
 
 from dslkit.diagnostics import Diagnostic, Label, Remark
+from rossmarie.analysis import thresholds
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import (
     AlwaysActive,
@@ -117,6 +118,14 @@ def _impossible(inquiry: Inquiry, truth: int) -> TruthValue | None:
     return None
 
 
+def _can_be(inquiry: Inquiry, truth: int, value: bool) -> bool:
+    """Say whether the solver finds that a leaf can have a value; if so, it never refutes it."""
+    alone = inquiry.below(truth)
+    last = len(alone.machine.truths) - 1
+    claim = partial(_has, truth=last, value=TruthValue.TRUE if value else TruthValue.FALSE)
+    return alone.is_possible(claim, settled=not value)
+
+
 def _has(state: ArbitraryState, truth: int, value: TruthValue) -> z3.BoolRef:
     return state.truth(truth).is_value(value)
 
@@ -135,11 +144,16 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
         for root in rule.roots
         for truth in reachable_truths(machine, root)
     }
-    varied: set[int] = set()
+    plain = {
+        truth
+        for truth in used
+        if isinstance(machine.truths[truth].node, Literal | Not | Held | Since)
+        or not rests_on[truth].inputs
+        or _is_free(machine, truth)
+    }
+    varied = plain | thresholds.varied(machine, sorted(used - plain), partial(_can_be, inquiry))
     for truth in sorted(used):
-        node = machine.truths[truth].node
-        is_plain = isinstance(node, Literal | Not | Held | Since) or not rests_on[truth].inputs
-        if is_plain or _is_free(machine, truth) or _joins_apart(inquiry, truth, varied):
+        if truth in varied or _joins_apart(inquiry, truth, varied):
             varied.add(truth)
             continue
         if any(below in found for below in reachable_truths(machine, truth)):

@@ -22,17 +22,20 @@ def losses(inquiry: Inquiry) -> Iterator[Loss]:
     for index, declared in enumerate(machine.inputs):
         ages = [declared.timeout_ns] if declared.timeout_ns is not None else []
         ages += _ages(machine, index)
-        if not ages:
+        if ages:
+            after_ns = max(ages)
+            yield Loss(index, after_ns, dict(_effects(inquiry, index, after_ns)))
+        else:
             yield Loss(index, None, {})
-            continue
-        after_ns = max(ages)
-        effects = {
-            rule: effect
-            for rule, declared_rule in enumerate(machine.rules)
-            if index in declared_rule.inputs
-            and (effect := _effect(inquiry, index, after_ns, rule)) is not Effect.NOTHING
-        }
-        yield Loss(index, after_ns, effects)
+
+
+def _effects(inquiry: Inquiry, used: int, after_ns: int) -> Iterator[tuple[int, Effect]]:
+    """The rules to which the loss of an input does something, and what."""
+    for index, rule in enumerate(inquiry.machine.rules):
+        if used in rule.inputs:
+            effect = _effect(inquiry, used, after_ns, index)
+            if effect is not Effect.NOTHING:
+                yield index, effect
 
 
 def _ages(machine: Machine, used: int) -> Iterator[int]:
@@ -85,9 +88,9 @@ def find_unnoticed(inquiry: Inquiry) -> Iterator[Finding]:
     rests_on = supports(machine).truths
     roots = {root for rule in machine.rules for root in rule.roots}
     in_rules = {used for root in roots for used in rests_on[root].inputs}
-    for loss in losses(inquiry):
-        declared = machine.inputs[loss.input]
-        if declared.timeout_ns is None or loss.input not in in_rules:
+    for index, declared in enumerate(machine.inputs):
+        if declared.timeout_ns is None or index not in in_rules:
             continue  # it is never lost; or it only confirms, and what is unknown confirms nothing
-        if not loss.effects:
+        after_ns = max([declared.timeout_ns, *_ages(machine, index)])
+        if next(_effects(inquiry, index, after_ns), None) is None:
             yield Finding(LossUnnoticed(input=declared.name).at(declared.span))

@@ -95,6 +95,16 @@ class Inquiry:
         term = claim(state)
         return self._is_refuted(state, term)
 
+    def is_possible(self, claim: StateClaim, *, settled: bool = False) -> bool:
+        """Say whether the solver finds a state in which a claim holds; no trace need lead there.
+        The claim rests on no `for`.
+        """
+        self.check_time()
+        state = ArbitraryState(self.asked, settled=settled)
+        term = claim(state)
+        assert not state.awaited, "a claim without `for`"
+        return ask(state.facts, term).outcome is Outcome.POSSIBLE
+
     def _is_refuted(self, state: ArbitraryState, term: z3.BoolRef) -> bool:
         outcome = ask(state.facts, term).outcome
         if outcome is Outcome.POSSIBLE and 1 < len(state.awaited) <= _MOST_AWAITED:

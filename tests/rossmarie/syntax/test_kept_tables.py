@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-import lark.lark
 import pytest
 
-from rossmarie.syntax.grammar import Grammar, load_grammar
+from rossmarie.syntax import grammar
+from rossmarie.syntax.grammar import load_tables
+from rossmarie.syntax.tables import Reduction, Tables
 
 
 @pytest.fixture
@@ -16,19 +17,20 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
     """The user's cache folder; it does not exist yet."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "cache"))
     monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path / "state"))
-    load_grammar.cache_clear()
+    load_tables.cache_clear()
     yield tmp_path / "cache"
-    load_grammar.cache_clear()
+    load_tables.cache_clear()
 
 
-def loaded() -> Grammar:
-    """The grammar as a new process loads it."""
-    load_grammar.cache_clear()
-    return load_grammar()
+def loaded() -> Tables:
+    """The tables as a new process loads them."""
+    load_tables.cache_clear()
+    return load_tables()
 
 
-def rules(grammar: Grammar) -> set[str]:
-    return {str(rule) for rule in grammar.lark.rules}
+def rules(tables: Tables) -> set[Reduction]:
+    """What is the same however lark numbers the states."""
+    return set(tables.reductions)
 
 
 def test_tables_are_built_once(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -36,12 +38,11 @@ def test_tables_are_built_once(cache: Path, monkeypatch: pytest.MonkeyPatch) -> 
     (kept,) = (cache / "rossmarie").iterdir()
     assert kept.stat().st_size > 10_000
 
-    def build(*_arguments: object) -> None:
+    def build(*_arguments: object) -> bytes:
         raise AssertionError("the tables are built anew")
 
-    monkeypatch.setattr(lark.lark, "load_grammar", build)
+    monkeypatch.setattr(grammar, "make_tables", build)
     assert rules(loaded()) == rules(first)
-    assert loaded().literals == first.literals
 
 
 @pytest.mark.parametrize("content", [b"", b"nonsense", b"\x80\x04."])
@@ -59,7 +60,7 @@ def test_a_broken_file_is_replaced(
 
 def test_without_a_place_for_them_they_are_built(cache: Path) -> None:
     cache.write_text("not a folder")
-    assert rules(loaded())
+    assert loaded().reductions
 
 
 def test_nobody_has_a_home(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -69,5 +70,5 @@ def test_nobody_has_a_home(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None
     for variable in ("XDG_CACHE_HOME", "XDG_STATE_HOME"):
         monkeypatch.delenv(variable)
     monkeypatch.setattr(Path, "home", homeless)
-    assert rules(loaded())
+    assert loaded().reductions
     assert not cache.exists()

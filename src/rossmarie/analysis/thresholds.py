@@ -1,0 +1,77 @@
+"""Leaves that compare one number with different constants, as the rules of large files do: where
+the solver finds that the number can lie beyond one threshold, it can lie beyond all lesser ones.
+
+So of all leaves of one kind the solver is asked about the outermost thresholds only, and about the
+next ones where it does not find them possible.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from rossmarie.ir import Compare, Comparison, Constant, Machine, Quantified, Quantifier
+
+_ABOVE = (Comparison.GREATER, Comparison.GREATER_OR_EQUAL)
+_BELOW = (Comparison.LESS, Comparison.LESS_OR_EQUAL)
+
+Kind = tuple[Quantifier | None, Comparison, int]
+"""The quantifier of a leaf, its comparison, and the number that it compares, by index."""
+
+
+@dataclass(frozen=True)
+class Threshold:
+    """A leaf `number > value`, or the like, also of elements."""
+
+    truth: int
+    kind: Kind
+    value: float
+
+    @property
+    def is_above(self) -> bool:
+        """Say whether greater numbers make it true."""
+        return self.kind[1] in _ABOVE
+
+
+IsPossible = Callable[[int, bool], bool]
+"""Say whether the solver finds that a truth can be true, or false."""
+
+
+def varied(machine: Machine, truths: Iterable[int], is_possible: IsPossible) -> set[int]:
+    """The ones of some truths that are such leaves, and can be true as well as false."""
+    kinds: dict[Kind, list[Threshold]] = {}
+    for truth in truths:
+        threshold = _threshold(machine, truth)
+        if threshold is not None:
+            kinds.setdefault(threshold.kind, []).append(threshold)
+    found: set[int] = set()
+    for alike in kinds.values():
+        if len(alike) > 1:
+            hardest_last = sorted(alike, key=lambda each: each.value, reverse=not alike[0].is_above)
+            can_be_true = _possible(hardest_last[::-1], is_possible, value=True)
+            # What is true the most easily is false the least.
+            found |= can_be_true & _possible(hardest_last, is_possible, value=False)
+    return found
+
+
+def _possible(hardest_first: Sequence[Threshold], ask: IsPossible, *, value: bool) -> set[int]:
+    for place, threshold in enumerate(hardest_first):
+        if ask(threshold.truth, value):
+            return {each.truth for each in hardest_first[place:]}
+    return set()
+
+
+def _threshold(machine: Machine, truth: int) -> Threshold | None:
+    node = machine.truths[truth].node
+    quantifier = None
+    if isinstance(node, Quantified):
+        quantifier, node = node.quantifier, machine.truths[node.element].node
+    if not isinstance(node, Compare):
+        return None
+    left, right = machine.signals[node.left].node, machine.signals[node.right].node
+    comparison, number, constant = node.comparison, node.left, right
+    if isinstance(left, Constant):
+        comparison, number, constant = comparison.mirrored, node.right, left
+    if comparison not in _ABOVE + _BELOW or not isinstance(constant, Constant):
+        return None
+    return Threshold(truth, (quantifier, comparison, number), constant.value)
