@@ -316,20 +316,9 @@ class Recurs:
 
 
 TruthNode = (
-    Literal
-    | Compare
-    | Between
-    | Flag
-    | AgeReaches
-    | Oscillates
-    | Quantified
-    | Not
-    | And
-    | Or
-    | Held
-    | Since
-    | Recurs
-)
+    Literal | Compare | Between | Flag | AgeReaches | Oscillates | Quantified | Not | And | Or
+    | Held | Since | Recurs
+)  # fmt: skip
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ import z3
 
 from rossmarie import ir
 from rossmarie.ir.script import Script
+from rossmarie.testing.before import wanted_before
 from rossmarie.testing.goals import (
     Edge,
     atoms,
@@ -276,7 +277,7 @@ class _Proposer:
         """A phase, behind those that make each `since` what it takes it for."""
         phases = [phase]
         while len(phases) <= _MOST_BEFORE:
-            wanted = self._world.before(phases[0].values)
+            wanted = wanted_before(self._world, phases[0].values)
             values = self._world.solve(wanted, phases[0].values) if wanted else None
             if values is None:
                 break

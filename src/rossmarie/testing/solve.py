@@ -297,29 +297,15 @@ class World:
             if variable.kind in ("aged", "oscillating", "remembered"):
                 yield z3.Or(term == 0, term == 1)
 
-    def before(self, values: Values) -> list[z3.BoolRef]:
-        """The formulas that have to hold before these values for each `since` to have been what
-        they take it for; none where it does not matter.
-        """
-        wanted = []
-        for variable, held, begun in self._remembering():
-            if variable in values and self._is_so(z3.And(held, z3.Not(begun)), values):
-                wanted.append(begun if values[variable] else z3.Not(z3.Or(held, begun)))
-        return wanted
-
-    def _remembering(self) -> Iterator[tuple[Variable, z3.BoolRef, z3.BoolRef]]:
+    def remembering(self) -> Iterator[tuple[Variable, z3.BoolRef, z3.BoolRef]]:
         """What each `since` was, and its two conditions."""
         for variable in [each for each in self.variables if each.kind == "remembered"]:
             node = self.machine.truths[variable.index].node
             assert isinstance(node, ir.Since), "only that remembers what it was"
             yield variable, self.formula(node.held), self.formula(node.begun)
 
-    def _is_so(self, formula: z3.BoolRef, values: Values) -> bool:
-        pairs = [(self.variables[each], constant(value)) for each, value in values.items()]
-        return z3.is_true(z3.simplify(z3.substitute(formula, *pairs)))
-
     def _clear(self, apart: int | None) -> Iterator[z3.BoolRef]:
-        for _, held, begun in self._remembering():
+        for _, held, begun in self.remembering():
             yield z3.Or(begun, z3.Not(held))
         for truth in self.truths:
             if truth == apart:

@@ -1,0 +1,22 @@
+"""Values that have to come before others, for each `since` to be what these take it for."""
+
+from __future__ import annotations
+
+import z3
+
+from rossmarie.analysis.terms import constant
+from rossmarie.testing.solve import Values, World
+
+
+def wanted_before(world: World, values: Values) -> list[z3.BoolRef]:
+    """The formulas that have to hold before some values; none where it does not matter what was."""
+    wanted = []
+    for variable, held, begun in world.remembering():
+        if variable in values and _is_so(world, z3.And(held, z3.Not(begun)), values):
+            wanted.append(begun if values[variable] else z3.Not(z3.Or(held, begun)))
+    return wanted
+
+
+def _is_so(world: World, formula: z3.BoolRef, values: Values) -> bool:
+    pairs = [(world.variables[each], constant(value)) for each, value in values.items()]
+    return z3.is_true(z3.simplify(z3.substitute(formula, *pairs)))

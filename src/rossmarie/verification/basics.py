@@ -1,0 +1,40 @@
+"""C on which all definitions stand: the numbers that it calls by names, and the logic of S2."""
+
+from __future__ import annotations
+
+HELPERS = """\
+/* Two numbers that nobody can tell apart. */
+static bool spec_same(double a, double b)
+{
+    return (isnan(a) && isnan(b)) || (a == b && signbit(a) == signbit(b));
+}
+
+/* S4. */
+static double spec_finite(double x) { return isfinite(x) ? x : NAN; }
+
+/* S2. */
+static unsigned spec_not(unsigned a) { return a == FALSE ? TRUE : a == TRUE ? FALSE : a; }
+static unsigned spec_and(unsigned a, unsigned b)
+{
+    return a == FALSE || b == FALSE ? FALSE : a > b ? a : b;
+}
+static unsigned spec_or(unsigned a, unsigned b)
+{
+    return a == TRUE || b == TRUE ? TRUE : a > b ? a : b;
+}
+"""
+
+
+CONSTANTS = """\
+/* The range of instants and durations, and truths and states as the header calls them. */
+_Static_assert(EARLIEST == -INT64_C(0x2000000000000000), "instants lie above -2^61");
+_Static_assert(LATEST == INT64_C(0x4000000000000000), "instants lie below 2^62");
+_Static_assert(LONGEST == INT64_C(0x2000000000000000), "durations lie below 2^61");
+_Static_assert(FALSE == {name}_FALSE && TRUE == {name}_TRUE, "what is known");
+_Static_assert(UNKNOWN == {name}_UNKNOWN && LOST == {name}_LOST, "what is not known");
+_Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "the state before the first message");
+_Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "states of inputs");
+"""
+"""The numbers that the C calls by names of its own. CBMC takes no program in which one of these is
+wrong.
+"""
