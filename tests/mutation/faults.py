@@ -81,7 +81,7 @@ _DURATIONS = (
     Fault("nobody wakes for a duration", "    wake_by(m, m->held_due_ns[k]);\n", ""),
     Fault(
         "the next wake forgets durations",
-        "        if (m->held_due_ns[k] > m->now_ns)\n"
+        "        if (m->held_due_ns[k] > m->now_ns && m->truth[held_nodes[k]] != TRUE)\n"
         "            wake_ns = earlier(wake_ns, m->held_due_ns[k]);\n",
         "            ;\n",
     ),
