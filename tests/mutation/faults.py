@@ -44,8 +44,8 @@ _LIMITS = (
     Fault("`<` is taken for `<=`", "{0.39999999999999997, ", "{0.4, "),
     Fault(
         "a comparison is turned round below its limit",
-        "leaf_below[11] = {\n    FALSE, FALSE, FALSE, FALSE, TRUE,",
-        "leaf_below[11] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE,",
+        "leaf_below[14] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE, TRUE,",
+        "leaf_below[14] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE, FALSE,",
     ),
     Fault(
         "both ends of an interval are crossed and the truth flips once",
@@ -81,7 +81,7 @@ _DURATIONS = (
     Fault("nobody wakes for a duration", "    wake_by(m, m->held_due_ns[k]);\n", ""),
     Fault(
         "the next wake forgets durations",
-        "        if (m->held_due_ns[k] > m->now_ns)\n"
+        "        if (m->held_due_ns[k] > m->now_ns && m->truth[held_nodes[k]] != TRUE)\n"
         "            wake_ns = earlier(wake_ns, m->held_due_ns[k]);\n",
         "            ;\n",
     ),
@@ -119,8 +119,8 @@ _TIME = (
     ),
     Fault(
         "turning points survive a jump back",
-        "        forget_turns(m, k);\n        m->gap[k] =",
-        "        m->gap[k] =",
+        "        forget_turns(m, k);\n#endif",
+        "        ;\n#endif",
     ),
     Fault(
         "messages are of the future after a jump back",

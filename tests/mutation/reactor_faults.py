@@ -28,7 +28,7 @@ REACTOR = (
         "/* parameter /planner.speed */ 1, 0,",
         "/* parameter /planner.speed */ 0, 1,",
     ),
-    _reactor("rules begin in the wrong order", "rule_order[7] = {1, 0,", "rule_order[7] = {0, 1,"),
+    _reactor("rules begin in the wrong order", "rule_order[9] = {1, 0,", "rule_order[9] = {0, 1,"),
     _reactor("an overruled task is not given up", "            give_up(r, task);\n", ""),
     _reactor(
         "a waiting task never begins again",
