@@ -16,14 +16,17 @@ from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.latches import find_released_latches
+from rossmarie.analysis.questions import ask_all
 from rossmarie.analysis.rates import find_unfit_durations
 from rossmarie.analysis.recovery import find_blocked
 from rossmarie.analysis.release import find_never_cleared
 from rossmarie.driver import compile_file
+from rossmarie.driver.analyze import TOGGLE_NS
 
 HERE = Path(__file__).parent
 BENCH = HERE.parent / "build" / "bench"
 COUNTS = (3, 10, 30, 100)
+SIMPLE_COUNTS = (8, 30, 100, 300)
 QUESTIONS = {
     "in conflict (quick)": lambda asked: find_conflicts(asked, thorough=False),
     "never or always active, constant parts (quick)": lambda asked: find_decided(
@@ -62,6 +65,44 @@ def rules(count: int) -> str:
     return "\n".join(lines) + "\n"
 
 
+def simple_rules(count: int) -> str:
+    """Rules with a threshold or two each over five inputs, none of which stands in the way of
+    another.
+    """
+    lines = [
+        "input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec",
+        "input orientation = topic /imu : sensor_msgs/Imu .orientation timeout 0.2 sec",
+        "input force = topic /wrench : geometry_msgs/Wrench .force timeout 0.1 sec",
+        "input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.5 sec",
+        "input charge = topic /battery : sensor_msgs/BatteryState .percentage timeout 5 sec",
+    ]
+    conditions = (
+        "speed > 0.{0} m/s",
+        "abs(orientation.pitch()) > {0} deg for 1 sec",
+        "norm(force) > {0} N",
+        "min(ranges) < 0.{0} m",
+        "charge < 0.{0} and speed > 0.{0} m/s",
+    )
+    for number in range(count):
+        condition = conditions[number % 5].format(10 + number % 70)
+        lines.append(f'action act{number} {{ log warning "rule {number}"; }}')
+        lines.append(f"rule r{number}: if {condition} then {{ act{number}; }} clear for 2 sec;")
+    return "\n".join(lines) + "\n"
+
+
+def simple_seconds(count: int) -> tuple[float, float]:
+    """CPU time of reading, checking and lowering so many simple rules, and of all quick questions
+    about them.
+    """
+    path = BENCH / f"simple_{count}.ross"
+    path.write_text(simple_rules(count), encoding="utf-8")
+    start = time.process_time()
+    machine = compile_file(path).machine
+    compiled = time.process_time()
+    assert not list(ask_all(machine, thorough=False, within_ns=TOGGLE_NS)), "rules without faults"
+    return compiled - start, time.process_time() - compiled
+
+
 def seconds(count: int) -> dict[str, float]:
     """CPU time of each question about so many rules."""
     BENCH.mkdir(parents=True, exist_ok=True)
@@ -96,7 +137,23 @@ def page() -> str:
         sum(took for name, took in found[count].items() if "quick" in name) for count in COUNTS
     )
     lines.append("| all quick ones | " + " | ".join(f"{total:.2f}" for total in quick) + " |")
-    return "\n".join(lines) + "\n"
+    return "\n".join([*lines, *simple_lines()]) + "\n"
+
+
+def simple_lines() -> list[str]:
+    """The table of simple rules."""
+    simple_seconds(SIMPLE_COUNTS[0])  # the first time reads the tables of the parser, too
+    found = [simple_seconds(count) for count in SIMPLE_COUNTS]
+    return [
+        "",
+        "Rules with a threshold or two each, about which there is nothing to find; CPU seconds of",
+        "the same process, which has imported all it needs:",
+        "",
+        "| | " + " | ".join(f"{count} rules" for count in SIMPLE_COUNTS) + " |",
+        "|---" * (len(SIMPLE_COUNTS) + 1) + "|",
+        "| read, check and lower | " + " | ".join(f"{each[0]:.2f}" for each in found) + " |",
+        "| all quick questions | " + " | ".join(f"{each[1]:.2f}" for each in found) + " |",
+    ]
 
 
 def main() -> None:

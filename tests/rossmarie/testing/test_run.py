@@ -16,6 +16,7 @@ from rossmarie.targets import c99
 from rossmarie.testing.findings import differences
 from rossmarie.testing.play import steps_of
 from rossmarie.testing.run import run
+from rossmarie.testing.unread import unread
 from support.testing import INPUTS, compiled, notes, run_text
 
 STEEP = "rule steep: if orientation.pitch() > 10 deg for 1.0 sec then { slow; };\n"
@@ -253,3 +254,25 @@ def test_s55_declared_names_set_an_array_with_as_many_elements(tmp_path: Path) -
     found = run_text(tmp_path, EFFORTS + text)
     assert notes(found) == []
     assert found.has_c
+
+
+def test_s55_an_element_that_is_set_by_its_name_makes_an_array_of_that_length(
+    tmp_path: Path,
+) -> None:
+    text = """test "a" {
+        at 0 s efforts["elbow"] = 3 Nm;
+        at 0.05 s efforts["elbow"] = 31 Nm;
+        expect heavy inactive from 0 s until 0.05 s;
+        expect heavy active at 0.05 s;
+    }"""
+    assert notes(run_text(tmp_path, EFFORTS + text)) == []
+
+
+def test_s55_all_elements_count_where_one_is_read_by_a_declared_name(tmp_path: Path) -> None:
+    heavy = EFFORTS[: EFFORTS.index("rule strained")]
+    text = """test "a" {
+        at 0 s efforts[0] = 3 Nm, efforts["wrist"] = 3 Nm;
+        expect heavy inactive at 0 s;
+    }"""
+    found = compiled(tmp_path, heavy + text)
+    assert list(unread(found.machine, found.tests)) == []
