@@ -19,6 +19,7 @@ from rossmarie.catalog import CATALOG as ROSSMARIE
 from rossmarie.check.operations.edges import MOST_EDGES
 from rossmarie.check.operations.functions import MOST_TURNING_POINTS, USAGES
 from rossmarie.check.rules.plans import MOST_TASKS
+from rossmarie.check.system.bounds import MOST_ELEMENTS
 from rossmarie.cli.main import app
 from rossmarie.core import MOST_SAMPLES
 from rossmarie.driver import check_file
@@ -109,6 +110,7 @@ def test_the_limits_are_those_of_the_compiler() -> None:
         spaced(MOST_EVALUATIONS),
         spaced(MOST_TASKS),
     ]
+    assert spaced(MOST_ELEMENTS) in stated
 
 
 def spaced(number: int) -> str:

@@ -23,6 +23,7 @@ static void run_batch(void)
     int64_t at[BATCH_ROOM];
     double values[BATCH_ROOM * BATCH_SHOWN + 1];
     void *elements[BATCH_ARRAYS + 1] = {NULL}, *ends[BATCH_ARRAYS + 1] = {NULL};
+    void *known[BATCH_ARRAYS + 1] = {NULL};
     host *h = host_new();
     const size_t updates = (size_t)read_integer();
     int64_t *times = (int64_t *)read_column(updates * sizeof *times);
@@ -30,12 +31,14 @@ static void run_batch(void)
     double *slots = (double *)read_column(updates * BATCH_SLOTS * sizeof *slots);
     const double *const *all = (const double *const *)elements;
     const int64_t *const *of_each = (const int64_t *const *)ends;
+    const unsigned char *const *are_known = (const unsigned char *const *)known;
     host_batch batch = {updates, BATCH_CHANNELS, BATCH_SLOTS, BATCH_ARRAYS, times, arriving,
-                        slots, all, of_each, parts, counts};
+                        slots, all, of_each, are_known, parts, counts};
     host_samples samples = {BATCH_ROOM, 0, BATCH_SHOWN, shown, at, values};
     for (int i = 0; i < BATCH_ARRAYS; i++) {
         elements[i] = read_column((size_t)read_integer());
         ends[i] = read_column((size_t)read_integer());
+        known[i] = read_column((size_t)read_integer());
     }
     for (;;) {
         done = host_take(h, done, &batch, &samples);
@@ -60,6 +63,7 @@ static void run_batch(void)
     for (int i = 0; i < BATCH_ARRAYS; i++) {
         free(elements[i]);
         free(ends[i]);
+        free(known[i]);
     }
     free(times);
     free(arriving);

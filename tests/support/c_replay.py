@@ -146,6 +146,8 @@ static void run_trace(void)
             NAME_reset(m, t_ns, (int)read_integer());
         } else {
             NAME_values v;
+            size_t elements = 0;
+            (void)elements;
             memset(&v, 0, sizeof v);
 READ
 TAKE
@@ -180,8 +182,14 @@ def program(machine: ir.Machine) -> str:
             member = f"v.{name}.{field.name}"
             if field.slot is not None:
                 read.append(f"                {member} = read_double();")
+            elif _is_column(machine, field):
+                read.append(f"                {member} = read_array(&elements);")
+                if field.count is not None:
+                    count = f"v.{name}.{field.count}"
+                    read.append(f"                {count} = (size_t)read_integer();")
+                release.append(f"            free((void *)(uintptr_t){member});")
             else:
-                read.append(f"                {member} = read_array(&{member}_count);")
+                read.append(f"                {member} = read_array(&v.{name}.{field.count});")
                 release.append(f"            free((void *)(uintptr_t){member});")
         read.append("            }")
         others = [f"v.has_{other}" for other in layout.channel_names if other != name]
@@ -205,6 +213,10 @@ def program(machine: ir.Machine) -> str:
     text = text.replace("CHANNEL_COUNT", str(max(1, len(machine.channels))))
     text = text.replace("ACTIVE_BYTES", str((len(machine.rules) + 7) // 8))
     return text.replace("NAME", layout.name)
+
+
+def _is_column(machine: ir.Machine, field: types.Field) -> bool:
+    return field.array is not None and machine.arrays[field.array].list is not None
 
 
 def _arguments(machine: ir.Machine, channel: int, prefix: str) -> list[str]:
@@ -233,7 +245,7 @@ def trace_bytes(machine: ir.Machine, trace: Sequence[Step], latched: Sequence[in
                     values = messages.get(channel)
                     parts.append(struct.pack("=q", values is not None))
                     if values is not None:
-                        parts.append(_message(carried, values))
+                        parts.append(_message(machine, carried, values))
             case Advance(at_ns):
                 parts.append(struct.pack("=2q", 1, at_ns))
             case Reset(at_ns, rule):
@@ -255,7 +267,7 @@ def table_bytes(columns: Columns) -> bytes:
     )
 
 
-def _message(fields: Sequence[types.Field], values: ir.ChannelValues) -> bytes:
+def _message(machine: ir.Machine, fields: Sequence[types.Field], values: ir.ChannelValues) -> bytes:
     parts = []
     for field in fields:
         if field.slot is not None:
@@ -263,6 +275,11 @@ def _message(fields: Sequence[types.Field], values: ir.ChannelValues) -> bytes:
         elif field.array is not None:
             elements = values.arrays.get(field.array, ())
             parts.append(struct.pack(f"=q{len(elements)}d", len(elements), *elements))
+            its_list = machine.arrays[field.array].list
+            if its_list is not None and field.count is not None:
+                columns, most = ir.columns_of(machine, its_list), machine.lists[its_list].most
+                count = ir.known_count(values, columns, most)
+                parts.append(struct.pack("=q", -1 if count is None else count))
     return b"".join(parts)
 
 

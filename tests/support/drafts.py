@@ -27,6 +27,7 @@ class Draft:
     signals: list[ir.Signal] = field(default_factory=list)
     truths: list[ir.Truth] = field(default_factory=list)
     rules: list[ir.Rule] = field(default_factory=list)
+    lists: list[ir.List] = field(default_factory=list)
 
     def channel(self) -> int:
         topic = f"/topic_{len(self.channels)}"
@@ -59,6 +60,23 @@ class Draft:
     ) -> int:
         path = (f"array_{len(self.arrays)}",)
         self.arrays.append(ir.Array(used, path, scale, offset, "", limits))
+        return len(self.arrays) - 1
+
+    def list_of(self, used: int, most: int) -> int:
+        self.lists.append(ir.List(used, (f"list_{len(self.lists)}",), most))
+        return len(self.lists) - 1
+
+    def column(
+        self,
+        its_list: int,
+        kind: ir.Kind = ir.Kind.REAL,
+        scale: float = 1.0,
+        offset: float = 0.0,
+        limits: tuple[float, float] | None = None,
+    ) -> int:
+        used, path = self.lists[its_list].input, self.lists[its_list].path
+        path = (*path, ir.EACH, f"column_{len(self.arrays)}")
+        self.arrays.append(ir.Array(used, path, scale, offset, "", limits, kind, its_list))
         return len(self.arrays) - 1
 
     def signal(
@@ -127,4 +145,5 @@ class Draft:
             tuple(self.signals),
             tuple(self.truths),
             tuple(self.rules),
+            lists=tuple(self.lists),
         )

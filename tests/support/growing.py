@@ -20,6 +20,7 @@ timeouts = st.one_of(st.none(), durations)
 finite = st.one_of(st.sampled_from(NUMBERS), st.sampled_from(NUMBERS + EXTREMES))
 scales = st.sampled_from(((1.0, 0.0), (1.0, 0.0), (0.5, 0.0), (1.0, 0.25), (1e150, -1.0)))
 
+equalities = st.sampled_from((ir.Comparison.EQUAL, ir.Comparison.NOT_EQUAL))
 whole_limits = st.sampled_from((None, None, None, (0.0, 1.0), (-2.0, 2.0), (0.0, 2.0**64)))
 
 
@@ -31,6 +32,7 @@ class Growing:
         self.draft = Draft(texts=("docked", "driving"))
         self.numbers: list[int] = [self.draft.constant(1.0)]
         self.element_numbers: dict[int, list[int]] = {}
+        self.element_texts: dict[int, list[int]] = {}
         self.truths: list[int] = []
 
     def one_of(self, choices: Sequence[int]) -> int:
@@ -47,11 +49,13 @@ class Growing:
 
     def _fields(self, used: int) -> None:
         # Of an input without fields only the age is read.
-        kinds = st.sampled_from((*ir.Kind, ir.Kind.REAL, ir.Kind.REAL, "array"))
+        kinds = st.sampled_from((*ir.Kind, ir.Kind.REAL, ir.Kind.REAL, "array", "list"))
         for kind in self.draw(st.lists(kinds, max_size=3)):
             scale, offset = self.draw(scales)
             limits = self.draw(whole_limits)
-            if isinstance(kind, str):
+            if kind == "list":
+                self._list(used)
+            elif isinstance(kind, str):
                 array = self.draft.array(used, scale, offset, limits)
                 self.element_numbers[array] = [self.draft.signal(ir.Element(array))]
             elif kind is ir.Kind.REAL:
@@ -59,6 +63,19 @@ class Growing:
                 self.numbers.append(self.draft.signal(ir.Read(slot)))
             else:
                 self.draft.slot(used, kind)
+
+    def _list(self, used: int) -> None:
+        """A list of one or more columns; the first one has numbers."""
+        its_list = self.draft.list_of(used, self.draw(st.integers(1, 3)))
+        first: int | None = None
+        for is_text in (False, *self.draw(st.lists(st.booleans(), max_size=2))):
+            scale, offset = self.draw(scales)
+            settings = () if is_text else (scale, offset, self.draw(whole_limits))
+            kind = ir.Kind.TEXT if is_text else ir.Kind.REAL
+            column = self.draft.column(its_list, kind, *settings)
+            first = column if first is None else first
+            known = self.element_texts if is_text else self.element_numbers
+            known.setdefault(first, []).append(self.draft.signal(ir.Element(column)))
 
     # --- signals ---
 
@@ -112,12 +129,19 @@ class Growing:
         function = self.draw(st.sampled_from(ir.Function))
         operands = [self._constant() for _ in range(self._arity(function))]
         operands[self.draw(st.integers(0, len(operands) - 1))] = self.one_of(known)
+        operands[self.draw(st.integers(0, len(operands) - 1))] = self.one_of(known)
         known.append(self.draft.apply(function, *operands))
         return known[-1]
 
     def _element_truth(self, array: int, depth: int = 2) -> int:
-        shapes = ("compare", "between", "flag", "not", "and", "or") if depth else ("compare",)
+        shapes = ["compare", "between", "flag", "not", "and", "or"] if depth else ["compare"]
+        if array in self.element_texts:
+            shapes += ["text", "text"]
         match self.draw(st.sampled_from(shapes)):
+            case "text":
+                text = self.draw(st.sampled_from(self.element_texts[array]))
+                literal = self.draft.constant(float(self.draw(st.integers(0, 1))))
+                return self.draft.truth(ir.Compare(self.draw(equalities), text, literal))
             case "between":
                 ends = sorted((self.draw(finite), self.draw(finite)))
                 low, high = (self.draft.constant(end) for end in ends)
@@ -188,7 +212,7 @@ class Growing:
         read = self.draft.signal(ir.Read(slot))
         if self.draft.slots[slot].kind is ir.Kind.FLAG:
             return self._add(ir.Flag(read))
-        comparison = self.draw(st.sampled_from((ir.Comparison.EQUAL, ir.Comparison.NOT_EQUAL)))
+        comparison = self.draw(equalities)
         text = self.draft.constant(float(self.draw(st.integers(0, 1))))
         return self._add(ir.Compare(comparison, read, text))
 

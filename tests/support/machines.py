@@ -136,9 +136,26 @@ def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.Cha
         arrays={
             index: draw(st.lists(raw(ir.Kind.REAL, array.limits), max_size=4))
             for index, array in enumerate(machine.arrays)
-            if machine.inputs[array.input].channel == channel
-        },
+            if machine.inputs[array.input].channel == channel and array.list is None
+        }
+        | draw(columns(machine, channel)),
     )
+
+
+@st.composite
+def columns(draw: st.DrawFn, machine: ir.Machine, channel: int) -> dict[int, list[float]]:
+    """The columns of the lists of a channel: none to too many elements, and nearly always all."""
+    found: dict[int, list[float]] = {}
+    for index, each in enumerate(machine.lists):
+        if machine.inputs[each.input].channel != channel:
+            continue
+        count = draw(st.integers(0, each.most + 1))
+        for column in ir.columns_of(machine, index):
+            array = machine.arrays[column]
+            numbers = raw(array.kind, array.limits)
+            if draw(_IS_PRESENT):
+                found[column] = draw(st.lists(numbers, min_size=count, max_size=count))
+    return found
 
 
 _IS_PRESENT = st.sampled_from((True,) * 9 + (False,))

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
+from hypothesis import assume
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
@@ -64,8 +65,11 @@ def _observed(draw: st.DrawFn, machine: ir.Machine) -> tuple[dict[str, Place], i
         is_there = slot.kind is not Kind.TEXT and draw(st.integers(0, 7)) > 0
         observe[min(names)] = size if is_there else None
         size += is_there
-    for names in arrays:
-        length = draw(st.integers(1, 3))
+    # Texts are no numbers of an observation, and a list is observed as a whole.
+    assume(all(array.kind is not Kind.TEXT for array in machine.arrays))
+    lengths = [draw(st.integers(1, 3)) for _ in machine.lists]
+    for names, array in zip(arrays, machine.arrays, strict=True):
+        length = draw(st.integers(1, 3)) if array.list is None else lengths[array.list]
         observe[min(names)] = slice(size, size + length)
         size += length
     return observe | dict.fromkeys(ir.arrival_names(machine), 0), size + 1

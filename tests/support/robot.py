@@ -9,7 +9,7 @@ import time
 
 from controller_manager_msgs.msg import ControllerState
 from controller_manager_msgs.srv import ListControllers, SwitchController
-from diagnostic_msgs.msg import DiagnosticArray
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from ears import Client, Ears, Server
 from geometry_msgs.msg import Twist, TwistStamped
 from rosgraph_msgs.msg import Clock
@@ -39,6 +39,7 @@ class Robot(Ears):
         self.near = None  # whether something is near; None: the scanner is silent
         self.torques = None  # of all joints, without their names
         self.efforts = None  # pairs of a joint and its torque in Nm; None: the joints are silent
+        self.parts = None  # pairs of a part and its level, "OK" or "ERROR"; None: all are silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
         self.moving = False  # whether the arm moves, goal or not
@@ -55,6 +56,7 @@ class Robot(Ears):
         self._scan = None  # nobody publishes it before something is to be near or not
         self._joints = None
         self._torques = None
+        self._parts = None
         self._clock = None
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
@@ -93,6 +95,11 @@ class Robot(Ears):
         if self.torques is not None:
             self._torques = self._torques or self.sensor("/effort_states", Float64MultiArray)
             self._torques.publish(Float64MultiArray(data=list(map(float, self.torques))))
+        if self.parts is not None:
+            self._parts = self._parts or self.sensor("/parts", DiagnosticArray)
+            levels = [(name, getattr(DiagnosticStatus, level)) for name, level in self.parts]
+            statuses = [DiagnosticStatus(name=name, level=level) for name, level in levels]
+            self._parts.publish(DiagnosticArray(status=statuses))
         self._arm_moving.publish(Bool(data=self.moving))
         self._mode.publish(String(data=self.mode))
 

@@ -35,14 +35,23 @@ def tables(draw: st.DrawFn, machine: ir.Machine, most: int = 16) -> Table:
     """A table with a column for every field, and for some of the inputs without fields."""
     times = draw(instants(most))
     slots = [_column(draw, slot.kind, len(times)) for slot in machine.slots]
-    arrays = [_array(draw, len(times)) for _ in machine.arrays]
+    widths = [draw(st.integers(0, each.most + 1)) for each in machine.lists]
+    arrays = [
+        _array(draw, len(times))
+        if array.list is None
+        else _array(draw, len(times), widths[array.list], array.kind)
+        for array in machine.arrays
+    ]
     table = Table(np.array(times, np.int64))
     slot_names, array_names = ir.field_names(machine)
     for names, slot, values in zip(slot_names, machine.slots, slots, strict=True):
         name = draw(st.sampled_from(sorted(names)))
         table.columns[name] = draw(_SHAPES[slot.kind])(machine, values)
-    for names, rows in zip(array_names, arrays, strict=True):
-        table.columns[draw(st.sampled_from(sorted(names)))] = np.array(rows).reshape(len(times), -1)
+    for names, array, rows in zip(array_names, machine.arrays, arrays, strict=True):
+        column: np.ndarray = np.array(rows).reshape(len(times), -1)
+        if array.kind is ir.Kind.TEXT:
+            column = _as_strings(machine, column.reshape(-1).tolist()).reshape(column.shape)
+        table.columns[draw(st.sampled_from(sorted(names)))] = column
     given = {name: used for name, used in ir.arrival_names(machine).items() if draw(st.booleans())}
     table.columns |= {name: np.full(len(times), np.nan) for name in given}
     table.rows = [_row(machine, set(given.values()), slots, arrays, i) for i in range(len(times))]
@@ -55,9 +64,13 @@ def _column(draw: st.DrawFn, kind: ir.Kind, rows: int) -> list[float]:
     return draw(st.lists(raw(kind), min_size=rows, max_size=rows))
 
 
-def _array(draw: st.DrawFn, rows: int) -> list[list[float]]:
-    width = draw(st.integers(0, 3))
-    row = st.lists(raw(ir.Kind.REAL), min_size=width, max_size=width)
+def _array(
+    draw: st.DrawFn, rows: int, width: int | None = None, kind: ir.Kind = ir.Kind.REAL
+) -> list[list[float]]:
+    if width is None:
+        width = draw(st.integers(0, 3))
+    known = st.sampled_from((0.0, 1.0, -1.0))
+    row = st.lists(known if kind is ir.Kind.TEXT else raw(kind), min_size=width, max_size=width)
     return draw(st.lists(row, min_size=rows, max_size=rows))
 
 

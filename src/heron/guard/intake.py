@@ -12,7 +12,7 @@ import numpy as np
 from heron import messages
 from heron.messages import Message
 from rossmarie.guard import Core, Value
-from rossmarie.ir import Array, ByName, Listed, Path, Slot, Told, arrival_names, field_names
+from rossmarie.ir import Array, ByName, Each, Listed, Path, Slot, Told, arrival_names, field_names
 
 Take = Callable[[int, Message], Told | None]
 """An instant and a message; gives what the core has to tell, if there is anything."""
@@ -102,10 +102,12 @@ def _read_all(paths: Sequence[Path]) -> Callable[[Message], Sequence[float]]:
 def _field(message: Message, path: Path) -> Any:
     """The value to which a path leads; NaN for an element that is not there."""
     value = message
-    for part in path:
+    for step, part in enumerate(path):
         if isinstance(part, str):
             value = getattr(value, part)
             continue
+        if isinstance(part, Each):
+            return [_field(each, path[step + 1 :]) for each in value]
         place = _place(message, part, len(value))
         if place is None or place >= len(value):
             return math.nan

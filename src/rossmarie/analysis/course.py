@@ -284,7 +284,7 @@ class Course:
         cells = {
             index: self._cells(f"leg{number}.array{index}", self.asked.array_uses[index])
             for index, array in enumerate(machine.arrays)
-            if machine.inputs[array.input].channel in channels
+            if machine.inputs[array.input].channel in channels and array.list is None
         }
         return Leg(
             {channel: z3.Bool(f"leg{number}.channel{channel}") for channel in channels},

@@ -201,7 +201,12 @@ def _message(machine: Machine, leg: DraftLeg, channel: int, swing: int) -> Chann
         for slot, value in slots.items()
         if machine.inputs[machine.slots[slot].input].channel == channel
     }
-    return ChannelValues(own, arrays)
+    no_elements: dict[int, list[float]] = {
+        index: []
+        for index, array in enumerate(machine.arrays)
+        if array.list is not None and machine.inputs[array.input].channel == channel
+    }
+    return ChannelValues(own, arrays | no_elements)
 
 
 def quaternion(angles: Mapping[ir.Function, float]) -> tuple[float, float, float, float]:

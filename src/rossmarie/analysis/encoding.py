@@ -17,7 +17,7 @@ from functools import cached_property
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis import arithmetic
+from rossmarie.analysis import arithmetic, lists
 from rossmarie.analysis.terms import (
     NO,
     YES,
@@ -177,10 +177,12 @@ class Encoding(ABC):
                 return self.apply(index, function, numbers)
             case ir.Sampled():
                 return self.sampled(index, node)
-            case ir.Fold():
-                return self._fold(node)
-            case ir.Count():
-                return self.count(node)
+            case ir.Fold(element=element):
+                its_list = lists.list_of(self.machine, self.asked.elements.signals[element])
+                return self._fold(node) if its_list is None else lists.folded(self, its_list, node)
+            case ir.Count(element=element):
+                its_list = lists.list_of(self.machine, self.asked.elements.truths[element])
+                return self.count(node) if its_list is None else lists.counted(self, its_list)
             case ir.Element():
                 raise AssertionError("an element has no value of its own")
 
@@ -297,6 +299,9 @@ class Encoding(ABC):
 
     def _quantified(self, index: int, node: ir.Quantified) -> Fact:
         array = self.asked.elements.truths[node.element]
+        its_list = lists.list_of(self.machine, array)
+        if its_list is not None:
+            return lists.quantified(self, its_list, index, node)
         assert array is not None
         cells = self.cells(array)
         is_any = node.quantifier is ir.Quantifier.ANY

@@ -24,9 +24,11 @@ def slot_facts(
     return kind_facts(machine, slot, value) + limit_facts(slot, value, rounded=rounded)
 
 
-def kind_facts(machine: ir.Machine, slot: ir.Slot, value: z3.ArithRef) -> list[z3.BoolRef]:
+def kind_facts(
+    machine: ir.Machine, source: ir.Slot | ir.Array, value: z3.ArithRef
+) -> list[z3.BoolRef]:
     """Say by which numbers flags and texts are known."""
-    match slot.kind:
+    match source.kind:
         case ir.Kind.FLAG:
             return [z3.Or(value == 0, value == 1)]
         case ir.Kind.TEXT:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rossmarie.ir import Array, ByName, ChannelValues, Kind, Listed, Machine, Path, Slot
+from rossmarie.ir import Array, ByName, ChannelValues, Each, Kind, Listed, Machine, Path, Slot
 from rossmarie.ir.reactions import Publish, Scalar
 
 
@@ -58,7 +58,7 @@ Given = dict[Path, Scalar | tuple[Scalar, ...]]
 
 def _number(machine: Machine, slot: Slot, given: Given) -> float:
     last = slot.path[-1] if slot.path else ""
-    if isinstance(last, str):
+    if isinstance(last, str | Each):
         value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
         return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
     elements = _elements(slot.path[:-1], given)

@@ -150,7 +150,7 @@ def _fields(machine: Machine, channel: int, witness: Witness) -> Iterator[_Colum
         if machine.inputs[slot.input].channel == channel:
             yield _Column(f"{topic}{path_text(slot.path)}", channel, index)
     for index, array in enumerate(machine.arrays):
-        if machine.inputs[array.input].channel == channel:
+        if machine.inputs[array.input].channel == channel and array.list is None:
             for element in range(_longest(witness, channel, index)):
                 name = f"{topic}{path_text((*array.path, element))}"
                 yield _Column(name, channel, index, element)

@@ -7,7 +7,7 @@ from rossmarie.check.actions import errors as action_errors
 from rossmarie.check.expressions import errors as expression_errors
 from rossmarie.check.names import errors as name_errors
 from rossmarie.check.operations import errors as operation_errors
-from rossmarie.check.operations import function_errors, range_errors
+from rossmarie.check.operations import function_errors, list_errors, range_errors
 from rossmarie.check.rules import errors as rule_errors
 from rossmarie.check.scopes import errors as scope_errors
 from rossmarie.check.system import errors as system_errors
@@ -20,6 +20,7 @@ _DECLARED: tuple[type[Template], ...] = (
     *name_errors.ALL,
     *operation_errors.ALL,
     *function_errors.ALL,
+    *list_errors.ALL,
     *range_errors.ALL,
     *expression_errors.ALL,
     *system_errors.ALL,

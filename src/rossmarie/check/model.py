@@ -44,6 +44,7 @@ class CheckedInput:
 
     `topic` is the full name (`/imu/data`), `message_type` is `sensor_msgs/Imu`, `path` leads to the
     selected field (empty: the whole message; the `data` of a std_msgs message is part of it).
+    `most` is the number of elements that lists of the message may have.
     """
 
     declaration: ast.Input
@@ -52,6 +53,7 @@ class CheckedInput:
     path: tuple[str, ...]
     type: Type
     timeout_ns: int | None
+    most: int | None = None
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,9 @@ class PythonMonitor:
 
     def __init__(self, machine: ir.Machine, source: str) -> None:
         self._slots = _by_channel(machine, machine.slots)
-        self._arrays = _by_channel(machine, machine.arrays)
+        channels = range(len(machine.channels))
+        self._arrays = [ir.arrays_of(machine, channel) for channel in channels]
+        self._is_column = [array.list is not None for array in machine.arrays]
         self._has_watches = bool(machine.watches)
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
@@ -146,10 +148,16 @@ class PythonMonitor:
     def _fields(self, channel: int, values: ChannelValues) -> list[object]:
         """One message: its slots, then its arrays."""
         slots = [values.slots.get(slot, _NAN) for slot in self._slots[channel]]
-        return [*slots, *(list(values.arrays.get(array, ())) for array in self._arrays[channel])]
+        return [*slots, *(self._elements(array, values) for array in self._arrays[channel])]
+
+    def _elements(self, array: int, values: ChannelValues) -> list[float] | None:
+        """The elements of an array; of a column that the message lacks, None."""
+        if array not in values.arrays and self._is_column[array]:
+            return None
+        return list(values.arrays.get(array, ()))
 
 
-def _by_channel(machine: ir.Machine, fields: Sequence[ir.Slot | ir.Array]) -> list[list[int]]:
+def _by_channel(machine: ir.Machine, fields: Sequence[ir.Slot]) -> list[list[int]]:
     """The fields that each channel carries, by index."""
     carried: list[list[int]] = [[] for _ in machine.channels]
     for index, field in enumerate(fields):

@@ -9,16 +9,23 @@ from typing import TypeAlias
 import numpy as np
 
 from rossmarie.ir import (
+    EACH,
     ChannelValues,
     Kind,
     Machine,
     arrival_names,
+    columns_of,
     field_names,
+    list_names,
     near_name,
+    path_names,
 )
+from rossmarie.ir.carried import holds_flags
 
-Value: TypeAlias = float | bool | str | Sequence[float]
-"""The content of a message field: a number, a flag, a string, or the elements of an array."""
+Value: TypeAlias = float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | None
+"""The content of a message field: a number, a flag, a string, the elements of an array, or those of
+a list of messages, as dictionaries or objects; None is a list of which nothing is known.
+"""
 
 _WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
 _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
@@ -32,6 +39,7 @@ class NamedValues:
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self.slots, self.arrays = (_by_name(names) for names in field_names(machine))
+        self.lists = _by_name(list_names(machine))
         self.arrivals = arrival_names(machine)
 
     def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
@@ -47,10 +55,14 @@ class NamedValues:
                 index = self.slots[name]
                 channel = self._channel(self._machine.slots[index].input)
                 slots.setdefault(channel, {})[index] = self._number(index, value)
+            elif name in self.lists and (name not in self.arrays or not _is_column(value)):
+                index = self.lists[name]
+                channel = self._channel(self._machine.lists[index].input)
+                arrays.setdefault(channel, {}).update(self._columns(name, index, value))
             elif name in self.arrays:
                 index = self.arrays[name]
                 channel = self._channel(self._machine.arrays[index].input)
-                arrays.setdefault(channel, {})[index] = _elements(name, value)
+                arrays.setdefault(channel, {})[index] = self._elements(name, index, value)
             elif name in self.arrivals:
                 slots.setdefault(self.arrivals[name], {})
             else:
@@ -79,7 +91,7 @@ class NamedValues:
 
     def unknown(self, name: str) -> str:
         """The words for a name that nothing reads."""
-        near = near_name(name, (*self.slots, *self.arrays, *self.arrivals))
+        near = near_name(name, (*self.slots, *self.arrays, *self.lists, *self.arrivals))
         return f"no rule reads `{name}`" + (f"; did you mean `{near}`?" if near else "")
 
     def _channel(self, used: int) -> int:
@@ -87,7 +99,9 @@ class NamedValues:
 
     def _number(self, slot: int, value: Value) -> float:
         """A string is its index among the strings of the machine, or -1."""
-        kind = self._machine.slots[slot].kind
+        return self._number_of(self._machine.slots[slot].kind, value)
+
+    def _number_of(self, kind: Kind, value: object) -> float:
         if isinstance(value, str) and kind is Kind.TEXT:
             texts = self._machine.texts
             return float(texts.index(value)) if value in texts else -1.0
@@ -95,6 +109,51 @@ class NamedValues:
             number = float(value)
             return _flag(number) if kind is Kind.FLAG else number
         raise TypeError(f"{_WANTED[kind]} is wanted, not {value!r}")
+
+    def _elements(self, name: str, array: int, value: Value) -> list[float]:
+        if self._machine.arrays[array].kind is not Kind.TEXT:
+            return _numbers(name, value)
+        if isinstance(value, str) or not isinstance(value, Sequence):
+            raise TypeError(f"`{name}` is the strings of all elements, not {value!r}")
+        return [self._number_of(Kind.TEXT, each) for each in value]
+
+    def _columns(self, name: str, its_list: int, value: Value) -> dict[int, list[float]]:
+        """The columns of a list of dictionaries or of objects; none if it is not known."""
+        if value is None:
+            return {}
+        if isinstance(value, str) or not isinstance(value, Sequence):
+            raise TypeError(f"`{name}` is a list of messages, not {value!r}")
+        found = {}
+        for column in columns_of(self._machine, its_list):
+            array = self._machine.arrays[column]
+            kind = Kind.FLAG if holds_flags(array) else array.kind
+            words = path_names(array.path[array.path.index(EACH) + 1 :])
+            fields = [_field(name, element, words) for element in value]
+            found[column] = [
+                math.nan if each is None else self._number_of(kind, each) for each in fields
+            ]
+        return found
+
+
+def _field(name: str, element: object, words: Sequence[str]) -> object:
+    """A field of an element of a list; None if a dictionary lacks it."""
+    if isinstance(element, Mapping) and ".".join(words) in element:
+        return element[".".join(words)]
+    for word in words:
+        if isinstance(element, Mapping):
+            element = element.get(word)
+        elif hasattr(element, word):
+            element = getattr(element, word)
+        elif element is not None:
+            raise TypeError(f"an element of `{name}` has no field `{'.'.join(words)}`: {element!r}")
+    return element
+
+
+def _is_column(value: Value) -> bool:
+    """Say whether a value has one field of each element, and not the elements themselves."""
+    if isinstance(value, str) or not isinstance(value, Sequence | np.ndarray):
+        return False
+    return all(isinstance(each, (str, *_NUMBERS)) for each in value)
 
 
 def _by_name(names: Sequence[frozenset[str]]) -> dict[str, int]:
@@ -105,7 +164,7 @@ def _flag(number: float) -> float:
     return float(number != 0.0) if math.isfinite(number) else math.nan
 
 
-def _elements(name: str, value: Value) -> list[float]:
+def _numbers(name: str, value: Value) -> list[float]:
     elements = np.asarray(value)
     if elements.ndim != 1 or elements.dtype.kind not in "buif":
         raise TypeError(f"`{name}` is an array of numbers, not {value!r}")

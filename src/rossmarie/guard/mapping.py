@@ -16,7 +16,17 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias, TypeVar
 
 from rossmarie.engines import NamedValues
-from rossmarie.ir import CommandPart, Kind, Listed, Machine, Part, Publication, Wiring, near_name
+from rossmarie.ir import (
+    CommandPart,
+    Kind,
+    Listed,
+    Machine,
+    Part,
+    Publication,
+    Wiring,
+    columns_of,
+    near_name,
+)
 from rossmarie.ir.reactions import CommandField, Limit, Publish
 from rossmarie.units import DIMENSIONLESS, Unit, UnknownUnitError, parse_unit
 
@@ -96,6 +106,7 @@ class ArrayMapping:
         """
         slots = [self._slots[index] for index in range(len(self._machine.slots))]
         arrays = [self._arrays[index] for index in range(len(self._machine.arrays))]
+        self._require_lists(observed)
         commands = tuple(
             CommandPart(command, field, part)
             for (command, field), entry in sorted(self._fields.items())
@@ -131,6 +142,8 @@ class ArrayMapping:
             _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         elif name in values.arrays:
             array = machine.arrays[values.arrays[name]]
+            if array.kind is Kind.TEXT and place is not None:
+                raise MappingError(f"`{name}` has texts, which are no numbers of an array")
             if isinstance(index, int):
                 raise MappingError(f"`{name}` is an array: a slice, such as slice(0, 7)")
             part = Part()
@@ -160,6 +173,19 @@ class ArrayMapping:
             raise MappingError(
                 f"rules read {listed}, which `observe` lacks (None: it is never observed)"
             )
+
+    def _require_lists(self, observed: int) -> None:
+        """All fields of a list that is observed are, and as many times."""
+        arriving = self._arriving()
+        for number, its_list in enumerate(self._machine.lists):
+            if self._machine.inputs[its_list.input].channel not in arriving:
+                continue
+            entries = [self._arrays[column] for column in columns_of(self._machine, number)]
+            parts = [entry.placed("observation", observed) for entry in entries]
+            is_whole = all(entry.index is not None for entry in entries)
+            if not is_whole or len({part.count for part in parts}) > 1:
+                listed = ", ".join(f"`{entry.name}`" for entry in entries)
+                raise MappingError(f"{listed} are of one list: as many numbers of each are wanted")
 
     def _arriving(self) -> frozenset[int]:
         inputs = self._machine.inputs

@@ -1,11 +1,12 @@
-"""Signals and truths over the elements of an array (rules S22 to S26).
+"""Signals and truths over the elements of an array or a list (rules S22 to S26, S51 to S54).
 
-An array that has not arrived, is empty or has expired is the empty sequence; every result over it
-is unknown.
+Every result over an array of which nothing is known is unknown: it has not arrived, has expired, is
+empty, or is a list of too many elements. A list without elements is known.
 """
 
 from __future__ import annotations
 
+import math
 from functools import reduce
 
 from rossmarie import ir
@@ -25,71 +26,87 @@ class Elements:
         self._arrays = ir.element_arrays(machine)
 
     def fold(self, node: ir.Fold) -> float:
-        """The least or greatest element; NaN if one is NaN, or there is none (S23)."""
-        values = self.values(node.element)
-        if not values:
+        """The least or greatest element; NaN if one is NaN, or nothing is known (S23). Of no
+        elements of a list, what leaves any other number as it is (S53).
+        """
+        if not self._is_known(self._arrays.signals[node.element]):
             return NAN
         function = node.folding.function
-        return reduce(lambda found, each: arithmetic.plain(function, (found, each)), values)
+        first = math.inf if node.folding is ir.Folding.MINIMUM else -math.inf
+        values = self.values(node.element)
+        return reduce(lambda found, each: arithmetic.plain(function, (found, each)), values, first)
 
     def count(self, node: ir.Count) -> float:
-        """For how many elements a truth is true; NaN if one is unknown, or there is none (S24)."""
+        """For how many elements a truth is true; NaN if it is unknown for one, or nothing is known
+        (S24).
+        """
         values = self._truths(node.element)
-        if not values or TruthValue.UNKNOWN in values:
+        if not self._is_known(self._arrays.truths[node.element]) or TruthValue.UNKNOWN in values:
             return NAN
         return float(values.count(TruthValue.TRUE))
 
     def quantified(self, node: ir.Quantified) -> TruthValue:
-        """Kleene's disjunction or conjunction over the elements; of none, unknown (S25)."""
-        values = self._truths(node.element)
-        if not values:
+        """Kleene's disjunction or conjunction over the elements; unknown if nothing is known
+        (S25).
+        """
+        if not self._is_known(self._arrays.truths[node.element]):
             return TruthValue.UNKNOWN
+        values = self._truths(node.element)
         is_any = node.quantifier is ir.Quantifier.ANY
         return kleene.disjunction(values) if is_any else kleene.conjunction(values)
+
+    def _is_known(self, array: int | None) -> bool:
+        assert array is not None, "verified: only elementwise nodes are folded"
+        return self._memory.arrays[array] is not None
 
     def _truths(self, index: int) -> list[TruthValue]:
         array = self._arrays.truths[index]
         assert array is not None, "verified: only elementwise truths are quantified and counted"
-        return [self._truth(index, x) for x in self._memory.arrays[array]]
+        return [self._truth(index, place) for place in self._places(array)]
 
     def values(self, index: int) -> list[float]:
         """An elementwise signal, for each element."""
         array = self._arrays.signals[index]
         assert array is not None, "verified: only elementwise signals are folded"
-        return [self._signal(index, x) for x in self._memory.arrays[array]]
+        return [self._signal(index, place) for place in self._places(array)]
 
-    def _signal(self, index: int, x: float) -> float:
+    def _places(self, array: int) -> range:
+        return range(len(self._memory.arrays[array] or ()))
+
+    def _signal(self, index: int, place: int) -> float:
         match self._machine.signals[index].node:
-            case ir.Element():
-                return x
+            case ir.Element(array=array):
+                elements = self._memory.arrays[array]
+                assert elements is not None, "all columns of a list are known, or none"
+                return elements[place]
             case ir.Constant(value=value):
                 return value
             case ir.Apply(function=function, operands=operands):
-                values = tuple(self._signal(operand, x) for operand in operands)
+                values = tuple(self._signal(operand, place) for operand in operands)
                 return arithmetic.apply(function, values)
             case (ir.Read() | ir.Sampled() | ir.Fold() | ir.Count()) as node:
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
-    def _truth(self, index: int, x: float) -> TruthValue:
+    def _truth(self, index: int, place: int) -> TruthValue:
         match self._machine.truths[index].node:
             case ir.Literal(value=value):
                 return kleene.truth_of(value)
             case ir.Compare(comparison=comparison, left=left, right=right):
-                return compare(comparison, self._signal(left, x), self._signal(right, x))
+                return compare(comparison, self._signal(left, place), self._signal(right, place))
             case ir.Between(signal=signal, low=low, high=high):
                 return is_between(
-                    self._signal(signal, x), self._signal(low, x), self._signal(high, x)
+                    self._signal(signal, place), self._signal(low, place), self._signal(high, place)
                 )
             case ir.Flag(signal=signal):
-                return is_set(self._signal(signal, x))
+                return is_set(self._signal(signal, place))
             case ir.Not(operand=operand):
-                return kleene.negation(self._truth(operand, x))
+                return kleene.negation(self._truth(operand, place))
             case ir.And(operands=operands):
-                return kleene.conjunction(self._truth(operand, x) for operand in operands)
+                return kleene.conjunction(self._truth(operand, place) for operand in operands)
             case ir.Or(operands=operands):
-                return kleene.disjunction(self._truth(operand, x) for operand in operands)
+                return kleene.disjunction(self._truth(operand, place) for operand in operands)
             case (
                 ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since()
-             | ir.Recurs()
+                | ir.Recurs()
             ) as node:  # fmt: skip
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")

@@ -156,12 +156,18 @@ class Evaluator:
 
     def _is_excused(self, support: ir.Support) -> bool:
         """S30: whether a leaf is unknown because of what it rests on, not of its arithmetic: a
-        number that is not there, elements out of range (REP 117), or a sample still to come.
+        number that is not there, elements out of range (REP 117), a list without elements, or a
+        sample still to come.
         """
-        memory = self._memory
+        memory, supports = self._memory, self._supports.signals
         values = [memory.slots[slot] for slot in support.slots]
         values += [memory.signals[signal] for signal in support.folds | support.samples]
-        return not all(value < math.inf for value in values)
+        of_lists = [
+            memory.signals[signal]
+            for signal in support.folds | support.samples
+            if ir.is_of_list(self._machine, supports[signal])
+        ]
+        return not all(value < math.inf for value in values) or -math.inf in of_lists
 
     def _age_reaches(self, node: ir.AgeReaches, at_ns: int) -> TruthValue:
         """S31."""

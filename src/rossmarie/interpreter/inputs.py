@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rossmarie import ir
 from rossmarie.interpreter.arithmetic import NAN, finite_or_nan
@@ -16,6 +16,7 @@ class Inputs:
     def __init__(self, machine: ir.Machine, memory: Memory) -> None:
         self._machine = machine
         self._memory = memory
+        self._columns = [ir.columns_of(machine, each) for each in range(len(machine.lists))]
 
     def receive(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> None:
         """Messages arrive at an instant, by channel index."""
@@ -31,8 +32,10 @@ class Inputs:
         for index, array in enumerate(self._machine.arrays):
             if (values := messages.get(self._channel(array.input))) is not None:
                 # S8: an infinite element is an ordinary number ("out of range", REP 117).
-                elements = values.arrays.get(index, ())
-                self._memory.arrays[index] = [_convert(raw, array) for raw in elements]
+                elements = self._arrived(index, array, values)
+                if elements is not None:
+                    elements = [_convert(raw, array) for raw in elements]
+                self._memory.arrays[index] = elements
 
     def expire(self, at_ns: int) -> frozenset[int]:
         """S10: the inputs that reach their timeout; what they brought is forgotten."""
@@ -46,8 +49,19 @@ class Inputs:
                 self._memory.slots[index] = NAN
         for index, array in enumerate(self._machine.arrays):
             if array.input in expired:
-                self._memory.arrays[index] = ()
+                self._memory.arrays[index] = None
         return expired
+
+    def _arrived(
+        self, index: int, array: ir.Array, values: ChannelValues
+    ) -> Sequence[float] | None:
+        """The elements of an array in a message. None if nothing was observed: an array without
+        elements (S24), or a list that is not known (S51).
+        """
+        if array.list is None:
+            return values.arrays.get(index) or None
+        columns, most = self._columns[array.list], self._machine.lists[array.list].most
+        return None if ir.known_count(values, columns, most) is None else values.arrays[index]
 
     def restart(self, at_ns: int) -> None:
         """S17: after a jump every input is as old as it was before. No limit on an age is above

@@ -49,7 +49,7 @@ class Interpreter:
     @property
     def arrays(self) -> tuple[Sequence[float], ...]:
         """The present elements of each array, by index; none before they arrive or once lost."""
-        return tuple(self._memory.arrays)
+        return tuple(() if found is None else found for found in self._memory.arrays)
 
     def elements(self, signal: int) -> Sequence[float]:
         """The present value of an elementwise signal for each element."""

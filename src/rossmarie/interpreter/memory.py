@@ -187,10 +187,11 @@ class Oscillation:
 class Memory:
     """All of it, by the indexes of the machine. Elementwise signals and truths have no entry of
     their own: they stay NaN and None. `since` holds what each `since` was at the last evaluation.
+    An array of which nothing is known is None.
     """
 
     slots: list[float]
-    arrays: list[Sequence[float]]
+    arrays: list[Sequence[float] | None]
     inputs: list[InputMemory]
     signals: list[float]
     samples: dict[int, Samples]
@@ -221,7 +222,7 @@ def fresh_memory(machine: ir.Machine) -> Memory:
     """The memory of a monitor that has seen nothing."""
     return Memory(
         slots=[NAN] * len(machine.slots),
-        arrays=[()] * len(machine.arrays),
+        arrays=[None] * len(machine.arrays),
         inputs=[InputMemory() for _ in machine.inputs],
         signals=[NAN] * len(machine.signals),
         samples={

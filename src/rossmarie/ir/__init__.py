@@ -15,7 +15,7 @@ from rossmarie.ir.limits import (
     require_instant,
 )
 from rossmarie.ir.malformed import MalformedMachine
-from rossmarie.ir.message import ChannelValues
+from rossmarie.ir.message import ChannelValues, known_count
 from rossmarie.ir.model import (
     FLAG_LIMITS,
     AgeReaches,
@@ -37,6 +37,7 @@ from rossmarie.ir.model import (
     Held,
     Input,
     Kind,
+    List,
     Literal,
     Machine,
     Not,
@@ -55,19 +56,22 @@ from rossmarie.ir.model import (
     Truth,
     TruthNode,
 )
-from rossmarie.ir.naming import arrival_names, field_names, near_name
+from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
-from rossmarie.ir.path import ByName, Listed, Path, Step, path_text
+from rossmarie.ir.path import EACH, ByName, Each, Listed, Path, Step, path_names, path_text
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.support import (
     ElementArrays,
     Support,
     Supports,
+    arrays_of,
+    columns_of,
     compared_signals,
     element_arrays,
     functions,
     is_leaf,
+    is_of_list,
     kind_of,
     leaf_truths,
     reachable_truths,
@@ -85,6 +89,7 @@ from rossmarie.ir.verify import verify
 from rossmarie.ir.wiring import CommandPart, Part, Publication, Wiring
 
 __all__ = [
+    "EACH",
     "EARLIEST_NS",
     "FLAG_LIMITS",
     "LATEST_NS",
@@ -108,6 +113,7 @@ __all__ = [
     "Comparison",
     "Constant",
     "Count",
+    "Each",
     "Element",
     "ElementArrays",
     "Elements",
@@ -124,6 +130,7 @@ __all__ = [
     "Input",
     "InputState",
     "Kind",
+    "List",
     "Listed",
     "Literal",
     "LostInput",
@@ -165,7 +172,9 @@ __all__ = [
     "UnreadableMachine",
     "Verdict",
     "Wiring",
+    "arrays_of",
     "arrival_names",
+    "columns_of",
     "compared_signals",
     "defined",
     "dump_text",
@@ -177,12 +186,16 @@ __all__ = [
     "functions",
     "held_of",
     "is_leaf",
+    "is_of_list",
     "kind_of",
+    "known_count",
     "leaf_truths",
+    "list_names",
     "machine_from_json",
     "machine_to_json",
     "most_evaluations",
     "near_name",
+    "path_names",
     "path_text",
     "reachable_truths",
     "reactions",

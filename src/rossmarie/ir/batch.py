@@ -17,10 +17,13 @@ if TYPE_CHECKING:  # numpy is slow to import, and most commands never need it
 
 
 class Elements(NamedTuple):
-    """One array of all updates: update i has `values[ends[i - 1] : ends[i]]`."""
+    """One array of all updates: update i has `values[ends[i - 1] : ends[i]]`. Where `known` is 0,
+    update i has no such array, and a list of which that is a column is not known.
+    """
 
     values: NDArray[np.float64]
     ends: NDArray[np.int64]
+    known: NDArray[np.uint8]
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,7 +64,11 @@ def each_update(machine: Machine, batch: Batch) -> Iterator[tuple[int, dict[int,
             {
                 channel: ChannelValues(
                     {slot: numbers[slot] for slot in slots[channel]},
-                    {array: _elements(batch.arrays[array], place) for array in arrays[channel]},
+                    {
+                        array: _elements(batch.arrays[array], place)
+                        for array in arrays[channel]
+                        if batch.arrays[array].known[place]
+                    },
                 )
                 for channel, is_there in enumerate(arriving)
                 if is_there

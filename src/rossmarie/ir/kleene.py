@@ -22,10 +22,10 @@ def negation(operand: TruthValue) -> TruthValue:
 def conjunction(operands: Iterable[TruthValue]) -> TruthValue:
     """`and`: false if any is false, else the greatest."""
     values = tuple(operands)
-    return TruthValue.FALSE if TruthValue.FALSE in values else max(values)
+    return TruthValue.FALSE if TruthValue.FALSE in values else max(values, default=TruthValue.TRUE)
 
 
 def disjunction(operands: Iterable[TruthValue]) -> TruthValue:
     """`or`: true if any is true, else the greatest."""
     values = tuple(operands)
-    return TruthValue.TRUE if TruthValue.TRUE in values else max(values)
+    return TruthValue.TRUE if TruthValue.TRUE in values else max(values, default=TruthValue.FALSE)

@@ -60,9 +60,23 @@ class Slot:
 
 
 @dataclass(frozen=True)
+class List:
+    """A list of messages that a message carries. One of more than `most` elements counts as lost,
+    as if it had not come (S51).
+    """
+
+    input: int
+    path: Path
+    most: int
+
+
+@dataclass(frozen=True)
 class Array:
     """A numeric array of any length that a message carries; it exists only while it arrives.
     `limits` are those of a slot; flags are the whole numbers within `FLAG_LIMITS`.
+
+    With a `list` it is one field of all elements of that list, as a column: `path` goes on behind
+    that of the list with `EACH`. All columns of a list have one length. Only they hold texts.
     """
 
     input: int
@@ -71,6 +85,8 @@ class Array:
     offset: float
     unit: str
     limits: tuple[float, float] | None = None
+    kind: Kind = Kind.REAL
+    list: int | None = None
 
 
 @dataclass(frozen=True)
@@ -403,3 +419,4 @@ class Machine:
     watches: tuple[int, ...] = ()
     reactions: Reactions = NO_REACTIONS
     hazards: tuple[Hazard, ...] = ()
+    lists: tuple[List, ...] = ()

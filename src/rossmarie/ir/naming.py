@@ -12,7 +12,8 @@ import difflib
 from collections import Counter
 from collections.abc import Iterable
 
-from rossmarie.ir.model import Array, Machine, Slot
+from rossmarie.ir.model import Array, List, Machine, Slot
+from rossmarie.ir.path import path_names
 
 
 def field_names(machine: Machine) -> tuple[tuple[frozenset[str], ...], tuple[frozenset[str], ...]]:
@@ -25,6 +26,24 @@ def field_names(machine: Machine) -> tuple[tuple[frozenset[str], ...], tuple[fro
         return frozenset(name for name in names if uses[name] == 1)
 
     return tuple(map(own, slots)), tuple(map(own, arrays))
+
+
+def list_names(machine: Machine) -> tuple[frozenset[str], ...]:
+    """The names of each list, by index: those that no other field has, but for its own columns."""
+    slots, arrays = field_names(machine)
+    lists = [_names(machine, each) for each in machine.lists]
+    uses = Counter(name for names in lists for name in names)
+    taken = {name for names in slots for name in names}
+    columns = enumerate(zip(machine.arrays, arrays, strict=True))
+    owners = {name: array.list for _, (array, names) in columns for name in names}
+    return tuple(
+        frozenset(
+            name
+            for name in names
+            if uses[name] == 1 and name not in taken and owners.get(name, index) == index
+        )
+        for index, names in enumerate(lists)
+    )
 
 
 def arrival_names(machine: Machine) -> dict[str, int]:
@@ -45,10 +64,10 @@ def near_name(name: str, known: Iterable[str]) -> str | None:
     return next(iter(inside or difflib.get_close_matches(name, names, n=1)), None)
 
 
-def _names(machine: Machine, field: Slot | Array) -> set[str]:
+def _names(machine: Machine, field: Slot | Array | List) -> set[str]:
     """The input, and the input with every ending of the path."""
     name = machine.inputs[field.input].name
-    words = [str(word) for word in field.path]
+    words = path_names(field.path)
     endings = {".".join(words[start:]) for start in range(len(words))}
     return {name} | {f"{name}.{ending}" for ending in endings}
 

@@ -42,8 +42,15 @@ class Listed:
         return self.place if length == self.count else None
 
 
-Step = str | int | ByName | Listed
-"""The name of a field, or the place or the name of an element."""
+@dataclass(frozen=True)
+class Each:
+    """Every element of a list of messages: what stands behind it is a field of each of them."""
+
+
+EACH = Each()
+
+Step = str | int | ByName | Listed | Each
+"""The name of a field, the place or the name of an element, or every element."""
 
 Path = tuple[Step, ...]
 
@@ -58,6 +65,13 @@ def path_words(path: Iterable[Step]) -> str:
     return path_text(path).removeprefix(".")
 
 
+def path_names(path: Iterable[Step]) -> list[str]:
+    """The names on a path, places and names of elements included; what all elements of a list have
+    goes by the name of the field alone.
+    """
+    return [str(step) for step in path if step != EACH]
+
+
 def _step_text(step: Step) -> str:
     match step:
         case str():
@@ -66,3 +80,5 @@ def _step_text(step: Step) -> str:
             return f"[{step}]"
         case ByName(key=key) | Listed(key=key):
             return f'["{key}"]'
+        case Each():
+            return "[]"

@@ -130,9 +130,12 @@ def _element_truth_supports(machine: ir.Machine) -> dict[int, Support]:
 
 
 def _array_support(machine: ir.Machine, array: int) -> Support:
+    """Of a list, all columns: they come and go together."""
     used = machine.arrays[array].input
+    its_list = machine.arrays[array].list
+    columns = (array,) if its_list is None else columns_of(machine, its_list)
     return Support(
-        arrays=frozenset({array}),
+        arrays=frozenset(columns),
         inputs=frozenset({used}),
         channels=frozenset({machine.inputs[used].channel}),
     )
@@ -192,10 +195,37 @@ def _union(parts: Iterable[Support]) -> Support:
 # --- elements --------------------------------------------------------------------------------
 
 
+def columns_of(machine: ir.Machine, its_list: int) -> tuple[int, ...]:
+    """The arrays that are the columns of a list."""
+    return tuple(index for index, array in enumerate(machine.arrays) if array.list == its_list)
+
+
+def arrays_of(machine: ir.Machine, channel: int) -> tuple[int, ...]:
+    """The arrays of a channel in the order in which engines take them: those that stand alone, then
+    the columns of each list.
+    """
+    alone = [
+        index
+        for index, array in enumerate(machine.arrays)
+        if array.list is None and machine.inputs[array.input].channel == channel
+    ]
+    lists = [
+        index
+        for index, each in enumerate(machine.lists)
+        if machine.inputs[each.input].channel == channel
+    ]
+    return (*alone, *(column for each in lists for column in columns_of(machine, each)))
+
+
+def is_of_list(machine: ir.Machine, support: Support) -> bool:
+    """Say whether something rests on the elements of a list."""
+    return any(machine.arrays[array].list is not None for array in support.arrays)
+
+
 @dataclass(frozen=True)
 class ElementArrays:
     """For every signal and truth, by index: the array of which it takes one element, or None if
-    it has one value for the whole machine.
+    it has one value for the whole machine. All columns of a list are told by the first one.
     """
 
     signals: tuple[int | None, ...]
@@ -205,21 +235,29 @@ class ElementArrays:
 def element_arrays(machine: ir.Machine) -> ElementArrays:
     """The signals and truths that exist once for each element, and the array of each.
 
-    Raises `ValueError` if one takes elements of two arrays.
+    Raises `ValueError` if one takes elements of two arrays, other than columns of one list.
     """
+    firsts: dict[int, int] = {}
+    for index, array in enumerate(machine.arrays):
+        if array.list is not None:
+            firsts.setdefault(array.list, index)
+    owners = [
+        index if array.list is None else firsts[array.list]
+        for index, array in enumerate(machine.arrays)
+    ]
     signals: list[int | None] = []
     for signal in machine.signals:
-        signals.append(_signal_array(signal.node, signals))
+        signals.append(_signal_array(signal.node, signals, owners))
     truths: list[int | None] = []
     for truth in machine.truths:
         truths.append(_truth_array(truth.node, signals, truths))
     return ElementArrays(tuple(signals), tuple(truths))
 
 
-def _signal_array(node: ir.SignalNode, signals: list[int | None]) -> int | None:
+def _signal_array(node: ir.SignalNode, signals: list[int | None], owners: list[int]) -> int | None:
     match node:
         case ir.Element(array=array):
-            return array
+            return owners[array]
         case ir.Apply(operands=operands):
             return _single(signals[operand] for operand in operands)
         case ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count():
@@ -259,7 +297,9 @@ def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
         case ir.Sampled(function=function, signal=sampled):
             gives_a_sample = sampling_row(function).gives_a_sample
             return kind_of(machine, sampled) if gives_a_sample else ir.Kind.REAL
-        case ir.Constant() | ir.Apply() | ir.Element() | ir.Fold() | ir.Count():
+        case ir.Element(array=array):
+            return machine.arrays[array].kind
+        case ir.Constant() | ir.Apply() | ir.Fold() | ir.Count():
             return ir.Kind.REAL
 
 

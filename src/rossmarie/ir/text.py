@@ -52,9 +52,12 @@ def _sources(machine: ir.Machine) -> Iterator[str]:
         conversion = _conversion(slot.scale, slot.offset)
         line = f"slot {index} = {slot.kind.value} of input {slot.input}{_path(slot.path)}"
         yield f"{line}{_in_unit(slot.unit)}{conversion}{_within(slot.limits)}"
+    for index, each in enumerate(machine.lists):
+        yield f"list {index} = of input {each.input}{_path(each.path)} up to {each.most}"
     for index, array in enumerate(machine.arrays):
         conversion = _conversion(array.scale, array.offset)
-        line = f"array {index} = of input {array.input}{_path(array.path)}"
+        of_list = "" if array.list is None else f"list {array.list}, {array.kind.value} "
+        line = f"array {index} = {of_list}of input {array.input}{_path(array.path)}"
         yield f"{line}{_in_unit(array.unit)}{conversion}{_within(array.limits)}"
 
 

@@ -19,8 +19,10 @@ from rossmarie.ir.malformed import (
     require_finite,
     require_index,
 )
+from rossmarie.ir.path import EACH
 from rossmarie.ir.support import (
     ElementArrays,
+    columns_of,
     compared_signals,
     element_arrays,
     kind_of,
@@ -83,6 +85,29 @@ def _verify_inputs(machine: ir.Machine) -> None:
         require_index(array.input, len(machine.inputs), where, "input")
         require_finite((array.scale, array.offset), where)
         _require_limits(array.limits, where)
+        _verify_column(machine, array, where)
+    for index, each in enumerate(machine.lists):
+        where = f"list {index}"
+        require_index(each.input, len(machine.inputs), where, "input")
+        require(each.most >= 1, where, f"at most {each.most} elements")
+        require(bool(columns_of(machine, index)), where, "no columns")
+
+
+def _verify_column(machine: ir.Machine, array: ir.Array, where: str) -> None:
+    """A column belongs to the input of its list, and leads through each of its elements."""
+    if array.list is None:
+        require(array.kind is ir.Kind.REAL, where, f"an array of the kind {array.kind.value}")
+        require(EACH not in array.path, where, "a field of each element, but of no list")
+        return
+    require(array.kind is not ir.Kind.FLAG, where, "flags are numbers within limits")
+    require_index(array.list, len(machine.lists), where, "list")
+    its_list = machine.lists[array.list]
+    require(array.input == its_list.input, where, "another input than that of its list")
+    length = len(its_list.path)
+    is_inside = array.path[: length + 1] == (*its_list.path, EACH)
+    require(is_inside and EACH not in array.path[length + 1 :], where, "a path beside its list")
+    is_plain = (array.scale, array.offset, array.limits) == (1.0, 0.0, None)
+    require(is_plain or array.kind is ir.Kind.REAL, where, f"a scaled {array.kind.value}")
 
 
 def _require_limits(limits: tuple[float, float] | None, where: str) -> None:
@@ -246,7 +271,8 @@ def _verify_kinds(machine: ir.Machine) -> None:
         if isinstance(truth.node, ir.Flag):
             kind = kind_of(machine, truth.node.signal)
             is_element = isinstance(machine.signals[truth.node.signal].node, ir.Element)
-            require(kind is ir.Kind.FLAG or is_element, where, f"tests a {kind.value}")
+            is_flag = kind is ir.Kind.FLAG or (is_element and kind is ir.Kind.REAL)
+            require(is_flag, where, f"tests a {kind.value}")
         elif not (_compares_text(machine, truth.node) or _compares_flags(machine, truth.node)):
             for operand in compared_signals(truth.node):
                 kind = kind_of(machine, operand)

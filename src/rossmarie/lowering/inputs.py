@@ -17,6 +17,7 @@ from rossmarie.types import (
     Box,
     Entry,
     Interval,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -49,6 +50,16 @@ class Place:
         """An element of this part, whose type is `owner`."""
         return Place(self.input, self.part.element(index, owner))
 
+    def each(self) -> Place:
+        """Any one of the elements of this part, which is a list."""
+        return Place(self.input, Part((*self.part.path, ir.EACH)))
+
+    @property
+    def list_path(self) -> ir.Path | None:
+        """The path of the list of whose elements this is a part; None if it is of no list."""
+        path = self.part.path
+        return path[: path.index(ir.EACH)] if ir.EACH in path else None
+
 
 @dataclass
 class Inputs:
@@ -61,6 +72,7 @@ class Inputs:
     inputs: list[ir.Input] = field(default_factory=list)
     slots: list[ir.Slot] = field(default_factory=list)
     arrays: list[ir.Array] = field(default_factory=list)
+    lists: list[ir.List] = field(default_factory=list)
     texts: list[str] = field(default_factory=list)
     _by_topic: dict[str, int] = field(default_factory=dict)
     _by_name: dict[str, int] = field(default_factory=dict)
@@ -107,6 +119,30 @@ class Inputs:
             self.arrays.append(array)
         return index
 
+    def column(self, place: Place, type_: Type) -> int:
+        """One number, flag or text of each element of a list."""
+        used = self.input(place.input)
+        index = self._arrays_by_place.setdefault((used, place.path), len(self.arrays))
+        if index == len(self.arrays):
+            unit, kind = _unit(type_), _kind(type_)
+            shown, limits = _symbol(unit), _limits(type_)
+            stored = ir.Kind.TEXT if kind is ir.Kind.TEXT else ir.Kind.REAL
+            its_list = self._list(place)
+            column = ir.Array(
+                used, place.path, unit.scale, unit.offset, shown, limits, stored, its_list
+            )
+            self.arrays.append(column)
+        return index
+
+    def _list(self, place: Place) -> int:
+        path, most = place.list_path, place.input.most
+        assert path is not None, "only elements of lists are columns"
+        assert most is not None, "checked: lists that are read have a bound"
+        its_list = ir.List(self.input(place.input), path, most)
+        if its_list not in self.lists:
+            self.lists.append(its_list)
+        return self.lists.index(its_list)
+
     def text(self, text: str) -> int:
         """A text that rules compare with."""
         if text not in self.texts:
@@ -121,7 +157,7 @@ def _kind(type_: Type) -> ir.Kind:
         case Text():
             return ir.Kind.TEXT
         case (
-            Quantity() | Vector() | Quaternion() | Array() | Interval() | Box() | Message()
+            Quantity() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
             | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return ir.Kind.REAL
@@ -141,7 +177,7 @@ def _limits(type_: Type) -> tuple[float, float] | None:
         case Quantity(limits=limits):
             return limits
         case (
-            Text() | Vector() | Quaternion() | Array() | Interval() | Box() | Message()
+            Text() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
             | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None

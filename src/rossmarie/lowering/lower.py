@@ -35,6 +35,7 @@ def lower(program: CheckedProgram) -> ir.Machine:
         inputs=tuple(inputs.inputs),
         slots=tuple(inputs.slots),
         arrays=tuple(inputs.arrays),
+        lists=tuple(inputs.lists),
         texts=tuple(inputs.texts),
         signals=tuple(nodes.signals),
         truths=tuple(nodes.truths),
@@ -86,7 +87,8 @@ def _stated(condition: ast.Expression) -> str:
     """The words of a condition, in parentheses where a sentence around them would be misread."""
     text = words(condition.span)
     is_one_word = isinstance(
-        condition, ast.Reference | ast.Member | ast.Call | ast.Oscillates | ast.Parenthesized
+        condition,
+        ast.Reference | ast.Member | ast.Call | ast.ListFold | ast.Oscillates | ast.Parenthesized,
     )
     return text if is_one_word else f"({text})"
 

@@ -90,18 +90,28 @@ class Nodes:
             return self.literal(not node.value, shown)
         return self._add_truth(ir.Not(operand), shown)
 
-    def conjunction(self, operands: tuple[int, ...], shown: Shown) -> int:
-        """`and` of one or more; what is true goes without saying."""
+    def conjunction(
+        self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
+    ) -> int:
+        """`and` of one or more; what is true goes without saying. A truth `of_elements` stays one,
+        also where a literal decides it: whether there are elements is for their message to say.
+        """
         if any(self._is_literal(operand, value=False) for operand in operands):
+            if of_elements and not self._are_literals(operands):
+                return self._add_truth(ir.And(operands), shown)
             return self.literal(False, shown)
         left = _distinct(index for index in operands if not self._is_literal(index, value=True))
         if len(left) < 2:
             return left[0] if left else self.literal(True, shown)
         return self._add_truth(ir.And(left), shown)
 
-    def disjunction(self, operands: tuple[int, ...], shown: Shown) -> int:
-        """`or` of one or more; what is false goes without saying."""
+    def disjunction(
+        self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
+    ) -> int:
+        """`or` of one or more; what is false goes without saying. Of elements as `conjunction`."""
         if any(self._is_literal(operand, value=True) for operand in operands):
+            if of_elements and not self._are_literals(operands):
+                return self._add_truth(ir.Or(operands), shown)
             return self.literal(True, shown)
         left = _distinct(index for index in operands if not self._is_literal(index, value=False))
         if len(left) < 2:
@@ -153,6 +163,9 @@ class Nodes:
 
     def _is_literal(self, index: int, *, value: bool) -> bool:
         return self.truths[index].node == ir.Literal(value)
+
+    def _are_literals(self, operands: tuple[int, ...]) -> bool:
+        return all(isinstance(self.truths[each].node, ir.Literal) for each in operands)
 
     def _add_truth(self, node: ir.TruthNode, shown: Shown) -> int:
         index = self._truth_indexes.setdefault(node, len(self.truths))

@@ -6,7 +6,8 @@ it only where a fold, a count or a quantifier is around.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 
 from rossmarie import ir
@@ -24,6 +25,7 @@ from rossmarie.types import (
     Box,
     Entry,
     Interval,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -51,6 +53,8 @@ _WHOLE = {
 }
 """Functions of all components of one argument."""
 
+_FOLDINGS = {"min": ir.Folding.MINIMUM, "max": ir.Folding.MAXIMUM}
+
 Components = tuple[int, ...]
 """The signals of a scalar (one), a vector (x, y, z) or an orientation (x, y, z, w)."""
 
@@ -69,6 +73,7 @@ class Numbers:
         self._inputs = inputs
         self._nodes = nodes
         self._truth = truth
+        self._elements: dict[str, Place] = {}
 
     def scalar(self, node: ast.Expression) -> int:
         """The signal of a number, of a text, or of any one element of an array."""
@@ -94,6 +99,8 @@ class Numbers:
                 return (self.components(value)["xyzw".index(member.text)],)
             case ast.Call():
                 return self._call(node)
+            case ast.ListFold():
+                return (self._folded_list(node),)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Index() | ast.Edges() | ast.Oscillates() | ast.Membership() | ast.Held()
@@ -119,6 +126,8 @@ class Numbers:
         match node:
             case ast.Parenthesized(inner=inner):
                 return self.place(inner)
+            case ast.Reference(name=name) if name.text in self._elements:
+                return self._elements[name.text]
             case ast.Reference(name=name):
                 used = self._program.symbols.inputs.get(name.text)
                 return None if used is None else Place(used, Part(used.path))
@@ -130,8 +139,9 @@ class Numbers:
                 return None if place is None else place.element(index, self.type_of(value))
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
-                | ast.Edges() | ast.Oscillates() | ast.Unary() | ast.Binary() | ast.Membership()
-                | ast.Held() | ast.Since() | ast.Once() | ast.Response() | ast.Broken()
+                | ast.Edges() | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary()
+                | ast.Membership() | ast.Held() | ast.Since() | ast.Once() | ast.Response()
+                | ast.Broken()
             ):  # fmt: skip
                 return None
 
@@ -151,15 +161,39 @@ class Numbers:
                 array = self._inputs.array(place, type_)
                 return (self._nodes.signal(ir.Element(array), shown),)
             case (
-                Boolean() | Text() | Quantity() | Interval() | Box() | Entry() | Unsupported()
-                | Unknown()
+                Boolean() | Text() | Quantity() | List() | Interval() | Box() | Entry()
+                | Unsupported() | Unknown()
             ):  # fmt: skip
-                return (self._nodes.signal(ir.Read(self._inputs.slot(place, type_)), shown),)
+                return (self._read_scalar(place, type_, shown),)
 
     def _read_part(self, place: Place, axis: str, element: Quantity, shown: Shown) -> int:
-        slot = self._inputs.slot(place.field(axis, element), element)
         part = Shown(f"{shown.text}.{axis}", shown.span, element.unit)
-        return self._nodes.signal(ir.Read(slot), part)
+        return self._read_scalar(place.field(axis, element), element, part)
+
+    def _read_scalar(self, place: Place, type_: Type, shown: Shown) -> int:
+        """One number, flag or text: of the message, or of the element at hand."""
+        if place.list_path is not None:
+            return self._nodes.signal(ir.Element(self._inputs.column(place, type_)), shown)
+        return self._nodes.signal(ir.Read(self._inputs.slot(place, type_)), shown)
+
+    # --- elements of lists -------------------------------------------------------------------
+
+    @contextmanager
+    def elements_of(self, node: ast.ListFold) -> Iterator[None]:
+        """Inside, the variable of a fold stands for the element at hand of its list."""
+        place = self.place(node.list)
+        assert place is not None, "checked: it is a list that an input brings"
+        self._elements[node.variable.text] = place.each()
+        yield
+        del self._elements[node.variable.text]
+
+    def _folded_list(self, node: ast.ListFold) -> int:
+        with self.elements_of(node):
+            if node.function.text == "count":
+                folded: ir.SignalNode = ir.Count(self._truth(node.body))
+            else:
+                folded = ir.Fold(_FOLDINGS[node.function.text], self.scalar(node.body))
+        return self._nodes.signal(folded, self.shown(node))
 
     # --- operators ---------------------------------------------------------------------------
 
@@ -227,7 +261,7 @@ class Numbers:
     def _extreme(self, node: ast.Call, shown: Shown) -> int:
         is_minimum = node.function.text == "min"
         if len(node.arguments) == 1:
-            folding = ir.Folding.MINIMUM if is_minimum else ir.Folding.MAXIMUM
+            folding = _FOLDINGS[node.function.text]
             return self._nodes.signal(ir.Fold(folding, self.scalar(node.arguments[0])), shown)
         function = ir.Function.MINIMUM if is_minimum else ir.Function.MAXIMUM
         first, *rest = (self.scalar(argument) for argument in node.arguments)
@@ -269,7 +303,7 @@ def _unit_of(type_: Type) -> Unit | None:
         ):
             return element.unit
         case (
-            Boolean() | Text() | Quaternion() | Array() | Message() | Entry() | Unsupported()
-            | Unknown()
+            Boolean() | Text() | Quaternion() | Array() | List() | Message() | Entry()
+            | Unsupported() | Unknown()
         ):  # fmt: skip
             return None

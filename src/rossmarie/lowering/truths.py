@@ -39,6 +39,7 @@ class Truths:
         self._nodes = nodes
         self._numbers = Numbers(program, inputs, nodes, self._element)
         self._conditions: dict[ConditionKey, int] = {}
+        self._is_inside = False
 
     def lower(self, node: ast.Expression) -> int:
         """The truth of a condition of a rule or a contract."""
@@ -92,7 +93,7 @@ class Truths:
                 return self._over_time(over_time, entity)
             case ast.Oscillates():
                 return self._oscillates(node)
-            case ast.Call():
+            case ast.Call() | ast.ListFold():
                 return self._call(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
@@ -103,9 +104,9 @@ class Truths:
 
     def _junction(self, node: ast.Binary, entity: str | None) -> int:
         operands = tuple(self._truth(part, entity) for part in _parts(node, node.operator))
-        if node.operator is ast.BinaryOperator.AND:
-            return self._nodes.conjunction(operands, _shown(node))
-        return self._nodes.disjunction(operands, _shown(node))
+        is_and = node.operator is ast.BinaryOperator.AND
+        join = self._nodes.conjunction if is_and else self._nodes.disjunction
+        return join(operands, _shown(node), of_elements=self._is_inside)
 
     # --- over time ---------------------------------------------------------------------------
 
@@ -275,16 +276,23 @@ class Truths:
         )
         return self._nodes.leaf(oscillates, _shown(node))
 
-    def _call(self, node: ast.Call) -> int:
-        if node.function.text == "changed":
+    def _call(self, node: ast.Call | ast.ListFold) -> int:
+        if isinstance(node, ast.Call) and node.function.text == "changed":
             return self._changed(node)
         quantifier = ir.Quantifier(node.function.text)
-        element = self._element(node.arguments[0])
+        if isinstance(node, ast.Call):
+            element = self._element(node.arguments[0])
+        else:
+            with self._numbers.elements_of(node):
+                element = self._element(node.body)
         return self._nodes.leaf(ir.Quantified(quantifier, element), _shown(node))
 
     def _element(self, node: ast.Expression) -> int:
         """A condition on the elements of an array; named conditions are never part of it."""
-        return self._truth(node, None)
+        self._is_inside = True
+        element = self._truth(node, None)
+        self._is_inside = False
+        return element
 
     def _duration_ns(self, node: ast.Expression) -> int:
         return duration_ns(self._program.values[node])

@@ -9,7 +9,8 @@
 
 /* `arriving` has a byte for each channel of each update, `slots` a number for each slot of each
  * update. An array of all updates lies in `elements`, and `ends` says where those of each update
- * end. `parts` and `counts` are room for the arrays of one update.
+ * end; where `known` is 0 nothing is known of the list of which it is a column. `parts` and `counts`
+ * are room for the arrays of one update.
  */
 typedef struct host_batch {
     size_t update_count;
@@ -21,6 +22,7 @@ typedef struct host_batch {
     const double *slots;
     const double *const *elements;
     const int64_t *const *ends;
+    const unsigned char *const *known;
     const double **parts;
     size_t *counts;
 } host_batch;
@@ -49,7 +51,7 @@ static int take_update(host *h, const host_batch *batch, size_t i)
         const int64_t *ends = batch->ends[array];
         const size_t start = i ? (size_t)ends[i - 1] : 0;
         batch->parts[array] = batch->elements[array] + start;
-        batch->counts[array] = (size_t)ends[i] - start;
+        batch->counts[array] = batch->known[array][i] ? (size_t)ends[i] - start : SIZE_MAX;
     }
     return host_step(h, batch->times[i], batch->arriving + i * batch->channel_count,
                      batch->slots + i * batch->slot_count, batch->parts, batch->counts);

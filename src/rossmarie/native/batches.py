@@ -20,6 +20,7 @@ class BatchTable:
     def __init__(self, library: Library, batch: Batch) -> None:
         elements = [library.pointer("double[]", array.values) for array in batch.arrays]
         ends = [library.pointer("int64_t[]", array.ends) for array in batch.arrays]
+        known = [library.pointer("unsigned char[]", array.known) for array in batch.arrays]
         arrays = max(1, len(batch.arrays))
         members = {
             "update_count": len(batch.times_ns),
@@ -31,6 +32,7 @@ class BatchTable:
             "slots": library.pointer("double[]", batch.slots),
             "elements": library.new("double *[]", elements or [library.null]),
             "ends": library.new("int64_t *[]", ends or [library.null]),
+            "known": library.new("unsigned char *[]", known or [library.null]),
             "parts": library.new("double *[]", arrays),
             "counts": library.new("size_t[]", arrays),
         }

@@ -68,7 +68,7 @@ def fit(
             _scalars(machine, name, slot.kind, given[name])
             for name, slot in zip(slot_names, machine.slots, strict=True)
         ),
-        tuple(_elements(name, given[name]) for name in array_names),
+        _tables(machine, array_names, given),
         _arriving(machine, {arrivals[name] for name in given.keys() & arrivals.keys()}),
     )
 
@@ -147,6 +147,35 @@ def _flags(column: NDArray[np.generic]) -> NDArray[np.uint8]:
     if column.dtype.kind == "f":
         flags[~np.isfinite(column.astype(np.float64, copy=False))] = _UNKNOWN_FLAG
     return _aligned(flags, np.uint8)
+
+
+def _tables(
+    machine: ir.Machine, names: list[str], given: Mapping[str, NDArray[np.generic]]
+) -> tuple[NDArray[np.float64], ...]:
+    """A table for each array; those of a list have one width."""
+    tables = []
+    for name, array in zip(names, machine.arrays, strict=True):
+        is_text = array.kind is ir.Kind.TEXT
+        table = _texts(machine, name, given[name]) if is_text else _elements(name, given[name])
+        tables.append(table)
+    for each in range(len(machine.lists)):
+        first, *others = ir.columns_of(machine, each)
+        for other in others:
+            if tables[other].shape != tables[first].shape:
+                raise ColumnError(
+                    f"columns {names[first]} and {names[other]} are of one list, but of shapes "
+                    f"{tables[first].shape} and {tables[other].shape}"
+                )
+    return tuple(tables)
+
+
+def _texts(machine: ir.Machine, name: str, column: NDArray[np.generic]) -> NDArray[np.float64]:
+    if column.ndim != 2:
+        raise ColumnError(
+            f"column {name} has strings of shape (rows, elements), not of shape {column.shape}"
+        )
+    indexes = _strings(machine, name, column.reshape(-1))
+    return indexes.astype(np.float64).reshape(column.shape)
 
 
 def _elements(name: str, column: NDArray[np.generic]) -> NDArray[np.float64]:

@@ -29,6 +29,8 @@ from rossmarie.native.signatures import declarations, fields_of
 
 _NEVER = 2**63 - 1
 _NAN = float("nan")
+_TOO_MANY = 2**32 - 1
+"""More elements than the list of any input may have; no element is looked at then."""
 _BYTES = "unsigned char[]"
 _OWN = ("batch.c", "fastcall.c", "fastguard.c", "guarding.c")
 _HEADERS = Path(sysconfig.get_paths()["include"])
@@ -163,10 +165,24 @@ class NativeMonitor:
         """The fields of one message as arguments."""
         carried = self._fields[channel]
         arguments: list[Pointer] = [values.slots.get(slot, _NAN) for slot in carried.slots]
+        unknown = self._unknown_lists(channel, values)
         for array in carried.arrays:
             elements = values.arrays.get(array, ())
-            arguments += [self.library.new("double[]", list(elements)), len(elements)]
+            arguments.append(self.library.new("double[]", list(elements)))
+            if array in carried.counted:
+                arguments.append(_TOO_MANY if array in unknown else len(elements))
         return arguments
+
+    def _unknown_lists(self, channel: int, values: ChannelValues) -> set[int]:
+        """The columns of the lists that are not known in a message: C is told of too many elements
+        instead of any.
+        """
+        found: set[int] = set()
+        for each in self._fields[channel].lists:
+            columns = ir.columns_of(self._machine, each)
+            if ir.known_count(values, columns, self._machine.lists[each].most) is None:
+                found.update(columns)
+        return found
 
     def _update_together(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         present = bytearray(max(1, len(self._fields)))
@@ -177,10 +193,11 @@ class NativeMonitor:
             present[channel] = 1
             for slot in self._fields[channel].slots:
                 slots[slot] = values.slots.get(slot, _NAN)
+            unknown = self._unknown_lists(channel, values)
             for array in self._fields[channel].arrays:
                 elements = values.arrays.get(array, ())
                 arrays[array] = self.library.new("double[]", list(elements))
-                counts[array] = len(elements)
+                counts[array] = _TOO_MANY if array in unknown else len(elements)
         return self._events_of(
             at_ns,
             "host_step",

@@ -1,7 +1,7 @@
 """The functions of `host.c` and `batch.c` as cffi wants them declared.
 
 Takes a machine. The order of fields is that of the generated code: the slots of a channel in index
-order, then its arrays.
+order, then its arrays, then the columns of its lists.
 """
 
 from __future__ import annotations
@@ -28,6 +28,7 @@ typedef struct host_batch {
     double *slots;
     double **elements;
     int64_t **ends;
+    unsigned char **known;
     double **parts;
     size_t *counts;
 } host_batch;
@@ -59,26 +60,37 @@ size_t host_take(host *, size_t, host_batch *, host_samples *);
 
 @dataclass(frozen=True)
 class Fields:
-    """The fields that the messages of one channel carry, as indexes of the machine."""
+    """The fields that the messages of one channel carry, as indexes of the machine. Of the `arrays`
+    those are `counted` that have the number of their elements behind them: of the columns of a list
+    only the last one. `lists` are those of the channel.
+    """
 
     slots: tuple[int, ...]
     arrays: tuple[int, ...]
+    counted: frozenset[int]
+    lists: tuple[int, ...]
 
 
 def fields_of(machine: ir.Machine) -> tuple[Fields, ...]:
     """The fields of every channel."""
-    channels = range(len(machine.channels))
-    return tuple(Fields(_slots(machine, c), _arrays(machine, c)) for c in channels)
+    return tuple(_fields(machine, channel) for channel in range(len(machine.channels)))
+
+
+def _fields(machine: ir.Machine, channel: int) -> Fields:
+    arrays = ir.arrays_of(machine, channel)
+    lists = tuple(i for i, each in enumerate(machine.lists) if _is_on(machine, each, channel))
+    last = {ir.columns_of(machine, each)[-1] for each in lists}
+    alone = {index for index in arrays if machine.arrays[index].list is None}
+    return Fields(_slots(machine, channel), arrays, frozenset(alone | last), lists)
+
+
+def _is_on(machine: ir.Machine, each: ir.List, channel: int) -> bool:
+    return machine.inputs[each.input].channel == channel
 
 
 def _slots(machine: ir.Machine, channel: int) -> tuple[int, ...]:
     inputs = machine.inputs
     return tuple(i for i, slot in enumerate(machine.slots) if inputs[slot.input].channel == channel)
-
-
-def _arrays(machine: ir.Machine, channel: int) -> tuple[int, ...]:
-    inputs = machine.inputs
-    return tuple(i for i, a in enumerate(machine.arrays) if inputs[a.input].channel == channel)
 
 
 def declarations(fields: tuple[Fields, ...]) -> str:
@@ -87,6 +99,7 @@ def declarations(fields: tuple[Fields, ...]) -> str:
     for channel, carried in enumerate(fields):
         parameters = ["host *", "int64_t"]
         parameters += ["double"] * len(carried.slots)
-        parameters += ["double *", "size_t"] * len(carried.arrays)
+        for array in carried.arrays:
+            parameters += ["double *", "size_t"] if array in carried.counted else ["double *"]
         lines.append(f"int host_update_{channel}({', '.join(parameters)});")
     return "\n".join(lines)

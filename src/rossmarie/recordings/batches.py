@@ -8,7 +8,7 @@ from itertools import islice
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.ir import Batch, ChannelValues, Elements, Machine, each_update
+from rossmarie.ir import Batch, ChannelValues, Elements, Machine, columns_of, each_update
 from rossmarie.recordings.model import Update
 
 _MOST_UPDATES = 1024
@@ -23,23 +23,29 @@ class Assembly:
         self._times_ns = times_ns
         self._arriving = np.zeros((count, len(machine.channels)), np.uint8)
         self._slots = np.full((count, len(machine.slots)), np.nan)
-        self._arrays = [[_NO_ELEMENTS] * count for _ in machine.arrays]
+        self._arrays: list[list[NDArray[np.generic] | None]] = [
+            [_NO_ELEMENTS if array.list is None else None] * count for array in machine.arrays
+        ]
+        self._lists = [
+            (columns_of(machine, index), each.most) for index, each in enumerate(machine.lists)
+        ]
 
     def add(
         self,
         channels: Sequence[int],
         rows: NDArray[np.intp],
         slots: Mapping[int, NDArray[np.float64]],
-        arrays: Mapping[int, Sequence[NDArray[np.generic]]],
+        arrays: Mapping[int, Sequence[NDArray[np.generic] | None]],
     ) -> None:
-        """Messages on some channels, in some rows, and all that they carry."""
+        """Messages on some channels, in some rows, and all that is known of what they carry."""
         for channel in channels:
             self._arriving[rows, channel] = 1
         for slot, column in slots.items():
             self._slots[rows, slot] = column
         for array, found in arrays.items():
             for row, elements in zip(rows.tolist(), found, strict=True):
-                self._arrays[array][row] = elements
+                if elements is not None:
+                    self._arrays[array][row] = elements
 
     def put(self, row: int, channel: int, values: ChannelValues) -> None:
         """One message."""
@@ -49,17 +55,32 @@ class Assembly:
         for array, elements in values.arrays.items():
             self._arrays[array][row] = np.array(elements, np.float64)
 
+    def _look_at_list(self, columns: Sequence[int], most: int, row: int) -> None:
+        """S51: a list that is not whole, or too long, is not known."""
+        found = [self._arrays[column][row] for column in columns]
+        counts = {None if each is None else len(each) for each in found}
+        (count,) = counts if len(counts) == 1 else (None,)
+        if count is None or count > most:
+            for column in columns:
+                self._arrays[column][row] = None
+
     def batch(self) -> Batch:
         """All of it; of what was not added, nothing is known."""
+        for columns, most in self._lists:
+            for row in range(len(self._times_ns)):
+                self._look_at_list(columns, most, row)
         arrays = [_joined(found) for found in self._arrays]
         return Batch(self._times_ns, self._arriving, self._slots, arrays)
 
 
-def _joined(arrays: Sequence[NDArray[np.generic]]) -> Elements:
+def _joined(arrays: Sequence[NDArray[np.generic] | None]) -> Elements:
     """The arrays of all updates as one."""
-    ends = np.cumsum([len(array) for array in arrays], dtype=np.int64)
+    found = [_NO_ELEMENTS if array is None else array for array in arrays]
+    ends = np.cumsum([len(array) for array in found], dtype=np.int64)
+    known = np.array([array is not None for array in arrays], np.uint8)
     with np.errstate(invalid="ignore"):  # a NaN of any kind becomes one
-        return Elements(np.concatenate([_NO_ELEMENTS, *arrays], dtype=np.float64), ends)
+        values = np.concatenate([_NO_ELEMENTS, *found], dtype=np.float64)
+    return Elements(values, ends, known)
 
 
 def batched(machine: Machine, updates: Iterable[Update]) -> Iterator[Batch]:

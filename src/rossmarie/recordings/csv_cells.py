@@ -10,7 +10,16 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from decimal import Decimal
 
-from rossmarie.ir import EARLIEST_NS, LATEST_NS, ChannelValues, Kind, Listed, Machine
+from rossmarie.ir import (
+    EARLIEST_NS,
+    FLAG_LIMITS,
+    LATEST_NS,
+    Array,
+    ChannelValues,
+    Kind,
+    Listed,
+    Machine,
+)
 from rossmarie.recordings.csv_columns import Columns
 from rossmarie.recordings.elements import ElementSearch
 from rossmarie.recordings.errors import MessagesUnreadable
@@ -74,6 +83,10 @@ class ChannelReader:
         self._arrays = columns.arrays
         self._listed = columns.listed
         self._searches = {index: ElementSearch(match.slots[index]) for index in columns.listed}
+        of_lists = {i: array.list for i, array in match.arrays.items() if array.list is not None}
+        firsts = {its_list: index for index, its_list in reversed(of_lists.items())}
+        self._owners = {i: firsts[of_lists[i]] if i in of_lists else i for i in match.arrays}
+        self._readers = {index: self._reader(array) for index, array in match.arrays.items()}
         self._text_numbers = {text: float(number) for number, text in enumerate(machine.texts)}
 
     def read(self, at_ns: int, cells: Sequence[str]) -> ChannelValues | None:
@@ -84,8 +97,7 @@ class ChannelReader:
         for index, column in self._flags.items():
             slots[index] = self._flag(at_ns, cells, column)
         for index, column in self._texts.items():
-            text = cells[column].strip()
-            slots[index] = self._text_numbers.get(text, -1.0) if text else math.nan
+            slots[index] = self._text(cells, column)
         for index, columns in self._listed.items():
             slots[index] = self._listed_number(at_ns, cells, columns, self._searches[index])
         return ChannelValues(slots, self._elements(at_ns, cells))
@@ -108,12 +120,30 @@ class ChannelReader:
         return read(at_ns, cells, filled[place])
 
     def _elements(self, at_ns: int, cells: Sequence[str]) -> dict[int, list[float]]:
-        """The elements of each array, up to the last one that is filled."""
+        """The elements of each array, up to the last one that is filled: of a list, in any of its
+        fields.
+        """
+        lengths: dict[int, int] = {}
+        for index, columns in self._arrays.items():
+            owner = self._owners[index]
+            lengths[owner] = max(len(_filled(cells, columns)), lengths.get(owner, 0))
         arrays = {}
         for index, columns in self._arrays.items():
-            filled = _filled(cells, columns)
-            arrays[index] = [self._number(at_ns, cells, column) for column in filled]
+            read = self._readers[index]
+            length = lengths[self._owners[index]]
+            arrays[index] = [read(at_ns, cells, column) for column in columns[:length]]
         return arrays
+
+    def _reader(self, array: Array) -> Callable[[int, Sequence[str], int], float]:
+        """The reader of a cell of an array; those of lists may hold texts, and flags as words."""
+        if array.kind is Kind.TEXT:
+            return lambda _, cells, column: self._text(cells, column)
+        is_of_flags = array.list is not None and array.limits == FLAG_LIMITS
+        return self._flag if is_of_flags else self._number
+
+    def _text(self, cells: Sequence[str], column: int) -> float:
+        text = cells[column].strip()
+        return self._text_numbers.get(text, -1.0) if text else math.nan
 
     def _number(self, at_ns: int, cells: Sequence[str], column: int) -> float:
         cell = cells[column]

@@ -7,10 +7,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
-from rossmarie.ir import Array, Listed, Machine, Slot
+from rossmarie.ir import EACH, Array, Listed, Machine, Slot
 from rossmarie.recordings.matching import Match
 
 _COMPARED = 200
+_EACH = "*"
+"""The sign in names for the number of an element of a list; columns have numbers there."""
 _ALIKE = 0.7
 """The likeness of two names, from 0 to 1, from which one may be a slip of the other."""
 
@@ -56,6 +58,8 @@ def duplicate_column(names: Sequence[str]) -> int | None:
 def expected_column(match: Match, field: Slot | Array, machine: Machine) -> str:
     """The shortest name that a column of a field may have."""
     *_, name = _names(match, field, machine)
+    if isinstance(field, Array) and field.list is not None:
+        return name.replace(f".{_EACH}", "[0]")
     return f"{name}[0]" if isinstance(field, Array) else name
 
 
@@ -129,9 +133,13 @@ def _whole(match: Match, slot: Slot, keys: Mapping[str, int], machine: Machine) 
 
 
 def _elements(name: str, keys: Mapping[str, int]) -> tuple[int, ...]:
-    """The columns of the elements of an array, from 0 to the first that has none."""
+    """The columns of the elements of an array, or of a field of all elements of a list, from 0 to
+    the first that has none.
+    """
+    place = f".{_EACH}."
+    before, place, behind = name.partition(place) if place in name else (name, ".", "")
     found: list[int] = []
-    while (key := f"{name}.{len(found)}") in keys:
+    while (key := f"{before}.{len(found)}{'.' if behind else ''}{behind}") in keys:
         found.append(keys[key])
     return tuple(found)
 
@@ -146,13 +154,14 @@ def _names(match: Match, field: Slot | Array, machine: Machine) -> Iterator[str]
     yield ".".join([match.topic, *path])
     if path == ("data",):
         yield match.topic
+    last = path.index(_EACH) if _EACH in path else len(path)
     siblings = {_texts(other) for other in match.fields_of(field.input)} - {path}
     siblings = {other for other in siblings if other[:-1] != path}
-    for start in range(len(path) + 1):
+    for start in range(last + 1):
         end = path[start:]
         if not any(other[len(other) - len(end) :] == end for other in siblings):
             yield ".".join([machine.inputs[field.input].name, *end])
 
 
 def _texts(field: Slot | Array) -> tuple[str, ...]:
-    return tuple(str(part) for part in field.path)
+    return tuple(_EACH if part == EACH else str(part) for part in field.path)

@@ -41,11 +41,12 @@ _NOT_READ = float("nan")
 @dataclass(frozen=True, eq=False)
 class Decoded:
     """The values that are read of each message, by slot and by array of the machine. `failures` are
-    the messages that cannot be decoded, of which nothing is known, with the reasons.
+    the messages that cannot be decoded, of which nothing is known, with the reasons: their arrays
+    are None.
     """
 
     slots: Mapping[int, NDArray[np.float64]]
-    arrays: Mapping[int, Sequence[NDArray[np.generic]]]
+    arrays: Mapping[int, Sequence[NDArray[np.generic] | None]]
     failures: Sequence[tuple[int, str]]
 
 
@@ -96,6 +97,8 @@ class Decoder:
         try:
             values = self._read(self._message(content))
         except DECODE_FAILURES as error:
+            for each in found.arrays.values():
+                each[row] = None
             return str(error) or type(error).__name__
         for slot, column in found.slots.items():
             column[row] = values.slots.get(slot, _NOT_READ)

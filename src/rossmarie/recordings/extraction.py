@@ -16,7 +16,7 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.base import normalize_fieldname
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Array, ByName, ChannelValues, Kind, Listed, Path, Slot
+from rossmarie.ir import EACH, Array, ByName, ChannelValues, Each, Kind, Listed, Path, Slot
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch, Named, place_of
 
@@ -73,10 +73,11 @@ def compile_extractor(
             others[index] = _scalar_reader(searches[index], description, texts)
     for index, array in wanted.arrays.items():
         description = _describe(store, root, array.path)
-        if description is None or not _is_numeric_array(description):
+        reader = None if description is None else _elements_reader(array, description, texts)
+        if reader is None:
             missing.append(array)
         else:
-            arrays[index] = _array_reader(array.path)
+            arrays[index] = reader
     found = Wanted(
         {
             index: slot
@@ -126,12 +127,8 @@ def _scalar_reader(
 ) -> Callable[[Message], float]:
     slot = search.slot
     get = _path_reader(slot.path, search.place)
-    if slot.kind is Kind.TEXT:
-        numbers = {text: float(number) for number, text in enumerate(texts)}
-        return lambda message: numbers.get(get(message), -1.0)
-    if description[0] == Nodetype.NAME:
-        return lambda message: _seconds(get(message))
-    return lambda message: _number(get(message))
+    to_number = _converter(slot.kind, description, texts)
+    return lambda message: to_number(get(message))
 
 
 def _number(value: Any) -> float:
@@ -140,6 +137,28 @@ def _number(value: Any) -> float:
 
 def _seconds(value: Any) -> float:
     return math.nan if value is None else value.sec + value.nanosec * 1e-9
+
+
+def _elements_reader(
+    array: Array, description: Any, texts: Sequence[str]
+) -> Callable[[Message], list[float]] | None:
+    """Reads an array, or one field of all elements of a list; None if it has no such values."""
+    if array.list is None:
+        return _array_reader(array.path) if _is_numeric_array(description) else None
+    if not _holds(description, array.kind):
+        return None
+    step = array.path.index(EACH)
+    get_list = _path_reader(array.path[:step], place_of)
+    get = _path_reader(array.path[step + 1 :], place_of)
+    to_number = _converter(array.kind, description, texts)
+    return lambda message: [to_number(get(element)) for element in get_list(message)]
+
+
+def _converter(kind: Kind, description: Any, texts: Sequence[str]) -> Callable[[Any], float]:
+    if kind is Kind.TEXT:
+        numbers = {text: float(number) for number, text in enumerate(texts)}
+        return lambda value: numbers.get(value, -1.0)
+    return _seconds if description[0] == Nodetype.NAME else _number
 
 
 def _array_reader(path: Path) -> Callable[[Message], list[float]]:
@@ -163,6 +182,7 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
             if isinstance(part, str):
                 value = getattr(value, normalize_fieldname(part))
                 continue
+            assert not isinstance(part, Each), "a single element has a place or a name"
             place = part if isinstance(part, int) else find(part, _among(message, part, value))
             if place is None or place >= len(value):
                 return None

@@ -180,7 +180,7 @@ def field_text(path: Iterable[Step]) -> str:
 
 def kind_text(wanted: Slot | Array) -> str:
     """The kind that is expected of a field, in words."""
-    if isinstance(wanted, Array):
+    if isinstance(wanted, Array) and wanted.list is None:
         return "an array of numbers"
     return "a string" if wanted.kind is Kind.TEXT else "a number"
 

@@ -70,6 +70,8 @@ def plan_for(
     steps = {step for slot in wanted.slots.values() for step in slot.path}
     if any(isinstance(step, ByName | Listed) for step in steps):
         return None  # where the element lies is known once the names, or the length, are read
+    if any(array.list is not None for array in wanted.arrays.values()):
+        return None  # rosbags decodes lists of messages
     slots = [_Wanted(slot.path, slot=index) for index, slot in wanted.slots.items()]
     arrays = [_Wanted(array.path, array=index) for index, array in wanted.arrays.items()]
     try:

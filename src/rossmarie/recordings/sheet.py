@@ -26,7 +26,7 @@ class Found:
 
     is_done: NDArray[np.bool_]
     slots: Mapping[int, NDArray[np.float64]]
-    arrays: Mapping[int, list[NDArray[np.generic]]]
+    arrays: Mapping[int, list[NDArray[np.generic] | None]]
 
 
 def nothing_found(count: int, slots: Iterable[int], arrays: Iterable[int]) -> Found:
@@ -51,7 +51,9 @@ class Sheet:
         self._content = content
         self._done = np.zeros(count, np.bool_)
         self._columns: dict[Target, NDArray[np.float64]] = {}
-        self._arrays = {array: [_NOTHING] * count for array in plan.arrays}
+        self._arrays: dict[int, list[NDArray[np.generic] | None]] = {
+            array: [_NOTHING] * count for array in plan.arrays
+        }
 
     # --- reading -----------------------------------------------------------------------------
 

@@ -80,9 +80,11 @@ class Builder(TestBuilder):
         return ast.Constant(self.name(parts[1]), parts[3], documentation, self._span(parts))
 
     def input(self, parts: list[Any]) -> ast.Input:
-        """`input NAME = topic TOPIC : TYPE .path names ["NAME"] in UNIT timeout DURATION`."""
+        """`input NAME = topic TOPIC : TYPE .path names ["NAME"] up to NUMBER in UNIT timeout
+        DURATION`.
+        """
         index = 5
-        message_type = names = unit = timeout = None
+        message_type = names = bound = unit = timeout = None
         if _is(parts, index, ":"):
             message_type = self._type(parts[index + 1])
             index += 2
@@ -90,6 +92,10 @@ class Builder(TestBuilder):
         if index < len(parts) and isinstance(parts[index], ast.ElementNames):
             names = parts[index]
             index += 1
+        if _is(parts, index, "up"):
+            number = self.number(parts[index + 2 : index + 3])
+            bound = number if isinstance(number, ast.Number) else None
+            index += 3
         if _is(parts, index, "in"):
             unit = self._unit(parts[index + 1])
             index += 2
@@ -98,7 +104,7 @@ class Builder(TestBuilder):
         name, topic = self.name(parts[1]), self.name(parts[4])
         documentation, span = self._documentation(parts), self._span(parts)
         behind = names, unit, timeout, documentation, span
-        return ast.Input(name, topic, message_type, path, *behind)
+        return ast.Input(name, topic, message_type, path, *behind, bound=bound)
 
     def element_names(self, parts: list[Any]) -> ast.ElementNames:
         """`names ["NAME", "NAME"]`."""

@@ -45,6 +45,15 @@ class Part(NamedTuple):
     span: Span
 
 
+class _Each(NamedTuple):
+    """`o in objects: o.size.x > 1 m` among the arguments of a call."""
+
+    variable: ast.Name
+    list: ast.Expression
+    body: ast.Expression
+    span: Span
+
+
 class ExpressionBuilder:
     """Builds the expressions of one file and reports to `report` what it cannot accept."""
 
@@ -174,6 +183,9 @@ class ExpressionBuilder:
             return self._oscillates(name.span, arguments, span)
         if [type(each) for each in arguments] == [ast.Edges, Part]:
             arguments = arguments[:1]  # a comma in front of `within`: its absence is reported
+        if len(arguments) == 1 and isinstance(arguments[0], _Each):
+            each = arguments[0]
+            return ast.ListFold(name, each.variable, each.list, each.body, span)
         plain = tuple(self._plain(argument) for argument in arguments)
         return ast.Call(name, plain, is_method, span)
 
@@ -192,12 +204,32 @@ class ExpressionBuilder:
         return ast.Oscillates(value, count.value, window.value, least, span)
 
     def _plain(self, argument: Any) -> ast.Expression:
+        if isinstance(argument, _Each):
+            return self._not_alone(argument)
         if not isinstance(argument, Part):
             return argument  # type: ignore[no-any-return]
         problem = f"`{argument.word}` belongs into `oscillates`"
         finding = errors.MalformedOscillates(problem=problem, reason="no other function takes it")
         self._report(finding.at(argument.span))
         return ast.Broken(argument.span)
+
+    def _not_alone(self, each: _Each) -> ast.Broken:
+        """The elements of a list beside other arguments of a call."""
+        form = "`NAME in LIST: CONDITION` stands alone: `any(NAME in LIST: CONDITION)`"
+        finding = errors.MisplacedWord(found=each.span.text, before="(", form=form)
+        self._report(finding.at(each.span))
+        return ast.Broken(each.span)
+
+    def each(self, parts: list[Any]) -> _Each | ast.Broken:
+        """`o in objects: CONDITION`; what stands before the colon has to have this form."""
+        head, colon, body = parts
+        is_name = isinstance(head, ast.Membership) and isinstance(head.value, ast.Reference)
+        if is_name and not head.is_negated:
+            return _Each(head.value.name, head.container, body, self._span(parts))
+        form = "the elements of a list are looked at by `any(NAME in LIST: CONDITION)`"
+        finding = errors.MisplacedWord(found=":", before=head.span.text, form=form)
+        self._report(finding.at(self._at(colon)))
+        return ast.Broken(self._span(parts))
 
     def times(self, parts: list[Any]) -> Part:
         """`3 times`."""

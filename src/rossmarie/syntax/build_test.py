@@ -58,7 +58,7 @@ class TestBuilder(EffectBuilder):
         return Part("reset", self.name(parts[1]) if len(parts) > 1 else None, self._span(parts))
 
     def setting(self, parts: list[Any]) -> ast.Setting:
-        """`PATH = VALUE`, `PATH = unknown`, `PATH`."""
+        """`PATH = VALUE`, `PATH = unknown`, `PATH = []`, `PATH`."""
         value = parts[2] if len(parts) > 2 else None
         is_unknown = isinstance(value, Part)
         return ast.Setting(parts[0], None if is_unknown else value, is_unknown, self._span(parts))
@@ -70,6 +70,10 @@ class TestBuilder(EffectBuilder):
     def unknown(self, parts: list[Any]) -> Part:
         """`unknown`."""
         return Part("unknown", None, self._span(parts))
+
+    def nothing(self, parts: list[Any]) -> ast.Bracket:
+        """`[]`."""
+        return ast.Bracket((), None, self._span(parts))
 
 
 def _when(parts: list[Any]) -> tuple[ast.Expression | None, ast.Stretch | None]:

@@ -177,8 +177,8 @@ class Style:
                 self._operators(contract.condition)
 
     def _operators(self, root: ast.Expression) -> None:
-        """Break in front of the outermost `and`s and `or`s, also inside `(...) for 2 sec`, and in
-        front of the answer of an `after`.
+        """Break in front of the outermost `and`s and `or`s, also inside `(...) for 2 sec`, of those
+        between conditions on the elements of a list, and in front of the answer of an `after`.
         """
         pending = [_peeled(root)]
         while pending:
@@ -188,6 +188,8 @@ class Style:
                 pending += (node.left, node.right)
             elif isinstance(node, ast.Response):
                 self.breaks[node.answer.span.start] = _OPERATOR
+            elif isinstance(node, ast.ListFold):
+                pending.append(_peeled(node.body))
 
     def _expression(self, root: ast.Expression) -> None:
         for node in walk(root):
@@ -201,6 +203,9 @@ class Style:
                     self._sign(span.start)
                 case ast.Call(function=function):
                     self.tight_behind.add(function.span.end)
+                case ast.ListFold(function=function, list=its_list):
+                    self.tight_behind.add(function.span.end)
+                    self.tight.add(self._start(its_list.span.end))
                 case ast.Oscillates(value=value, span=span):
                     is_method = value.span.start == span.start
                     dot = self.index(value.span.end)
@@ -234,7 +239,7 @@ def _peeled(node: ast.Expression) -> ast.Expression:
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
                 | ast.Binary() | ast.Membership() | ast.Since() | ast.Once() | ast.Response()
-                | ast.Broken()
+                | ast.ListFold() | ast.Broken()
             ):  # fmt: skip
                 return node
 

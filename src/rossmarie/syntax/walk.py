@@ -18,13 +18,11 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             found = (value,)
         case ast.Unary(operand=value) | ast.Parenthesized(inner=value):
             found = (value,)
-        case ast.Binary(left=left, right=right):
-            found = (left, right)
-        case ast.Membership(value=left, container=right):
+        case ast.Binary(left=left, right=right) | ast.Membership(value=left, container=right):
             found = (left, right)
         case ast.Held(condition=left, duration=right) | ast.Once(condition=left, duration=right):
             found = (left, right)
-        case ast.Since(held=left, begun=right):
+        case ast.Since(held=left, begun=right) | ast.ListFold(list=left, body=right):
             found = (left, right)
         case ast.Response(cause=cause, answer=answer, duration=duration):
             found = (cause, answer, duration)

@@ -188,6 +188,8 @@ def _is_constant(machine: ir.Machine, signal: int) -> bool:
 
 def _is_text(machine: ir.Machine, signal: int) -> bool:
     node = machine.signals[signal].node
+    if isinstance(node, ir.Element):
+        return machine.arrays[node.array].kind is not ir.Kind.REAL
     return isinstance(node, ir.Read) and machine.slots[node.slot].kind is not ir.Kind.REAL
 
 

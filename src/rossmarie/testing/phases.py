@@ -126,7 +126,7 @@ class Stage:
         for array in sorted(arrays):
             elements = self._elements(array, phase.values)
             if elements != self._elements(array, before):
-                settings.append(self._array(array, elements))
+                settings += self._array(array, elements)
         if settings:
             yield self._sent(start_ns, settings)
         merged: dict[int, list[Setting]] = {}
@@ -154,16 +154,18 @@ class Stage:
                 angle = _ANGLES[node.function]
                 yield Setting(name, self._topic(slot.input), slot.path[:-1], value, angle, unit)
 
+    def _value_of(self, kind: ir.Kind, number: float) -> SettingValue:
+        match kind:
+            case ir.Kind.FLAG:
+                return number != 0.0
+            case ir.Kind.TEXT:
+                return self.machine.texts[int(number)] if number >= 0 else "something else"
+            case ir.Kind.REAL:
+                return number
+
     def _of_slot(self, index: int, number: float) -> Setting:
         slot = self.machine.slots[index]
-        value: SettingValue
-        match slot.kind:
-            case ir.Kind.FLAG:
-                value = number != 0.0
-            case ir.Kind.TEXT:
-                value = self.machine.texts[int(number)] if number >= 0 else "something else"
-            case ir.Kind.REAL:
-                value = number
+        value = self._value_of(slot.kind, number)
         name = self.machine.inputs[slot.input].name
         unit = self.world.unit(Variable("slot", index)).symbol
         return Setting(name, self._topic(slot.input), slot.path, value, None, unit)
@@ -174,12 +176,19 @@ class Stage:
         places = range(self.world.length if parts else 0)
         return tuple(values.get(Variable("element", array, part), 0.0) for part in places)
 
-    def _array(self, index: int, elements: tuple[float, ...]) -> Setting:
+    def _array(self, index: int, elements: tuple[float, ...]) -> Iterator[Setting]:
+        """An array as a whole; of a list, a field of one element after the other."""
         array = self.machine.arrays[index]
-        name = self.machine.inputs[array.input].name
+        name, topic = self.machine.inputs[array.input].name, self._topic(array.input)
         unit = self.world.unit(Variable("element", index)).symbol
-        value = tuple(each != 0.0 for each in elements) if holds_flags(array) else elements
-        return Setting(name, self._topic(array.input), array.path, value, None, unit)
+        if array.list is None:
+            value = tuple(each != 0.0 for each in elements) if holds_flags(array) else elements
+            yield Setting(name, topic, array.path, value, None, unit)
+            return
+        kind = ir.Kind.FLAG if holds_flags(array) else array.kind
+        for place, number in enumerate(elements):
+            path = tuple(place if step == ir.EACH else step for step in array.path)
+            yield Setting(name, topic, path, self._value_of(kind, number), None, unit)
 
     # --- what takes several messages ---------------------------------------------------------
 

@@ -1,7 +1,8 @@
 """A script and a machine -> the messages of each instant, as engines take them.
 
 Fields that were never set hold what a new ROS message holds: 0, false, an empty string, no
-elements; an orientation is upright. What was set stays until it is set again.
+elements; an orientation is upright. What was set stays until it is set again. A list has the
+elements of which fields were set, and all before them.
 """
 
 from __future__ import annotations
@@ -11,7 +12,18 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from rossmarie.ir import ByName, ChannelValues, Kind, Listed, Machine, Path, Slot
+from rossmarie.ir import (
+    EACH,
+    Array,
+    ByName,
+    ChannelValues,
+    Kind,
+    Listed,
+    Machine,
+    Path,
+    Slot,
+    columns_of,
+)
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.orientation import UPRIGHT, with_angle
@@ -62,6 +74,9 @@ class _Sender:
     machine: Machine
     values: dict[_Field, SettingValue] = field(default_factory=dict)
 
+    def __post_init__(self) -> None:
+        self._lists = [(self._topic(each.input), each.path) for each in self.machine.lists]
+
     def messages(self, arrivals: list[ScriptedArrival]) -> dict[int, ChannelValues]:
         """The messages of one instant, by channel."""
         for arrival in arrivals:
@@ -75,12 +90,28 @@ class _Sender:
         }
 
     def _set(self, setting: Setting) -> None:
+        self._begin_list(setting)
         if setting.angle is not None and isinstance(setting.value, float):
             self._turn(setting, setting.angle, setting.value)
         elif setting.path and isinstance(setting.path[-1], int | Listed):
             self._set_element(setting, setting.path[-1])
         else:
             self.values[setting.topic, setting.path] = setting.value
+
+    def _begin_list(self, setting: Setting) -> None:
+        """Without elements, or not known, a list forgets those that it had; with an element it is
+        known.
+        """
+        for topic, path in self._lists:
+            inside = setting.path[: len(path)] == path and topic == setting.topic
+            if inside and setting.path == path:
+                self.values = {
+                    field: value
+                    for field, value in self.values.items()
+                    if field[0] != topic or field[1][: len(path)] != path
+                }
+            elif inside:
+                self.values.pop((topic, path), None)
 
     def _turn(self, setting: Setting, angle: str, value: float) -> None:
         places = [(setting.topic, (*setting.path, part)) for part in "xyzw"]
@@ -108,26 +139,61 @@ class _Sender:
         }
         arrays = {}
         for index, array in enumerate(machine.arrays):
-            if machine.inputs[array.input].channel == channel:
+            if machine.inputs[array.input].channel == channel and array.list is None:
                 whole = self.values.get((machine.channels[channel].topic, array.path))
                 elements = whole if isinstance(whole, tuple) else ()
                 arrays[index] = [raw_of(array, each) for each in elements]
+        for number, its_list in enumerate(machine.lists):
+            if machine.inputs[its_list.input].channel == channel:
+                arrays |= self._columns(number)
         return ChannelValues(slots, arrays)
 
+    def _columns(self, number: int) -> dict[int, list[float]]:
+        """The columns of a list; none if it is not known, or too long."""
+        its_list = self.machine.lists[number]
+        topic = self._topic(its_list.input)
+        size = len(its_list.path)
+        if self.values.get((topic, its_list.path), ()) is None:
+            return {}
+        places = [
+            step
+            for each, path in self.values
+            if each == topic and path[:size] == its_list.path
+            for step in path[size : size + 1]
+            if isinstance(step, int)
+        ]
+        count = max(places, default=-1) + 1
+        if count > its_list.most:
+            return {}
+        return {
+            column: [self._in_element(self.machine.arrays[column], place) for place in range(count)]
+            for column in columns_of(self.machine, number)
+        }
+
+    def _in_element(self, column: Array, place: int) -> float:
+        path = tuple(place if step == EACH else step for step in column.path)
+        return self._scalar(column, path)
+
+    def _topic(self, used: int) -> str:
+        return self.machine.channels[self.machine.inputs[used].channel].topic
+
     def _slot(self, slot: Slot) -> float:
-        topic = self.machine.channels[self.machine.inputs[slot.input].channel].topic
-        value = self._value(topic, slot.path)
-        match slot.kind:
+        return self._scalar(slot, slot.path)
+
+    def _scalar(self, source: Slot | Array, path: Path) -> float:
+        """A number, a flag or a text as a message carries it."""
+        value = self._value(self._topic(source.input), path)
+        match source.kind:
             case Kind.TEXT:
                 text = "" if value is _UNSET else value
                 texts = self.machine.texts
                 return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0
             case Kind.FLAG | Kind.REAL if value is _UNSET:
-                return 1.0 if slot.path[-1:] == ("w",) else 0.0
+                return 1.0 if path[-1:] == ("w",) else 0.0
             case Kind.FLAG:
                 return _number(value)
             case Kind.REAL:
-                return raw_of(slot, _number(value))
+                return raw_of(source, _number(value))
 
     def _value(self, topic: str, path: Path) -> SettingValue | object:
         last = path[-1] if path else ""

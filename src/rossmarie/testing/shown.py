@@ -120,8 +120,14 @@ class _Teller:
             if not any(math.isnan(part) for part in parts):
                 turned |= set(group)
                 yield from self._turned(group[0], topic, parts)
+        for its_list in machine.lists:  # a witness sends them without elements
+            used = machine.inputs[its_list.input]
+            if used.channel == channel:
+                yield Setting(used.name, topic, its_list.path, ())
         for index, elements in values.arrays.items():
             array = machine.arrays[index]
+            if array.list is not None:
+                continue
             si = [raw * array.scale + array.offset for raw in elements]
             told = tuple(each != 0.0 for each in si) if holds_flags(array) else tuple(si)
             unit = self._unit(ir.Element(index), array.unit)

@@ -72,7 +72,7 @@ def _least_length(slot: ir.Slot) -> int:
             return place + 1
         case ir.Listed(count=count):
             return count
-        case None | str() | ir.ByName():
+        case None | str() | ir.ByName() | ir.Each():
             return 0
 
 
@@ -109,7 +109,8 @@ class World:
         ]
         chosen = [_least_length(slot) for slot in self.machine.slots]
         wanted = int(max([0.0, *counted])) + 1 + bool(counted)
-        return min(_MOST_ELEMENTS, max([wanted, *chosen]))
+        bounds = [each.most for each in self.machine.lists]
+        return min(_MOST_ELEMENTS, max([wanted, *chosen]), *bounds)
 
     # --- formulas ----------------------------------------------------------------------------
 
@@ -247,6 +248,8 @@ class World:
         source: ir.Slot | ir.Array | None = None
         if variable.kind == "element":
             source = machine.arrays[variable.index]
+            if source.kind is ir.Kind.TEXT:
+                return kind_facts(machine, source, term)
         elif variable.kind == "slot":
             source = machine.slots[variable.index]
         elif variable.kind in ("previous", "rate"):

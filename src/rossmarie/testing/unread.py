@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie import ir
-from rossmarie.ir import Listed, Path, path_text
+from rossmarie.ir import EACH, Listed, Path, path_text
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 from rossmarie.testing.errors import SettingUnread
 
@@ -49,7 +49,10 @@ def _is_read(setting: Setting, fields: Sequence[Path]) -> bool:
     """
     path = tuple(step.place if isinstance(step, Listed) else step for step in setting.path)
     read = (each[:-1] if each and isinstance(each[-1], Listed) else each for each in fields)
-    return any(each[: len(path)] == path[: len(each)] for each in read)
+    return any(
+        all(step in (other, EACH) for step, other in zip(field, path, strict=False))
+        for field in read
+    )
 
 
 def _listed(fields: Sequence[Path]) -> str:

@@ -144,12 +144,21 @@ def is_carried(machine: ir.Machine, script: Script) -> bool:
         for each in sources
     }
     for setting in _settings(script):
-        source = fields.get((setting.topic, setting.path))
+        source = fields.get((setting.topic, _field_of(setting, machine)))
         values = setting.value if isinstance(setting.value, tuple) else (setting.value,)
         numbers = [value for value in values if isinstance(value, float)]
         if source is not None and not all(carries(source, number) for number in numbers):
             return False
     return True
+
+
+def _field_of(setting: Setting, machine: ir.Machine) -> ir.Path:
+    """The path of the field that is set, of whichever element of a list."""
+    for each in machine.lists:
+        size = len(each.path)
+        if setting.path[:size] == each.path and len(setting.path) > size:
+            return (*each.path, ir.EACH, *setting.path[size + 1 :])
+    return setting.path
 
 
 def _settings(script: Script) -> Iterator[Setting]:

@@ -81,7 +81,8 @@ def _value(machine: ir.Machine, setting: Setting) -> str:
     symbol = "" if unit == DIMENSIONLESS else f" {unit.symbol}"
     if isinstance(value, tuple):
         numbers = ", ".join(_element(each, unit) for each in value)
-        return f"[{numbers}]{symbol}" if value else "unknown"
+        nothing = "[]" if _is_list(machine, setting) else "unknown"
+        return f"[{numbers}]{symbol}" if value else nothing
     return "unknown" if value is None or math.isnan(value) else f"{_number(value, unit)}{symbol}"
 
 
@@ -94,12 +95,24 @@ def _unit(machine: ir.Machine, setting: Setting) -> Unit:
     found = [
         each.unit
         for each in fields
-        if each.path == setting.path and _topic(machine, each) == setting.topic
+        if _leads_to(each.path, setting.path) and _topic(machine, each) == setting.topic
     ]
     return parse_unit(found[0]) if found and found[0] else DIMENSIONLESS
 
 
-def _topic(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
+def _leads_to(path: ir.Path, written: ir.Path) -> bool:
+    """Say whether a path is that of a setting, for the element of a list that it names."""
+    return len(path) == len(written) and all(
+        step in (other, ir.EACH) for step, other in zip(path, written, strict=True)
+    )
+
+
+def _is_list(machine: ir.Machine, setting: Setting) -> bool:
+    lists = [(_topic(machine, each), each.path) for each in machine.lists]
+    return (setting.topic, setting.path) in lists
+
+
+def _topic(machine: ir.Machine, field: ir.Slot | ir.Array | ir.List) -> str:
     return machine.channels[machine.inputs[field.input].channel].topic
 
 

@@ -56,6 +56,13 @@ class Array:
 
 
 @dataclass(frozen=True)
+class List:
+    """Any number of messages (`Detection3D[] detections`), which rules look at one by one."""
+
+    element: Message | Vector | Quaternion
+
+
+@dataclass(frozen=True)
 class Interval:
     """`[low, high]`, both ends included."""
 
@@ -109,6 +116,7 @@ Type = (
     | Vector
     | Quaternion
     | Array
+    | List
     | Interval
     | Box
     | Message

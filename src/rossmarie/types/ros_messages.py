@@ -17,6 +17,7 @@ from rossmarie.types.field_units import FIELD_UNITS
 from rossmarie.types.model import (
     Array,
     Boolean,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -201,7 +202,10 @@ class MessageCatalog:
         self._read_files.append(source)
         return definitions.parse_file(source, name)
 
-    def _message(self, name: str, levels: tuple[Level, ...]) -> Message | None:
+    def _message(
+        self, name: str, levels: tuple[Level, ...], *, is_element: bool = False
+    ) -> Message | None:
+        """A message, or an element of a list, in which no lists are looked into."""
         definition = self._definition(name)
         if definition is None:
             return None
@@ -210,9 +214,11 @@ class MessageCatalog:
             outermost, _ = levels[0]
             path = definitions.find_file(outermost, self._search_paths) or Path(outermost)
             raise MessageDefinitionError(path, None, f"has more than {_MOST_FIELDS} fields")
-        names = _names_among(definition)
+        names = None if is_element else _names_among(definition)
         fields = {
-            field: self._type(type_, tuple((outer, (*path, field)) for outer, path in levels))
+            field: self._type(
+                type_, tuple((outer, (*path, field)) for outer, path in levels), is_element
+            )
             for field, type_ in definition.fields.items()
         }
         named = {
@@ -222,10 +228,10 @@ class MessageCatalog:
         }
         return Message(name, fields | named, names)
 
-    def _type(self, field: Field, levels: tuple[Level, ...]) -> Type:
+    def _type(self, field: Field, levels: tuple[Level, ...], is_element: bool) -> Type:
         base = field.base
         if field.is_array:
-            return self._array(base, levels)
+            return _inner_array(base) if is_element else self._array(base, levels)
         if base == "bool":
             return Boolean()
         if base in _TEXTS:
@@ -238,22 +244,34 @@ class MessageCatalog:
             return Vector(Quantity(self._unit((*levels, (base, ())))))
         if "/" not in base:
             return Quantity(self._unit(levels), _LIMITS.get(base))
-        return self._nested(base, levels)
+        return self._nested(base, levels, is_element)
 
     def _array(self, base: str, levels: tuple[Level, ...]) -> Type:
         if base == "bool":
             return Array(Boolean())
-        if "/" in base or base in _TEXTS:
-            kind = "strings" if base in _TEXTS else f"{base} messages"
-            return Unsupported(f"an array of {kind}; rules can use arrays of numbers and booleans")
+        if base in _TEXTS or base in INSTANTS:
+            kind = "strings" if base in _TEXTS else "times"
+            return Unsupported(
+                f"an array of {kind}; rules can use arrays of numbers, of booleans and of messages"
+            )
+        if "/" in base:
+            return self._list(base, levels)
         return Array(Quantity(self._unit(levels), _LIMITS.get(base)))
 
-    def _nested(self, base: str, levels: tuple[Level, ...]) -> Type:
+    def _list(self, base: str, levels: tuple[Level, ...]) -> Type:
+        if base == QUATERNION:
+            return List(Quaternion())
+        if base in VECTORS:
+            return List(Vector(Quantity(self._unit((*levels, (base, ()))))))
+        element = self._nested(base, levels, is_element=True)
+        return List(element) if isinstance(element, Message) else element
+
+    def _nested(self, base: str, levels: tuple[Level, ...], is_element: bool) -> Type:
         if any(name == base for name, _ in levels):
             return Unsupported(f"a {base} message inside itself")
         if len(levels) >= _MOST_LEVELS:
             return Unsupported(f"more than {_MOST_LEVELS} messages inside each other")
-        message = self._message(base, (*levels, (base, ())))
+        message = self._message(base, (*levels, (base, ())), is_element=is_element)
         return message or Unsupported(f"a {base} message, of which no definition is known")
 
     def _unit(self, levels: tuple[Level, ...]) -> Unit | None:
@@ -269,6 +287,12 @@ class MessageCatalog:
                 symbol = fields[field]
                 return None if symbol is None else parse_unit(symbol)
         return None
+
+
+def _inner_array(base: str) -> Unsupported:
+    """An array in an element of a list."""
+    kind = "strings" if base in _TEXTS else f"{base} messages" if "/" in base else "numbers"
+    return Unsupported(f"an array of {kind} in each element of a list; rules look one level deep")
 
 
 def _names_among(definition: definitions.Definition) -> str | None:

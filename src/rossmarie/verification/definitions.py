@@ -12,7 +12,7 @@ from functools import reduce
 
 from rossmarie.core import Function, View, may_be_infinite, sampling_row
 from rossmarie.ir import model as ir
-from rossmarie.verification import formulas, supports
+from rossmarie.verification import elements, formulas, supports
 from rossmarie.verification.basics import CONSTANTS, HELPERS
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.layout import Layout
@@ -138,21 +138,23 @@ class Definitions:
     # --- elements of arrays ------------------------------------------------------------------
 
     def _elements(self) -> Iterator[str]:
-        """Compute one element `e` (S22), then all of them (S23 to S25)."""
+        """Compute one element (S22, S52), then all of them (S23 to S25, S53)."""
         for index, array in enumerate(self._layout.elements.signals):
             if array is not None:
-                text = self._element_signal(index)
-                yield f"static double spec_element_{index}(double e) {{ return {text}; }}\n"
+                head = f"static double spec_element_{index}({self._parameters(array)})"
+                yield f"{head} {{ {self._unused(array)}return {self._element_signal(index)}; }}\n"
         for index, array in enumerate(self._layout.elements.truths):
             if array is not None:
-                text = self._element_truth(index)
-                yield f"static unsigned spec_element_is_{index}(double e) {{ return {text}; }}\n"
+                head = f"static unsigned spec_element_is_{index}({self._parameters(array)})"
+                yield f"{head} {{ {self._unused(array)}return {self._element_truth(index)}; }}\n"
         for index, signal in enumerate(self._machine.signals):
             match signal.node:
                 case ir.Fold(folding=folding, element=element):
-                    yield _fold(index, folding, element)
+                    all_of = self._all_of(self._layout.elements.signals[element])
+                    yield elements.folded(index, folding, element, all_of)
                 case ir.Count(element=element):
-                    yield _count(index, element)
+                    all_of = self._all_of(self._layout.elements.truths[element])
+                    yield elements.counted(index, element, all_of)
                 case (
                     ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled()
                     | ir.Element()
@@ -160,18 +162,38 @@ class Definitions:
                     pass
         for index, truth in enumerate(self._machine.truths):
             if isinstance(truth.node, ir.Quantified):
-                yield _quantified(index, truth.node)
+                all_of = self._all_of(self._layout.elements.truths[truth.node.element])
+                yield elements.quantified(index, truth.node, all_of)
+
+    def _all_of(self, array: int | None) -> elements.AllOf:
+        assert array is not None, "verified: only elements are folded"
+        its_list = self._machine.arrays[array].list
+        most = None if its_list is None else self._machine.lists[its_list].most
+        return elements.AllOf(supports.columns(self._machine, array), most)
+
+    def _parameters(self, array: int) -> str:
+        return ", ".join(f"double e{each}" for each in supports.columns(self._machine, array))
+
+    def _unused(self, array: int) -> str:
+        """Not every field matters to every question."""
+        return "".join(f"(void)e{each}; " for each in supports.columns(self._machine, array))
+
+    def _arguments(self, array: int | None) -> str:
+        assert array is not None, "it is of one element"
+        return ", ".join(f"e{each}" for each in supports.columns(self._machine, array))
 
     def _element_number(self, signal: int) -> str:
         node = self._machine.signals[signal].node
-        return literal(node.value) if isinstance(node, ir.Constant) else f"spec_element_{signal}(e)"
+        if isinstance(node, ir.Constant):
+            return literal(node.value)
+        return f"spec_element_{signal}({self._arguments(self._layout.elements.signals[signal])})"
 
     def _element_signal(self, index: int) -> str:
         node = self._machine.signals[index].node
         match node:
             case ir.Element(array=array):
                 declared = self._machine.arrays[array]
-                return converted("e", declared.scale, declared.offset)
+                return converted(f"e{array}", declared.scale, declared.offset)
             case ir.Apply(function=function, operands=operands):
                 return applied(function, [self._element_number(operand) for operand in operands])
             case ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count():
@@ -180,15 +202,24 @@ class Definitions:
     def _element_truth(self, index: int) -> str:
         node = self._machine.truths[index].node
         match node:
+            case ir.Literal(value=value):
+                return "TRUE" if value else "FALSE"
             case ir.Not() | ir.And() | ir.Or():
-                return logic(node, lambda operand: f"spec_element_is_{operand}(e)")
+                return logic(node, self._element_is)
             case ir.Compare() | ir.Between() | ir.Flag():
                 return compared(node, self._element_number, "UNKNOWN")
             case (
-                ir.Literal() | ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held()
-                | ir.Since() | ir.Recurs()
+                ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since()
+                | ir.Recurs()
             ):  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} is not of one element")
+
+    def _element_is(self, truth: int) -> str:
+        node = self._machine.truths[truth].node
+        if isinstance(node, ir.Literal):
+            return "TRUE" if node.value else "FALSE"
+        array = self._layout.elements.truths[truth]
+        return f"spec_element_is_{truth}({self._arguments(array)})"
 
     # --- truths ------------------------------------------------------------------------------
 
@@ -285,8 +316,12 @@ class Definitions:
     def _nothing_missing(self, index: int) -> str:
         support = self._layout.support_of_truth(index)
         kept = [self._layout.places.value_of_slot[slot] for slot in sorted(support.slots)]
-        kept += [self._layout.value_of_signal[s] for s in sorted(support.folds | support.waiting)]
-        return " && ".join(f"m->value[{value}] < INFINITY" for value in kept) or "true"
+        claims = [f"m->value[{value}] < INFINITY" for value in kept]
+        for signal in sorted(support.folds | support.waiting):
+            value = f"m->value[{self._layout.value_of_signal[signal]}]"
+            is_of_list = supports.is_of_list(self._machine, signal)
+            claims.append(f"isfinite({value})" if is_of_list else f"{value} < INFINITY")
+        return " && ".join(claims) or "true"
 
 
 # --- expressions -----------------------------------------------------------------------------
@@ -330,39 +365,6 @@ def logic(node: ir.Not | ir.And | ir.Or, write: Callable[[int], str]) -> str:
             return reduce(lambda text, each: f"spec_and({text}, {each})", map(write, operands))
         case ir.Or(operands=operands):
             return reduce(lambda text, each: f"spec_or({text}, {each})", map(write, operands))
-
-
-def _fold(index: int, folding: ir.Folding, element: int) -> str:
-    combine = formulas.name(folding.function, 2)
-    return (
-        f"static double spec_fold_{index}(const double *a, size_t n)\n{{\n"
-        f"    double found = n == 0 ? NAN : spec_element_{element}(a[0]);\n"
-        f"    for (size_t i = 1; i < n; i++)\n"
-        f"        found = {combine}(found, spec_element_{element}(a[i]));\n"
-        f"    return found;\n}}\n"
-    )
-
-
-def _count(index: int, element: int) -> str:
-    return (
-        f"static double spec_fold_{index}(const double *a, size_t n)\n{{\n"
-        f"    double found = n == 0 ? NAN : 0.0;\n"
-        f"    for (size_t i = 0; i < n; i++)\n"
-        f"        found = spec_element_is_{element}(a[i]) == UNKNOWN ? NAN\n"
-        f"              : spec_element_is_{element}(a[i]) == TRUE ? found + 1.0 : found;\n"
-        f"    return found;\n}}\n"
-    )
-
-
-def _quantified(index: int, node: ir.Quantified) -> str:
-    word, start = ("or", "FALSE") if node.quantifier is ir.Quantifier.ANY else ("and", "TRUE")
-    return (
-        f"static double spec_quantified_{index}(const double *a, size_t n)\n{{\n"
-        f"    unsigned found = n == 0 ? UNKNOWN : {start};\n"
-        f"    for (size_t i = 0; i < n; i++)\n"
-        f"        found = spec_{word}(found, spec_element_is_{node.element}(a[i]));\n"
-        f"    return found == UNKNOWN ? NAN : found == TRUE ? 1.0 : 0.0;\n}}\n"
-    )
 
 
 def _remark(text: str) -> str:

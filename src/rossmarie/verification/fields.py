@@ -1,5 +1,6 @@
 """The fields that the messages of a channel carry, in the order in which C takes them: the slots of
-the machine in their order, then its arrays.
+the machine in their order, then its arrays, then the columns of each list with one count behind
+them.
 """
 
 from __future__ import annotations
@@ -9,7 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from rossmarie.ir import model as ir
-from rossmarie.ir.path import Path
+from rossmarie.ir.path import EACH, Path
 from rossmarie.naming.identifiers import c_identifier
 from rossmarie.verification.layout import Layout, MisplacedError
 
@@ -19,16 +20,22 @@ SLOT_TYPES = {ir.Kind.REAL: "double", ir.Kind.FLAG: "bool", ir.Kind.TEXT: "int32
 
 @dataclass(frozen=True)
 class Field:
-    """A slot or an array of a message, under the name that it has in C."""
+    """A slot or an array of a message, under the name that it has in C. `count` is the name of how
+    many elements there are, where that stands behind it.
+    """
 
     name: str
     slot: int | None = None
     array: int | None = None
+    count: str | None = None
 
 
 def fields_of(layout: Layout, channel: int) -> tuple[Field, ...]:
     """The fields of a channel. Raises `MisplacedError` if one is called after another."""
-    return (*_slots(layout, channel), *_arrays(layout, channel))
+    lists = enumerate(layout.machine.lists)
+    own = [index for index, each in lists if layout.machine.inputs[each.input].channel == channel]
+    columns = [field for index in own for field in _columns(layout, index)]
+    return (*_slots(layout, channel), *_arrays(layout, channel), *columns)
 
 
 def _slots(layout: Layout, channel: int) -> Iterator[Field]:
@@ -39,13 +46,30 @@ def _slots(layout: Layout, channel: int) -> Iterator[Field]:
 
 def _arrays(layout: Layout, channel: int) -> Iterator[Field]:
     for index, array in enumerate(layout.machine.arrays):
-        if layout.machine.inputs[array.input].channel == channel:
-            yield Field(_named(layout.places.array_names, index, array.path), array=index)
+        if layout.machine.inputs[array.input].channel == channel and array.list is None:
+            name = _named(layout.places.array_names, index, array.path)
+            yield Field(name, array=index, count=f"{name}_count")
+
+
+def _columns(layout: Layout, its_list: int) -> Iterator[Field]:
+    """S51: a list arrives as columns of one length."""
+    arrays = enumerate(layout.machine.arrays)
+    columns = [index for index, array in arrays if array.list == its_list]
+    for column in columns:
+        name = _named(layout.places.array_names, column, layout.machine.arrays[column].path)
+        is_last = column == columns[-1]
+        yield Field(name, array=column, count=_count(layout, its_list) if is_last else None)
+
+
+def _count(layout: Layout, its_list: int) -> str:
+    path, names = layout.machine.lists[its_list].path, layout.places.list_names
+    return f"{_named(names, its_list, path)}_count"
 
 
 def _named(names: Mapping[int, str], index: int, path: Path) -> str:
     """A field is called after its path, with a number behind it where that is taken."""
-    word, name = c_identifier("_".join(map(str, path)) or "value"), names.get(index, "")
+    steps = [str(step) for step in path if step != EACH]
+    word, name = c_identifier("_".join(steps) or "value"), names.get(index, "")
     if not re.fullmatch(rf"{re.escape(word)}(_\d+)?", name):
         raise MisplacedError(f"a field at {word} is called {name or 'nothing'}")
     return name
@@ -54,10 +78,11 @@ def _named(names: Mapping[int, str], index: int, path: Path) -> str:
 def plain_parameters(field: Field) -> list[str]:
     """The parameters of a field where every scalar is a double."""
     if field.slot is None:
-        return [f"const double *{field.name}", f"size_t {field.name}_count"]
+        counts = [] if field.count is None else [f"size_t {field.count}"]
+        return [f"const double *{field.name}", *counts]
     return [f"double {field.name}"]
 
 
 def arguments(field: Field) -> list[str]:
     """The field handed on as plain parameters."""
-    return [field.name, f"{field.name}_count"] if field.slot is None else [field.name]
+    return [field.name] if field.count is None else [field.name, field.count]

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rossmarie.ir import model as ir
-from rossmarie.verification import fields, opaque
+from rossmarie.verification import fields, opaque, supports
 from rossmarie.verification.check import Check, Parts, Written
 from rossmarie.verification.definitions import Definitions, converted
 from rossmarie.verification.frames import Frames
@@ -167,8 +167,10 @@ class MessageChecks:
                 arguments.append(f"field_{number}")
             else:
                 lines += _array(f"field_{number}")
-                lines.append(f"    const size_t count_{number} = nondet_number() % {ELEMENTS + 1};")
-                arguments += [f"field_{number}", f"count_{number}"]
+                arguments.append(f"field_{number}")
+            if field.count is not None:
+                lines.append(f"    const size_t count_{number} = {self._any_count(field)};")
+                arguments.append(f"count_{number}")
         return lines, ", ".join(arguments)
 
     def _values(self) -> Iterator[str]:
@@ -184,7 +186,17 @@ class MessageChecks:
                     continue
                 yield from _array(f"field_{channel}_{number}")
                 yield f"    {member} = field_{channel}_{number};"
-                yield f"    {member}_count = nondet_number() % {ELEMENTS + 1};"
+                if field.count is not None:
+                    yield f"    v.{topic}.{field.count} = {self._any_count(field)};"
+
+    def _any_count(self, field: fields.Field) -> str:
+        """Any number of elements that are looked at; of a list also too many."""
+        assert field.array is not None, "only arrays have elements"
+        count = f"nondet_number() % {ELEMENTS + 1}"
+        its_list = self._machine.arrays[field.array].list
+        if its_list is None:
+            return count
+        return f"nondet_number() % 2 ? {count} : {self._machine.lists[its_list].most + 1}"
 
     def _any(self, slot: int) -> str:
         return _ANY_OF_KIND[self._machine.slots[slot].kind]
@@ -198,7 +210,7 @@ class MessageChecks:
             for declared, word in zip(
                 fields.plain_parameters(field), fields.arguments(field), strict=True
             ):
-                kept = f"given_{channel}_{number}{word.removeprefix(field.name)}"
+                kept = f"given_{channel}_{number}{'' if word == field.name else '_count'}"
                 kind = declared.removesuffix(word)
                 parameters.append(f"{kind}{word}")
                 given.append(f"static {kind}{kept};")
@@ -216,7 +228,7 @@ class MessageChecks:
         """A message is to be handed on as it is."""
         for number, field in enumerate(self._fields(channel)):
             yield f"    given_{channel}_{number} = field_{number};"
-            if field.slot is None:
+            if field.count is not None:
                 yield f"    given_{channel}_{number}_count = count_{number};"
 
     def _handed(self, channel: int, lines: list[str], call: str) -> str:
@@ -237,7 +249,7 @@ class MessageChecks:
 
     def _step_numbers(self, channel: int, name: str, call: str) -> str:
         names = [f"v.{name}.{field.name}" for field in self._fields(channel)]
-        counts = [f"{name}_count" for name in names]
+        counts = [f"v.{name}.{field.count}" for field in self._fields(channel)]
         lines = [*self._values(), f"    v.has_{name} = true;", _IN_RANGE]
         return self._called(lines, f"(void){call}", self._meant(channel, names, counts))
 
@@ -261,10 +273,18 @@ class MessageChecks:
 
     def _arrived(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> Iterator[str]:
         """S7; numbers that are watched may be kept as they arrive until somebody looks (S4)."""
+        named = {
+            field.array: name
+            for field, name in zip(self._fields(channel), names, strict=True)
+            if field.array is not None
+        }
         for field, name, count in zip(self._fields(channel), names, counts, strict=True):
+            if field.count is not None:
+                assert field.array is not None, "only arrays have elements"
+                columns = supports.columns(self._machine, field.array)
+                arguments = ", ".join([*(named[column] for column in columns), count])
+                yield from self._folded(columns[0], arguments)
             if field.slot is None:
-                assert field.array is not None, "a field is a slot or an array"
-                yield from self._folded(field.array, name, count)
                 continue
             slot = self._machine.slots[field.slot]
             kept = f"spec_finite(m->value[{self._layout.places.value_of_slot[field.slot]}])"
@@ -272,19 +292,19 @@ class MessageChecks:
             path = ".".join(map(str, slot.path))
             yield claim(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
 
-    def _folded(self, array: int, pointer: str, count: str) -> Iterator[str]:
-        """S23 to S25."""
+    def _folded(self, array: int, arguments: str) -> Iterator[str]:
+        """S23 to S25, S53; `array` may be the first column of a list."""
         for index, signal in enumerate(self._machine.signals):
             if self._folds(signal.node, array):
                 kept = f"m->value[{self._layout.value_of_signal[index]}]"
-                meant = f"spec_fold_{index}({pointer}, {count})"
+                meant = f"spec_fold_{index}({arguments})"
                 yield claim(f"spec_same({kept}, {meant})", f"`{signal.text}` is what it means")
         for truth, value in self._layout.places.value_of_test.items():
             node = self._machine.truths[truth].node
             if not isinstance(node, ir.Quantified):
                 continue
             if self._layout.elements.truths[node.element] == array:
-                meant = f"spec_quantified_{truth}({pointer}, {count})"
+                meant = f"spec_quantified_{truth}({arguments})"
                 about = f"`{self._machine.truths[truth].text}` is what it means"
                 yield claim(f"spec_same(m->value[{value}], {meant})", about)
 

@@ -55,6 +55,7 @@ class Places:
     channel_names: tuple[str, ...]
     slot_names: Mapping[int, str]
     array_names: Mapping[int, str]
+    list_names: Mapping[int, str]
 
 
 def places_of(machine: ir.Machine) -> Places:
@@ -84,6 +85,13 @@ def places_of(machine: ir.Machine) -> Places:
         channel_names=found.channel_names,
         slot_names={each.slot: each.name for each in fields if each.slot is not None},
         array_names={each.array: each.name for each in fields if each.array is not None},
+        list_names={
+            its_list: each.count.removesuffix("_count")
+            for each in fields
+            if each.count is not None
+            and each.array is not None
+            and (its_list := machine.arrays[each.array].list) is not None
+        },
     )
 
 

@@ -125,6 +125,15 @@ def support(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ..
     )
 
 
+def is_of_list(machine: ir.Machine, signal: int) -> bool:
+    """Say whether a signal rests on the elements of a list."""
+    nodes = (machine.signals[each].node for each in below(machine, (signal,), ()).signals)
+    return any(
+        isinstance(node, ir.Element) and machine.arrays[node.array].list is not None
+        for node in nodes
+    )
+
+
 def of_slot(machine: ir.Machine, slot: int) -> Support:
     """The support of a slot: its input."""
     used = machine.slots[slot].input
@@ -143,7 +152,7 @@ def _waits(node: ir.SignalNode) -> bool:
 @dataclass(frozen=True)
 class Elements:
     """For every signal and truth the array of which it takes one element; None if it has one value
-    for the whole machine (S22).
+    for the whole machine (S22). Of a list (S52) it is the first of its columns.
     """
 
     signals: tuple[int | None, ...]
@@ -155,16 +164,26 @@ def elements(machine: ir.Machine) -> Elements:
     signals: list[int | None] = []
     truths: list[int | None] = []
     for signal in machine.signals:
-        signals.append(_array(signal.node, signals, truths))
+        signals.append(_array(machine, signal.node, signals, truths))
     for truth in machine.truths:
-        truths.append(_array(truth.node, signals, truths))
+        truths.append(_array(machine, truth.node, signals, truths))
     return Elements(tuple(signals), tuple(truths))
 
 
-def _array(node: Node, signals: list[int | None], truths: list[int | None]) -> int | None:
+def columns(machine: ir.Machine, array: int) -> tuple[int, ...]:
+    """An array that stands alone, or all columns of the list that one belongs to."""
+    its_list = machine.arrays[array].list
+    if its_list is None:
+        return (array,)
+    return tuple(index for index, each in enumerate(machine.arrays) if each.list == its_list)
+
+
+def _array(
+    machine: ir.Machine, node: Node, signals: list[int | None], truths: list[int | None]
+) -> int | None:
     match node:
         case ir.Element(array=array):
-            return array
+            return columns(machine, array)[0]
         case (
             ir.Apply() | ir.Compare() | ir.Between() | ir.Flag() | ir.Not() | ir.And() | ir.Or()
         ):  # fmt: skip

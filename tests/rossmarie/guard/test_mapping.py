@@ -138,3 +138,29 @@ def test_declared_names_need_an_array_of_their_length(
     with pytest.raises(MappingError) as caught:
         run()
     assert str(caught.value).startswith(words)
+
+
+LIST = """\
+input path = topic /plan : nav_msgs/Path .poses up to 3;
+rule p: if any(q in path: q.pose.position.x < 1 m and q.pose.position.y < 1 m) then { slow; };
+"""
+
+
+@pytest.mark.parametrize("y", [slice(6, 7), None])
+def test_all_fields_of_a_list_are_observed_alike(tmp_path: Path, y: slice | None) -> None:
+    observe: Any = {**OBSERVE, "path.x": slice(4, 6), "path.y": y}
+    guard = guard_of("python", tmp_path, rules=RULES + LIST, observe=observe, act=ACT)
+    with pytest.raises(MappingError, match="are of one list"):
+        guard.step(0, np.zeros(8), np.zeros(len(ACT)))
+
+
+@needs_c
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_the_elements_of_a_list_are_observed(tmp_path: Path, engine: str) -> None:
+    observe: Any = {**OBSERVE, "path.x": slice(4, 6), "path.y": slice(6, 8)}
+    guard = guard_of(engine, tmp_path, rules=RULES + LIST, observe=observe, act=ACT)
+    apart, together = [0.5, 9.0, 9.0, 0.5], [9.0, 0.5, 9.0, 0.5]
+    for second, (elements, is_near) in enumerate(((apart, False), (together, True))):
+        seen = np.array([0.0, 0.0, 5.0, 5.0, *elements])
+        decision = guard.step(second * 1_000_000, seen, np.zeros(len(ACT)))
+        assert ("p" in decision.active) is is_near

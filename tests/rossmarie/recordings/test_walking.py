@@ -59,6 +59,10 @@ def one_by_one(of: Described, connection: Connection, contents: Sequence[bytes])
     return [decoded(content) for content in contents]
 
 
+def listed(elements: np.ndarray | None) -> list[float]:
+    return [] if elements is None else elements.astype(np.float64).tolist()
+
+
 def all_at_once(of: Described, connection: Connection, contents: Sequence[bytes]) -> list[object]:
     decoder = Decoder(connection, of.store, all_fields(of), TEXTS)
     decoded = decoder.decode(packed_in_one(connection, contents))
@@ -67,10 +71,7 @@ def all_at_once(of: Described, connection: Connection, contents: Sequence[bytes]
     for row in range(len(contents)):
         slots = {slot: float(column[row]) for slot, column in decoded.slots.items()}
         with np.errstate(invalid="ignore"):
-            arrays = {
-                array: elements[row].astype(np.float64).tolist()
-                for array, elements in decoded.arrays.items()
-            }
+            arrays = {array: listed(elements[row]) for array, elements in decoded.arrays.items()}
         values = exactly(ChannelValues(slots, arrays))
         found.append(failures.get(row, values))
         if row in failures:

@@ -40,10 +40,10 @@ def shape(node: ast.Expression) -> str:
             return f"({OVER_TIME[type(node)]} {inside})"
         case ast.Parenthesized():
             return f"<{inside}>"
-        case ast.Edges():
-            return f"Edges({inside})"
-        case ast.Oscillates():
-            return f"Oscillates({inside})"
+        case ast.Edges() | ast.Oscillates():
+            return f"{type(node).__name__}({inside})"
+        case ast.ListFold(function=function, variable=variable):
+            return f"{function.text}({variable.text} in {inside})"
         case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():
             return leaf(node)
 

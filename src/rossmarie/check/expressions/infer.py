@@ -13,6 +13,7 @@ from rossmarie.check.operations.constants import fold, record
 from rossmarie.check.operations.edges import type_of_edges
 from rossmarie.check.operations.functions import type_of_call, type_of_oscillates
 from rossmarie.check.operations.indexes import element_of, no_element
+from rossmarie.check.operations.lists import type_of_list_fold
 from rossmarie.check.operations.operators import type_of_binary, type_of_unary
 from rossmarie.check.operations.ranges import type_of_bracket, type_of_membership
 from rossmarie.check.operations.temporal import type_of_temporal
@@ -33,6 +34,7 @@ _Operation = (
     | ast.Call
     | ast.Edges
     | ast.Oscillates
+    | ast.ListFold
     | ast.Bracket
 )  # fmt: skip
 
@@ -55,7 +57,7 @@ def infer(expression: ast.Expression, context: Context) -> Type:
 
 
 def _operands(node: ast.Expression, context: Context) -> tuple[ast.Expression, ...]:
-    if isinstance(node, ast.Member) and not is_value(node.value, context):
+    if isinstance(node, ast.Member) and not is_value(node, context):
         return ()
     return children(node)
 
@@ -90,7 +92,7 @@ def _type_of(node: ast.Expression, context: Context) -> Type:
         case (
             ast.Unary() | ast.Binary() | ast.Membership() | ast.Held() | ast.Since()
             | ast.Once() | ast.Response() | ast.Call() | ast.Edges() | ast.Oscillates()
-            | ast.Bracket()
+            | ast.ListFold() | ast.Bracket()
         ):  # fmt: skip
             return _type_of_operation(node, context)
 
@@ -111,6 +113,8 @@ def _type_of_operation(node: _Operation, context: Context) -> Type:
             return type_of_edges(node, context)
         case ast.Oscillates():
             return type_of_oscillates(node, context)
+        case ast.ListFold():
+            return type_of_list_fold(node, context)
         case ast.Bracket():
             return type_of_bracket(node, context)
 

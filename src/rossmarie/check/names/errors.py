@@ -108,6 +108,10 @@ class UnknownField(Error, code="ROSS108", name="unknown-field"):
         says = "it has {known}"
         known: str
 
+    class InList(Remark):
+        says = "a list has no fields, its elements have: `any(each in LIST: each.{name} ...)`"
+        name: str
+
     class AlreadyData(Remark):
         says = "`{owner}` already stands for its data: leave `.data` out"
         owner: str

@@ -14,6 +14,7 @@ from rossmarie.types import (
     Array,
     Boolean,
     Entry,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -39,6 +40,20 @@ def members(type_: Type) -> dict[str, Type]:
     if isinstance(type_, Quaternion):
         return dict.fromkeys("xyzw", Quantity(DIMENSIONLESS))
     return {}
+
+
+def lists_in(message: Message) -> list[tuple[str, ...]]:
+    """The paths to the lists of messages that a message has."""
+    found: list[tuple[str, ...]] = []
+    waiting: list[tuple[tuple[str, ...], Type]] = [((), message)]
+    while waiting:
+        path, type_ = waiting.pop()
+        if isinstance(type_, List):
+            found.append(path)
+        elif isinstance(type_, Message):
+            inside = [((*path, name), part) for name, part in type_.fields.items()]
+            waiting.extend(reversed(inside))
+    return found
 
 
 def _entry_of(part: Type) -> Type | None:
@@ -110,6 +125,8 @@ def _report_unknown(
         behind = Span(name.span.file, name.span.end, name.span.end)
         help = finding.Function(owner=owner_text, name=name.text)
         fix = Fix(f"write `{name.text}()`", (Edit(behind, "()"),))
+    elif isinstance(owner, List):
+        help, fix = finding.InList(name=name.text), None
     elif known:
         help, fix = finding.Known(known=listed(known)), None
     elif name.text == "data":

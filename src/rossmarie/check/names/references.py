@@ -26,12 +26,16 @@ from rossmarie.check.scopes.trees import text_of
 from rossmarie.check.units.spaced_units import is_rest_of_unit
 from rossmarie.check.wording.suggestions import near_name, rename, suggesting
 from rossmarie.syntax import ast
-from rossmarie.types import Boolean, Type, Unknown
+from rossmarie.types import Boolean, List, Type, Unknown
 
 
 def type_of_reference(node: ast.Reference, context: Context) -> Type:
     """The type of a name that stands alone; the value of a constant is recorded."""
     name = node.name
+    fold = context.folds_around(node).get(name.text)
+    if fold is not None:
+        its_list = context.type_of(fold.list)
+        return its_list.element if isinstance(its_list, List) else Unknown()
     declared = context.declarations.names.get(name.text)
     own = context.entity
     # A condition that has the name of a value is reported already; the value is used.
@@ -41,7 +45,7 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         return Boolean()
     if declared is None:
         if context.declarations.is_whole and not is_rest_of_unit(node, context):
-            _report_undeclared(name, context)
+            _report_undeclared(node, context)
         return Unknown()
     context.used_names.add(name.text)
     if isinstance(declared, ast.Constant):
@@ -59,7 +63,7 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
 
 def type_of_member(node: ast.Member, context: Context) -> Type:
     """The type of a condition of an entity, or of a field."""
-    if is_value(node.value, context):
+    if is_value(node, context):
         type_, text, place = context.type_of(node.value), text_of(node.value), node.value.span
         return select(type_, node.member, text, place, context.collector)
     name = node.value.name if isinstance(node.value, ast.Reference) else node.member
@@ -73,15 +77,18 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
     elif names_a_message(name.text, context):
         return type_of_message_constant(node, name, context)
     elif context.declarations.is_whole:
-        _report_undeclared_entity(name, node.member, context)
+        _report_undeclared_entity(name, node, context)
     return Unknown()
 
 
-def is_value(node: ast.Expression, context: Context) -> bool:
+def is_value(member: ast.Member, context: Context) -> bool:
     """Say whether what stands before a dot has a type of its own; an entity has none."""
+    node = member.value
     if not isinstance(node, ast.Reference):
         return True
     name = node.name.text
+    if name in context.folds_around(member):
+        return True
     if context.entity is not None and _has_condition(context.entity, name, context):
         return not isinstance(context.declarations.names.get(name), ast.Entity)
     return is_value_name(name, context)
@@ -148,7 +155,8 @@ def _report_capitals(name: ast.Name, context: Context) -> None:
     context.collector.add(finding.at(name.span, help=help, fix=fix))
 
 
-def _report_undeclared(name: ast.Name, context: Context) -> None:
+def _report_undeclared(node: ast.Reference, context: Context) -> None:
+    name = node.name
     if name.text.lower() in ("true", "false"):
         _report_capitals(name, context)
         return
@@ -159,8 +167,12 @@ def _report_undeclared(name: ast.Name, context: Context) -> None:
     values = _named(context, ast.Constant, ast.Input)
     finding = UndeclaredName(identifier=name.text)
     elsewhere = _entity_with(name.text, context)
-    near = near_name(name.text, [*values, *own])
-    if near is not None:
+    elements = context.folds_around(node)
+    near = near_name(name.text, [*elements, *values, *own])
+    if near in elements:
+        place = NamedHere(name=near).at(elements[near].variable.span)
+        context.collector.add(suggesting(finding, name, near, place))
+    elif near is not None:
         _use_guess(near, context)
         declared = own[near].name if near in own else values[near]
         place, fix = NamedHere(name=near).at(declared.span), rename(name, near)
@@ -190,17 +202,20 @@ def _use_guess(name: str, context: Context) -> None:
             context.uses.inputs.add(name)
 
 
-def _report_undeclared_entity(name: ast.Name, member: ast.Name, context: Context) -> None:
+def _report_undeclared_entity(name: ast.Name, node: ast.Member, context: Context) -> None:
+    member = node.member
     finding = UndeclaredEntity(identifier=name.text)
     if not context.may_suggest():
         context.collector.add(finding.at(name.span))
         return
-    known = _named(context, ast.Entity, ast.Input)
+    elements = {each: fold.variable for each, fold in context.folds_around(node).items()}
+    known = {**_named(context, ast.Entity, ast.Input), **elements}
     near = near_name(name.text, known)
     if near is None:
         context.collector.add(finding.at(name.span, notes=_declared(known)))
         return
-    context.used_names.add(near)
+    if near not in elements:
+        context.used_names.add(near)
     if _has_condition(near, member.text, context):
         context.used_conditions.add((near, member.text))
         if context.entity is None:

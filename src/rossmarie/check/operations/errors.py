@@ -22,6 +22,10 @@ class NotACondition(Error, code="ROSS201", name="not-a-condition"):
         says = "choose a field: {fields}"
         fields: str
 
+    class InList(Remark):
+        says = "look at its elements, `any(each in {text}: each. ...)`"
+        text: str
+
     class Angle(Remark):
         says = "compare an angle of it, `{text}.pitch() > ...`"
         text: str
@@ -93,6 +97,10 @@ class NotANumber(Error, code="ROSS205", name="not-a-number"):
 
     class Range(Remark):
         says = "a range can only stand after `in`"
+
+    class InList(Remark):
+        says = "look at its elements, `any(each in {text}: each. ...)`"
+        text: str
 
     class Fields(Remark):
         says = "choose a field: {fields}"
@@ -190,6 +198,13 @@ class NotAnArray(Error, code="ROSS221", name="not-an-array"):
 
     class Components(Remark):
         says = "its components have names: `{text}.x`, `{text}.y`, `{text}.z`"
+        text: str
+
+    class AllElements(Remark):
+        says = (
+            "messages in a list are looked at all together: `{function}(each in {text}: each. ...)`"
+        )
+        function: str
         text: str
 
     class ByName(Remark):

@@ -37,6 +37,7 @@ from rossmarie.types import (
     Array,
     Boolean,
     Fault,
+    List,
     Message,
     Operator,
     Quantity,
@@ -205,7 +206,10 @@ def _report_no_array(
     argument: ast.Expression, type_: Type, operator: Operator, context: Context
 ) -> None:
     finding = NotAnArray(purpose=f"`{operator.value}`", found=describe(type_))
-    context.collector.add(finding.at(argument.span, help=Write(meant=USAGES[operator])))
+    help: Remark = Write(meant=USAGES[operator])
+    if isinstance(type_, List):
+        help = finding.AllElements(function=operator.value, text=text_of(argument))
+    context.collector.add(finding.at(argument.span, help=help))
 
 
 def _filter(node: ast.Call, operator: Operator, context: Context) -> Type:

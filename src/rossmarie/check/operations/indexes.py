@@ -13,6 +13,7 @@ from rossmarie.types import (
     Box,
     Entry,
     Interval,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -36,7 +37,7 @@ def element_of(owner: Type, index: int | str) -> Type | None:
             return Entry(owner)
         case (
             Boolean() | Text() | Quantity() | Vector() | Quaternion() | Interval() | Box()
-            | Message() | Entry() | Unsupported() | Unknown()
+            | Message() | List() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None
 
@@ -54,6 +55,8 @@ def no_element(owner: Type, index: int | str, span: Span, text: str, place: Span
     finding = NotAnArray(purpose="an index", found=describe(owner))
     if isinstance(owner, Vector):
         return finding.at(span, help=finding.Components(text=text))
+    if isinstance(owner, List):
+        return finding.at(span, help=finding.AllElements(function="any", text=text))
     if isinstance(owner, Message) and owner.names is not None:
         return finding.at(span, help=finding.ByName(text=text))
     return finding.at(span, help=finding.NoIndex())

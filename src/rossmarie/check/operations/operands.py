@@ -27,6 +27,7 @@ from rossmarie.types import (
     Array,
     Boolean,
     Entry,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -119,6 +120,8 @@ def _not_a_number(node: ast.Expression, type_: Type) -> Diagnostic:
         return finding.at(node.span, help=finding.Truth())
     if isinstance(type_, Text):
         return finding.at(node.span, help=finding.String())
+    if isinstance(type_, List):
+        return finding.at(node.span, help=finding.InList(text=text))
     return finding.at(node.span, help=finding.Range())
 
 
@@ -160,6 +163,8 @@ def _not_a_condition(node: ast.Expression, type_: Type) -> Diagnostic:
         return finding.at(node.span, help=finding.Fields(fields=_fields(text, type_)))
     if isinstance(type_, Text):
         return finding.at(node.span, help=finding.String(text=text))
+    if isinstance(type_, List):
+        return finding.at(node.span, help=finding.InList(text=text))
     if isinstance(type_, Quaternion):
         return finding.at(node.span, help=finding.Angle(text=text))
     if isinstance(type_, Vector):

@@ -34,7 +34,8 @@ class Context:
     `used_conditions` are all that anything refers to. `parents` leads from each part of an
     expression to what it is an operand of.
 
-    `entity` and `uses` belong to what is being checked at the moment.
+    `proposed_bounds` are the inputs for whose lists a bound has been proposed. `entity` and `uses`
+    belong to what is being checked at the moment.
     """
 
     collector: Collector
@@ -48,6 +49,7 @@ class Context:
     used_names: set[str] = field(default_factory=set)
     used_conditions: set[ConditionKey] = field(default_factory=set)
     suggestions: Suggestions = field(default_factory=Suggestions)
+    proposed_bounds: set[str] = field(default_factory=set)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
 
@@ -78,6 +80,16 @@ class Context:
     def type_of(self, node: ast.Expression) -> Type:
         """The type found for a node; `Unknown` if it was passed over."""
         return self.types[node] if node in self.types else Unknown()
+
+    def folds_around(self, node: ast.Expression) -> dict[str, ast.ListFold]:
+        """The folds behind whose colon a node stands, by the names of their elements."""
+        found: dict[str, ast.ListFold] = {}
+        part, around = node, self.parents.get(node)
+        while around is not None:
+            if isinstance(around, ast.ListFold) and part is around.body:
+                found.setdefault(around.variable.text, around)
+            part, around = around, self.parents.get(around)
+        return found
 
     def enter(self, entity: str | None) -> Uses:
         """Begin with the next condition, rule or declaration; the result records its uses."""

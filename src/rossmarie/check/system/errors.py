@@ -186,6 +186,27 @@ class RateConflict(Error, code="ROSS328", name="rate-conflict"):
     expected: str
 
 
+class BoundWithoutList(Error, code="ROSS238", name="bound-without-list"):
+    """`up to` on an input that brings no list of messages."""
+
+    title = "`up to` belongs to lists of messages"
+    label = "`{field}` has none"
+    note = "numbers, texts and arrays need no bound: a monitor keeps what it computes of them"
+    help = "leave `up to {bound}` out"
+    field: str
+    bound: str
+
+
+class ListBound(Error, code="ROSS239", name="list-bound"):
+    """A bound of lists that is no number of elements."""
+
+    title = "a bound is a whole number from 1 to {most}"
+    label = "this is {found}"
+    help = "write as many as a message has at most on this robot, as in `up to 64`"
+    most: int
+    found: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownMessageType,
     TopicWithoutType,
@@ -199,4 +220,6 @@ ALL: tuple[type[Template], ...] = (
     FieldUnitConflict,
     UnitDeclarationConflict,
     RateConflict,
+    BoundWithoutList,
+    ListBound,
 )

@@ -10,6 +10,7 @@ from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import has_no_number, select, unit_of, with_unit
 from rossmarie.check.operations.operands import duration_ns
 from rossmarie.check.scopes.context import Context
+from rossmarie.check.system.bounds import read_bound
 from rossmarie.check.system.element_names import with_names
 from rossmarie.check.system.errors import (
     FieldUnitConflict,
@@ -78,8 +79,9 @@ def _resolve(declaration: ast.Input, model: SystemModel, collector: Collector) -
         type_, path = data, (*path, "data")
     field = ".".join((message.name, *path))
     type_ = with_names(type_, field, declaration, collector)
+    most = read_bound(declaration, type_, field, collector)
     type_ = _in_unit(type_, field, declaration, topic, collector)
-    return CheckedInput(declaration, name, message.name, path, type_, None)
+    return CheckedInput(declaration, name, message.name, path, type_, None, most)
 
 
 def _message(

@@ -87,6 +87,10 @@ class NotSettable(Error, code="ROSS131", name="not-settable"):
         says = "set one of its fields: {fields}"
         fields: str
 
+    class Elements(Remark):
+        says = "set its elements, `{field}[0]. ... = ...`, or write `{field} = []` for none"
+        field: str
+
     class NoFields(Remark):
         says = "leave it out"
 

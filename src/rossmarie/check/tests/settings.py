@@ -20,6 +20,7 @@ from rossmarie.syntax import ast
 from rossmarie.types import (
     Array,
     Boolean,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -107,7 +108,7 @@ class _SettingChecker:
         text, before = first.text, first.span
         for step in rest:
             if isinstance(step, ast.Position):
-                element = element_of(type_, step.index)
+                element = _element_of(type_, step.index)
                 if element is None:
                     self._add(no_element(type_, step.index, step.span, text, step.span))
                     return None
@@ -133,7 +134,7 @@ class _SettingChecker:
             return None
         if isinstance(type_, Array):
             return (self._made(path, (), None),)
-        return (self._made(path, None, None),)
+        return (self._made(path, None, None),)  # of a list as well: it is not known
 
     def _without_value(self) -> tuple[Setting, ...] | None:
         first = self._setting.path.steps[0]
@@ -148,6 +149,8 @@ class _SettingChecker:
         help: Remark = finding.NoFields()
         if isinstance(type_, Quaternion):
             help = finding.Angle(field=self._text)
+        elif isinstance(type_, List):
+            help = finding.Elements(field=self._text)
         elif inside:
             help = finding.Fields(fields=", ".join(inside))
         self._add(finding.at(self._setting.path.span, help=help))
@@ -158,12 +161,21 @@ class _SettingChecker:
         if isinstance(type_, Message | Quaternion):
             self._report_whole(type_)
             return None
+        if isinstance(type_, List):
+            return self._no_elements(value, type_)
         if isinstance(type_, Vector | Array):
             return self._list(value, type_)
         if isinstance(value, ast.Bracket):
             self._mismatch(value, type_, "a list")
             return None
         return self._scalar(value, type_, None)
+
+    def _no_elements(self, value: ast.Expression, type_: List) -> tuple[()] | None:
+        """A list is set element by element; as a whole it can only have none."""
+        if isinstance(value, ast.Bracket) and not value.elements:
+            return ()
+        self._report_whole(type_)
+        return None
 
     def _list(self, value: ast.Expression, type_: Vector | Array) -> tuple[float, ...] | None:
         if not isinstance(value, ast.Bracket):
@@ -249,3 +261,10 @@ class _SettingChecker:
 
     def _add(self, finding: Diagnostic) -> None:
         self._context.collector.add(finding)
+
+
+def _element_of(owner: Type, index: int | str) -> Type | None:
+    """The type of an element; a test sets those of lists by their places."""
+    if isinstance(owner, List) and isinstance(index, int):
+        return owner.element
+    return element_of(owner, index)

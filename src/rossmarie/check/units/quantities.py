@@ -245,7 +245,7 @@ def is_same_unit(unit: Unit, other: Unit) -> bool:
 
 
 def end_of_field(declaration: ast.Input) -> Span:
-    """The empty place behind the topic, type, path and names of an input, where its unit
+    """The empty place behind the topic, type, path, names and bound of an input, where its unit
     belongs.
     """
     last = (declaration.message_type or declaration.topic).span
@@ -253,6 +253,8 @@ def end_of_field(declaration: ast.Input) -> Span:
         last = declaration.path[-1].span
     if declaration.names is not None:
         last = declaration.names.span
+    if declaration.bound is not None:
+        last = declaration.bound.span
     return Span(last.file, last.end, last.end)
 
 

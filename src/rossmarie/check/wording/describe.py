@@ -8,6 +8,7 @@ from rossmarie.types import (
     Box,
     Entry,
     Interval,
+    List,
     Message,
     Quantity,
     Quaternion,
@@ -39,6 +40,8 @@ def describe(type_: Type) -> str:
             return f"a vector{_in_unit(element)}"
         case Array(element=element):
             return _array(element)
+        case List(element=element):
+            return f"a list of {_plural(element)}"
         case Message(name=name):
             return f"a message {name}"
         case Entry(message=message):
@@ -65,6 +68,16 @@ def _quantity(quantity: Quantity) -> str:
     if quantity.unit is None:
         return "a number of unknown unit"
     return "a plain number" if is_plain(quantity) else f"a number in {quantity.unit.symbol}"
+
+
+def _plural(element: Message | Vector | Quaternion) -> str:
+    match element:
+        case Message(name=name):
+            return f"{name} messages"
+        case Vector(element=part):
+            return f"vectors{_in_unit(part)}"
+        case Quaternion():
+            return "orientations"
 
 
 def _array(element: Quantity | Boolean) -> str:

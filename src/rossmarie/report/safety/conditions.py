@@ -220,9 +220,13 @@ class Conditions:
     def _text(self, left: int, right: int) -> str | None:
         """The text literal that a field of texts is compared with."""
         read, literal = self._machine.signals[left].node, self._machine.signals[right].node
-        if not isinstance(read, ir.Read) or not isinstance(literal, ir.Constant):
-            return None
-        if self._machine.slots[read.slot].kind is not ir.Kind.TEXT:
+        source: ir.Slot | ir.Array | None = None
+        if isinstance(read, ir.Read):
+            source = self._machine.slots[read.slot]
+        elif isinstance(read, ir.Element):
+            source = self._machine.arrays[read.array]
+        is_text = source is not None and source.kind is ir.Kind.TEXT
+        if not is_text or not isinstance(literal, ir.Constant):
             return None
         return f'"{self._machine.texts[int(literal.value)]}"'
 

@@ -13,6 +13,7 @@ from rossmarie import ir
 from rossmarie.core import row, sampling_row
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.naming import field_names
+from rossmarie.ir.path import path_words
 from rossmarie.ir.support import signal_operands
 
 MOST_PARTS = 24
@@ -57,6 +58,8 @@ class Numbers:
             _field_name(machine, array, arrays[index], written.get(ir.Element(index)))
             for index, array in enumerate(machine.arrays)
         ]
+        lists = zip(machine.lists, ir.list_names(machine), strict=True)
+        self._lists = [_field_name(machine, each, names, None) for each, names in lists]
         self._sizes = sizes(signal_operands(signal.node) for signal in machine.signals)
         self.apart: dict[int, None] = {}
         """The signals that were called by a number, to be said in full elsewhere."""
@@ -80,8 +83,8 @@ class Numbers:
                 return self._applied(function, operands)
             case ir.Sampled(function=sampling, signal=inner, window_ns=window_ns):
                 return sampling_row(sampling).worded(self.words(inner), duration_text(window_ns))
-            case ir.Element():
-                return "the element"
+            case ir.Element(array=array):
+                return self._element(self._machine.arrays[array])
             case ir.Fold(folding=folding, element=element):
                 return self._fold(folding, element)
             case ir.Count(element=element):
@@ -97,9 +100,20 @@ class Numbers:
         return self._arrays[index]
 
     def array_of(self, truth: int) -> str:
-        """The array whose elements a condition is on."""
+        """The array, or the list, whose elements a condition is on."""
         array = ir.element_arrays(self._machine).truths[truth]
-        return "no array" if array is None else self._arrays[array]
+        return "no array" if array is None else self._whole(array)
+
+    def _whole(self, array: int) -> str:
+        """An array, or the list of which it is a column."""
+        its_list = self._machine.arrays[array].list
+        return self._arrays[array] if its_list is None else self._lists[its_list]
+
+    def _element(self, array: ir.Array) -> str:
+        """The element at hand of an array, or a field of that of a list."""
+        if array.list is None:
+            return "the element"
+        return f"its {path_words(array.path[array.path.index(ir.EACH) + 1 :])}"
 
     def range(self, low: int, high: int) -> str:
         """Two ends; a constant that names both is named once."""
@@ -128,10 +142,11 @@ class Numbers:
         which = _extreme(folding)
         array = ir.element_arrays(self._machine).signals[element]
         assert array is not None, "verified: a fold is over elements"
-        if isinstance(self._machine.signals[element].node, ir.Element):
+        is_plain = isinstance(self._machine.signals[element].node, ir.Element)
+        if is_plain and self._machine.arrays[array].list is None:
             return f"the {which} element of {self._arrays[array]}"
         each = self.words(element)
-        return f"the {which}, over all elements of {self._arrays[array]}, of {each}"
+        return f"the {which}, over all elements of {self._whole(array)}, of {each}"
 
 
 def _extreme(folding: ir.Folding) -> str:
@@ -151,12 +166,15 @@ def _vector(words: Sequence[str]) -> str:
 
 
 def _field_name(
-    machine: ir.Machine, field: ir.Slot | ir.Array, names: frozenset[str], written: str | None
+    machine: ir.Machine,
+    field: ir.Slot | ir.Array | ir.List,
+    names: frozenset[str],
+    written: str | None,
 ) -> str:
     """The name that the rules use, if it means this field alone; else the shortest one that does,
     or the whole path.
     """
     if written in names:
         return written
-    path = ".".join((machine.inputs[field.input].name, *map(str, field.path)))
+    path = ".".join((machine.inputs[field.input].name, *ir.path_names(field.path)))
     return min(names, key=lambda name: (len(name), name), default=path)

@@ -16,6 +16,7 @@ from rossmarie import ir
 from rossmarie.analysis.errors import Undecided
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.loss import Effect
+from rossmarie.ir.carried import holds_flags
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.path import path_words
 from rossmarie.report.safety.conditions import Conditions
@@ -203,6 +204,14 @@ class _Field:
 _KINDS = {ir.Kind.REAL: "number", ir.Kind.FLAG: "true or false", ir.Kind.TEXT: "text"}
 
 
+def _kind_of_array(machine: ir.Machine, array: ir.Array) -> str:
+    """`array`, or what a field of the elements of a list is; and how many of these there may be."""
+    if array.list is None:
+        return "array"
+    kind = ir.Kind.FLAG if holds_flags(array) else array.kind
+    return f"{_KINDS[kind]} of each of up to {machine.lists[array.list].most} elements"
+
+
 def _fields(machine: ir.Machine, conditions: Conditions) -> list[_Field]:
     found = [
         _Field(conditions.numbers.slot(index), slot.input, path_words(slot.path) or "data",
@@ -210,8 +219,8 @@ def _fields(machine: ir.Machine, conditions: Conditions) -> list[_Field]:
         for index, slot in enumerate(machine.slots)
     ]  # fmt: skip
     found += [
-        _Field(conditions.numbers.array(index), array.input, path_words(array.path), "array",
-               array.unit)
+        _Field(conditions.numbers.array(index), array.input, path_words(array.path),
+               _kind_of_array(machine, array), array.unit)
         for index, array in enumerate(machine.arrays)
     ]  # fmt: skip
     return sorted(found, key=lambda field: field.input)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -27,6 +28,19 @@ template <class Array> std::vector<double> numbers(const Array &array)
     for (const auto &element : array)
         numbers.push_back(number(element));
     return numbers;
+}
+
+// One field of all elements of a list, as far as there is room: of a longer list only its length counts.
+template <class List, std::size_t MOST, class Read>
+const double *column(const List &list, std::array<double, MOST> &room, Read read)
+{
+    std::size_t place = 0;
+    for (const auto &element : list) {
+        if (place == MOST)
+            break;
+        room[place++] = read(element);
+    }
+    return room.data();
 }
 
 // An element of an array that may be shorter; then it is unknown.

@@ -79,7 +79,9 @@ class Text:
 
 @dataclass(frozen=True)
 class Bracket:
-    """`[-10, 10] deg`: an interval (2 numbers) or a box (6: min and max per axis)."""
+    """`[-10, 10] deg`: an interval (2 numbers) or a box (6: min and max per axis). In a test also
+    any number of elements, or none.
+    """
 
     elements: tuple[Expression, ...]
     unit: Unit | None
@@ -139,6 +141,19 @@ class Oscillates:
     count: Number
     window: Expression
     swing: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class ListFold:
+    """`any(o in objects: o.size.x > 1 m)`: a function of what `body` says of each element of a
+    list of messages, which is called `variable` there.
+    """
+
+    function: Name
+    variable: Name
+    list: Expression
+    body: Expression
     span: Span
 
 
@@ -234,6 +249,7 @@ Expression = (
     | Call
     | Edges
     | Oscillates
+    | ListFold
     | Unary
     | Binary
     | Membership

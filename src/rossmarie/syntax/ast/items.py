@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax.ast.effects import Effect
-from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
+from rossmarie.syntax.ast.expressions import Expression, Name, Number, Text, Unit
 from rossmarie.syntax.ast.tests import Test
 
 
@@ -157,7 +157,7 @@ class Input:
     """`input pitch = topic /imu/data : sensor_msgs/Imu .orientation in rad timeout 0.2 sec`.
 
     In the printed form `topic Wrench.force` the topic is a plain name and `message_type` is None:
-    a system model knows it.
+    a system model knows it. `bound` is the number behind `up to`.
     """
 
     name: Name
@@ -169,6 +169,7 @@ class Input:
     timeout: Expression | None
     documentation: str | None
     span: Span
+    bound: Number | None = None
 
 
 @dataclass(frozen=True)

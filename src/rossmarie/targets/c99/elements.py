@@ -1,12 +1,12 @@
-"""Loops over arrays: one pass for all that is asked of the elements of one array.
+"""Loops over arrays and lists: one pass for all that is asked of the elements of one of them.
 
 Takes a layout and the expressions of its machine; gives statements. Elementwise nodes use one
-array and constants only.
+array, or columns of one list, and constants only.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from rossmarie import ir
@@ -19,16 +19,30 @@ _CALLS = {ir.Quantifier.ANY: "some", ir.Quantifier.ALL: "every"}
 
 @dataclass
 class _Loop:
-    """The statements before, in and after the loop over an array, and the locals it has; these are
-    in capitals, so that no field of a message is named like one.
+    """The statements before, in and after the loop over an array or a list, and the locals it has;
+    these are in capitals, so that no field of a message is named like one. `columns` are the
+    parameters by array, `count` is how many elements there are; `most` is the bound of a list.
     """
 
+    columns: Mapping[int, str]
+    count: str
+    most: int | None
     before: list[str] = field(default_factory=list)
     inside: list[str] = field(default_factory=list)
     after: list[str] = field(default_factory=list)
     signals: dict[int, str] = field(default_factory=dict)
     truths: dict[int, str] = field(default_factory=dict)
     counted: set[int] = field(default_factory=set)
+
+    def known(self, number: str) -> str:
+        """A number that is unknown if the elements are: there are none, or too many in a list."""
+        condition = f"{self.count} != 0" if self.most is None else "IS_KNOWN"
+        return f"{condition} ? {number} : NAN"
+
+    @property
+    def end(self) -> str:
+        """The number of elements to go through."""
+        return self.count if self.most is None else "ELEMENTS"
 
 
 class Elements:
@@ -39,27 +53,33 @@ class Elements:
         self._machine = layout.machine
         self._expressions = expressions
 
-    def loop(self, array: int, pointer: str, count: str) -> list[str]:
-        """All that is computed from the elements of an array; nothing if nothing is."""
-        loop = _Loop()
+    def loop(self, columns: Mapping[int, str], count: str) -> list[str]:
+        """All that is computed from the elements of an array, or of a list with these columns;
+        nothing if nothing is. The columns are parameters.
+        """
+        first = min(columns)
+        its_list = self._machine.arrays[first].list
+        most = None if its_list is None else self._machine.lists[its_list].most
+        loop = _Loop(columns, count, most)
         for index, signal in enumerate(self._machine.signals):
             match signal.node:
-                case ir.Fold(element=element) if self._layout.elements.signals[element] == array:
-                    self._fold(loop, index, signal.node, pointer, count)
-                case ir.Count(element=element) if self._layout.elements.truths[element] == array:
-                    self._counted(loop, element, pointer)
-                    self._finish(loop, self._layout.value_of_signal[index], "how_many", element,
-                                 count)  # fmt: skip
+                case ir.Fold(element=element) if self._layout.elements.signals[element] == first:
+                    self._fold(loop, index, signal.node)
+                case ir.Count(element=element) if self._layout.elements.truths[element] == first:
+                    self._counted(loop, element)
+                    value = self._layout.value_of_signal[index]
+                    self._finish(loop, value, "how_many", element)
                 case (
                     ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled()
                     | ir.Element() | ir.Fold() | ir.Count()
                 ):  # fmt: skip
                     pass
-        for index, node in self._quantified(array):
-            call = _CALLS[node.quantifier]
-            self._counted(loop, node.element, pointer)
-            self._finish(loop, self._layout.value_of_test[index], call, node.element, count)
-        return _written(loop, count)
+        for index, node in self._quantified(first):
+            self._counted(loop, node.element)
+            self._finish(
+                loop, self._layout.value_of_test[index], _CALLS[node.quantifier], node.element
+            )
+        return _written(loop)
 
     def _quantified(self, array: int) -> Iterator[tuple[int, ir.Quantified]]:
         for index in self._layout.value_of_test:
@@ -71,33 +91,38 @@ class Elements:
 
     # --- results -----------------------------------------------------------------------------
 
-    def _fold(self, loop: _Loop, index: int, node: ir.Fold, pointer: str, count: str) -> None:
+    def _fold(self, loop: _Loop, index: int, node: ir.Fold) -> None:
         name = f"{node.folding.value.upper()}_{index}"
         loop.before.append(f"double {name} = {_START[node.folding]};")
-        element = self._signal(loop, node.element, pointer)
+        element = self._signal(loop, node.element)
         folded = self._expressions.called(node.folding.function, [name, element])
         loop.inside.append(f"{name} = {folded};")
         target = self._expressions.kept(self._layout.value_of_signal[index])
-        loop.after.append(f"{target} = {count} != 0 ? {name} : NAN;")
+        loop.after.append(f"{target} = {loop.known(name)};")
 
-    def _counted(self, loop: _Loop, element: int, pointer: str) -> None:
+    def _counted(self, loop: _Loop, element: int) -> None:
         """Count for how many elements a truth holds and is unknown."""
         if element in loop.counted:
             return
         loop.counted.add(element)
         loop.before.append(f"size_t TRUTHS_{element} = 0, UNKNOWNS_{element} = 0;")
-        truth = self._truth(loop, element, pointer)
+        truth = self._truth(loop, element)
         loop.inside.append(f"TRUTHS_{element} += {truth} == TRUE;")
         loop.inside.append(f"UNKNOWNS_{element} += {truth} == UNKNOWN;")
 
-    def _finish(self, loop: _Loop, value: int, call: str, element: int, count: str) -> None:
+    def _finish(self, loop: _Loop, value: int, call: str, element: int) -> None:
         target = self._expressions.kept(value)
-        arguments = f"TRUTHS_{element}, UNKNOWNS_{element}, {count}"
-        loop.after.append(f"{target} = {call}({arguments});")
+        arguments = [f"TRUTHS_{element}", f"UNKNOWNS_{element}"]
+        if loop.most is None:
+            arguments.append(loop.count)
+        else:
+            arguments += ["ELEMENTS", "IS_KNOWN"] if call == "every" else ["IS_KNOWN"]
+            call = f"{call}_of_list"
+        loop.after.append(f"{target} = {call}({', '.join(arguments)});")
 
     # --- one element -------------------------------------------------------------------------
 
-    def _signal(self, loop: _Loop, index: int, pointer: str) -> str:
+    def _signal(self, loop: _Loop, index: int) -> str:
         """The number of the element at hand, as a local computed once."""
         if self._layout.elements.signals[index] is None:
             return self._expressions.operand(index)
@@ -105,55 +130,59 @@ class Elements:
             node = self._machine.signals[index].node
             if isinstance(node, ir.Element):
                 array = self._machine.arrays[node.array]
-                text = converted(f"{pointer}[i]", array.scale, array.offset)
+                text = converted(f"{loop.columns[node.array]}[i]", array.scale, array.offset)
             else:
                 assert isinstance(node, ir.Apply), "verified: nothing else is elementwise"
-                text = self._expressions.applied(
-                    node, lambda operand: self._signal(loop, operand, pointer)
-                )
+                text = self._expressions.applied(node, lambda operand: self._signal(loop, operand))
             loop.signals[index] = f"ELEMENT_{index}"
             loop.inside.append(f"const double ELEMENT_{index} = {text};")
         return loop.signals[index]
 
-    def _truth(self, loop: _Loop, index: int, pointer: str) -> str:
+    def _truth(self, loop: _Loop, index: int) -> str:
         if index not in loop.truths:
-            text = self._truth_text(loop, index, pointer)
+            text = self._truth_text(loop, index)
             loop.truths[index] = f"IS_{index}"
             loop.inside.append(f"const unsigned char IS_{index} = {text};")
         return loop.truths[index]
 
-    def _truth_text(self, loop: _Loop, index: int, pointer: str) -> str:
+    def _truth_text(self, loop: _Loop, index: int) -> str:
         match self._machine.truths[index].node:
             case ir.Literal(value=value):
                 return "TRUE" if value else "FALSE"
             case ir.Not(operand=operand):
-                return f"opposite({self._truth(loop, operand, pointer)})"
+                return f"opposite({self._truth(loop, operand)})"
             case ir.And(operands=operands):
-                return self._joined("both", loop, operands, pointer)
+                return self._joined("both", loop, operands)
             case ir.Or(operands=operands):
-                return self._joined("either", loop, operands, pointer)
+                return self._joined("either", loop, operands)
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified() | ir.Held() | ir.Since() | ir.Recurs()
             ) as node:  # fmt: skip
-                write = lambda signal: self._signal(loop, signal, pointer)  # noqa: E731
+                write = lambda signal: self._signal(loop, signal)  # noqa: E731
                 is_unknown, holds = self._expressions.comparison(node, write)
                 return f"element_truth({is_unknown}, {holds})"
 
-    def _joined(self, word: str, loop: _Loop, operands: tuple[int, ...], pointer: str) -> str:
-        text = self._truth(loop, operands[0], pointer)
+    def _joined(self, word: str, loop: _Loop, operands: tuple[int, ...]) -> str:
+        text = self._truth(loop, operands[0])
         for operand in operands[1:]:
-            text = f"{word}({text}, {self._truth(loop, operand, pointer)})"
+            text = f"{word}({text}, {self._truth(loop, operand)})"
         return text
 
 
-def _written(loop: _Loop, count: str) -> list[str]:
+def _written(loop: _Loop) -> list[str]:
     if not loop.after:
         return []
+    known = []
+    if loop.most is not None:
+        known = [
+            f"const bool IS_KNOWN = {loop.count} <= {loop.most};",
+            f"const size_t ELEMENTS = IS_KNOWN ? {loop.count} : 0;",
+        ]
     return [
         "{",
-        *(f"    {line}" for line in loop.before),
-        f"    for (size_t i = 0; i != {count}; i++) {{",
+        *(f"    {line}" for line in (*known, *loop.before)),
+        f"    for (size_t i = 0; i != {loop.end}; i++) {{",
         *(f"        {line}" for line in loop.inside),
         "    }",
         *(f"    {line}" for line in loop.after),

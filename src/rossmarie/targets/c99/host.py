@@ -66,7 +66,8 @@ def _step(layout: Layout, messages: Messages) -> list[str]:
                 lines.append(f"v.{name}.{field.name} = slots[{field.slot}];")
             else:
                 lines.append(f"v.{name}.{field.name} = arrays[{field.array}];")
-                lines.append(f"v.{name}.{field.name}_count = counts[{field.array}];")
+            if field.count is not None:
+                lines.append(f"v.{name}.{field.count} = counts[{field.array}];")
     return lines
 
 
@@ -108,7 +109,8 @@ def _is_single(layout: Layout, messages: Messages) -> bool:
 def _cell(machine: ir.Machine, field: types.Field) -> list[str]:
     """One field of row i, as plain arguments."""
     if field.slot is None:
-        return [f"array_{field.array} + i * width_{field.array}", f"width_{field.array}"]
+        row = f"array_{field.array} + i * width_{field.array}"
+        return [row] if field.count is None else [row, f"width_{field.array}"]
     cell = f"column_{field.slot}[i]"
     is_flag = machine.slots[field.slot].kind is ir.Kind.FLAG
     return [f"flag_values[{cell}]" if is_flag else cell]

@@ -154,6 +154,11 @@ class Layout:
         signals = sorted(support.folds | support.samples)
         return slots + [self.value_of_signal[signal] for signal in signals]
 
+    def is_of_list(self, value: int) -> bool:
+        """Say whether a value is a fold over a list, or a sample that rests on one."""
+        found = self.values[value]
+        return found.slot is None and ir.is_of_list(self.machine, found.support)
+
     def guard_blames(self, guard: Guard) -> list[int]:
         """The same for the leaves of a guard; a quantifier blames its array whenever unknown."""
         value = self.values[guard.value]

@@ -5,6 +5,7 @@ Takes a layout and the expressions of its machine; gives C text.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
@@ -116,7 +117,7 @@ class Messages:
         """Store what a message brings."""
         lines = [*self._stamps(channel)]
         for field in self.fields[channel]:
-            lines += self._received(field)
+            lines += self._received(field, channel)
         unused = [] if any("t_ns" in line for line in lines) else ["(void)t_ns;"]
         unused += [] if any("m->" in line for line in lines) else ["(void)m;"]
         topic = self._machine.channels[channel]
@@ -211,14 +212,30 @@ class Messages:
             if is_timed and used.channel == channel:
                 yield f"m->stamp_ns[{self._layout.input_names[index]}] = t_ns;"
 
-    def _received(self, field: types.Field) -> list[str]:
+    def _received(self, field: types.Field, channel: int) -> list[str]:
         """A field where the monitor keeps it; numbers that are watched are left as they arrive."""
         if field.slot is not None:
             is_raw = self._layout.value_of_slot[field.slot] in self._covered
             return [self.expressions.arrival(field.slot, field.name, is_raw=is_raw)]
         assert field.array is not None, "a field is a slot or an array"
-        unused = [f"(void){field.name};", f"(void){field.name}_count;"]
-        return self._elements.loop(field.array, field.name, f"{field.name}_count") or unused
+        if field.count is None:
+            return []  # a column: the loop stands where the last one of its list is
+        columns = {
+            each.array: each.name
+            for each in self.fields[channel]
+            if each.array is not None and self._is_beside(each.array, field.array)
+        }
+        lines = self._elements.loop(columns, field.count)
+        used = set(re.findall(r"\w+", " ".join(lines)))
+        unused = (name for name in (*columns.values(), field.count) if name not in used)
+        return [*lines, *(f"(void){name};" for name in unused)]
+
+    def _is_beside(self, array: int, other: int) -> bool:
+        """Say whether two arrays are the same, or columns of one list."""
+        its_list = self._machine.arrays[array].list
+        return array == other or (
+            its_list is not None and its_list == self._machine.arrays[other].list
+        )
 
     def _computed(self) -> Iterator[Piece]:
         yield from self.expressions.signals()

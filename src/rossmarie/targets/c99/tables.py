@@ -65,6 +65,7 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "SAMPLED_VALUES": len(_sampled_values(layout)),
         "WINDOWS": len(layout.windows),
         "MOST_SAMPLES": MOST_SAMPLES if layout.windows else 0,
+        "LISTS": len(machine.lists),
         "WATCHES": len(machine.watches),
     }
     return {**always, **{name: size for name, size in used.items() if size}}
@@ -272,11 +273,13 @@ def _blame_tables(layout: Layout) -> str:
     blames = [layout.guard_blames(guard) for guard in layout.guards]
     blames += [layout.blamed(support) for support in swings]
     excuses = [layout.excuses(support) for support in supports]
+    of_lists = ["true" if layout.is_of_list(value) else "false" for row in excuses for value in row]
     return _section(
         "The numbers whose lack makes a truth lost, and those whose lack leaves it unknown.",
         [
             lists("row_blames", "blames", _rows_of_values(layout, blames)),
             lists("row_excuses", "excuses", _rows_of_values(layout, excuses)),
+            table("bool", "is_of_list", of_lists or ["false"]) if layout.machine.lists else "",
         ],
     )
 

@@ -28,15 +28,21 @@ def duration(nanoseconds: int) -> str:
 
 @dataclass(frozen=True)
 class Field:
-    """A slot or an array of a channel's message, under the name of its parameter."""
+    """A slot, an array, or a column of a list of a channel's message, under the name of its
+    parameter. `count` is the parameter behind it with the number of elements: the columns of a list
+    share one, which stands behind the last of them.
+    """
 
     name: str
     slot: int | None = None
     array: int | None = None
+    count: str | None = None
 
 
 def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
-    """The fields that the messages of a channel carry: its slots, then its arrays."""
+    """The fields that the messages of a channel carry: its slots, its arrays, and the columns of
+    its lists.
+    """
     # The functions that have fields as parameters call functions named after channels.
     called = [
         f"{step}_{c_identifier(topic.topic)}"
@@ -46,7 +52,7 @@ def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
     family = names.Family(taken=called)
 
     def named(path: ir.Path, *endings: str) -> str:
-        return family.name("_".join(map(str, path)) or "value", *endings)
+        return family.name("_".join(ir.path_names(path)) or "value", *endings)
 
     def is_here(used: int) -> bool:
         return machine.inputs[used].channel == channel
@@ -56,12 +62,19 @@ def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
         for index, slot in enumerate(machine.slots)
         if is_here(slot.input)
     ]
-    arrays = [
-        Field(named(array.path, "_count"), array=index)
-        for index, array in enumerate(machine.arrays)
-        if is_here(array.input)
-    ]
-    return (*slots, *arrays)
+    arrays = []
+    for index, array in enumerate(machine.arrays):
+        if is_here(array.input) and array.list is None:
+            name = named(array.path, "_count")
+            arrays.append(Field(name, array=index, count=f"{name}_count"))
+    columns = []
+    for index, each in enumerate(machine.lists):
+        if is_here(each.input):
+            *before, last = ir.columns_of(machine, index)
+            count = f"{named(each.path, '_count')}_count"
+            columns += [Field(named(machine.arrays[i].path), array=i) for i in before]
+            columns.append(Field(named(machine.arrays[last].path), array=last, count=count))
+    return (*slots, *arrays, *columns)
 
 
 def public_parameters(machine: ir.Machine, field: Field) -> list[str]:
@@ -78,10 +91,10 @@ def plain_parameters(field: Field) -> list[str]:
 
 def arguments(field: Field, prefix: str = "") -> list[str]:
     """The field handed on as plain parameters."""
-    if field.slot is None:
-        return [f"{prefix}{field.name}", f"{prefix}{field.name}_count"]
-    return [f"{prefix}{field.name}"]
+    counts = [] if field.count is None else [field.count]
+    return [f"{prefix}{name}" for name in (field.name, *counts)]
 
 
 def _array_parameters(field: Field) -> list[str]:
-    return [f"const double *{field.name}", f"size_t {field.name}_count"]
+    counts = [] if field.count is None else [f"size_t {field.count}"]
+    return [f"const double *{field.name}", *counts]

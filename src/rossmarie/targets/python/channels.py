@@ -67,7 +67,10 @@ def _convert(layout: Layout, channel: int, function: Function) -> None:
             function.line(f"{raw} = float({raw})")
         function.line(f"{raw} = {raw} if -MAX <= {raw} <= MAX else NAN")
     for array in layout.arrays(channel):
-        function.line(f"a_{array} = [float(e) for e in a_{array}]")
+        converted = f"[float(e) for e in a_{array}]"
+        if layout.machine.arrays[array].list is not None:
+            converted = f"None if a_{array} is None else {converted}"
+        function.line(f"a_{array} = {converted}")
 
 
 def _take(layout: Layout, channel: int, function: Function) -> None:
@@ -80,7 +83,9 @@ def _take(layout: Layout, channel: int, function: Function) -> None:
     for slot in layout.slots(channel):
         function.assign(f"x{slot}", f"a{slot}")
     for array in layout.arrays(channel):
-        function.line(f"look_{array}(a_{array})")
+        columns = layout.beside(array)
+        if array == columns[0]:
+            function.line(f"look_{array}({', '.join(f'a_{column}' for column in columns)})")
 
 
 def _parameters(layout: Layout, channel: int) -> list[str]:

@@ -1,11 +1,12 @@
-"""Functions over the elements of an array: one pass for all that is asked of it (S22 to S26).
+"""Functions over the elements of an array or a list: one pass for all that is asked of it (S22 to
+S26, S51 to S54).
 
 Takes a layout. What is found stays until the next message or the expiry of its input.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
 from rossmarie.targets.formulas import definition_of
@@ -26,20 +27,27 @@ def results(layout: Layout, array: int) -> dict[str, str]:
 
 
 def look(layout: Layout, array: int) -> list[str]:
-    """The function that takes in the elements of an array."""
-    function = Function(f"look_{array}(elements)")
+    """The function that takes in the elements of an array, or of the list whose first column it is;
+    nothing for other columns.
+    """
+    columns = layout.beside(array)
+    if array != columns[0]:
+        return []
+    function = Function(
+        f"look_{array}({', '.join(_elements(layout, column) for column in columns)})"
+    )
     if not results(layout, array):
         return function.text()
     for variable, unknown in results(layout, array).items():
         function.assign(variable, unknown)
-    function.line("if not elements:")
+    function.line(f"if {_is_unknown(layout, array)}:")
     function.line("return", 1)
     folds, counted = _folds(layout, array), _counted(layout, array)
     for signal, node in folds.items():
         function.line(f"f{signal} = {_STARTS[node.folding]}")
     for truth in counted:
         function.line(f"true_{truth} = unknown_{truth} = 0")
-    function.line(f"for e in {_converted(layout.machine.arrays[array])}:")
+    function.line(f"for {_head(layout, columns)}:")
     for line in _one_element(layout, array):
         function.line(line, 1)
     for signal, node in folds.items():
@@ -53,6 +61,36 @@ def look(layout: Layout, array: int) -> list[str]:
     return function.text()
 
 
+def _elements(layout: Layout, column: int) -> str:
+    return f"elements{_ending(layout, column)}"
+
+
+def _ending(layout: Layout, array: int) -> str:
+    """The end of the names of an array that stands beside others."""
+    return "" if layout.machine.arrays[array].list is None else f"_{array}"
+
+
+def _is_unknown(layout: Layout, array: int) -> str:
+    """A condition: nothing is known of the elements (S24, S51)."""
+    its_list = layout.machine.arrays[array].list
+    if its_list is None:
+        return f"not {_elements(layout, array)}"
+    columns = [_elements(layout, column) for column in layout.beside(array)]
+    lacking = [f"{column} is None" for column in columns]
+    others = [f"len({column}) != len({columns[0]})" for column in columns[1:]]
+    too_many = f"len({columns[0]}) > {layout.machine.lists[its_list].most}"
+    return " or ".join([*lacking, *others, too_many])
+
+
+def _head(layout: Layout, columns: Sequence[int]) -> str:
+    """The head of a loop over the elements: names, and what they go through."""
+    names = [f"e{_ending(layout, column)}" for column in columns]
+    found = [_converted(layout, column) for column in columns]
+    if len(columns) == 1:
+        return f"{names[0]} in {found[0]}"
+    return f"{', '.join(names)} in zip({', '.join(found)})"
+
+
 def _finish(layout: Layout, array: int, function: Function) -> None:
     for signal in _folds(layout, array):
         function.assign(f"s{signal}", f"f{signal}")
@@ -64,7 +102,7 @@ def _finish(layout: Layout, array: int, function: Function) -> None:
             case ir.Quantifier.ANY:
                 function.assign(f"q{index}", f"1 if {true} else 2 if {unknown} else 0")
             case ir.Quantifier.ALL:
-                known = f"{true} + {unknown} < len(elements)"
+                known = f"{true} + {unknown} < len({_elements(layout, array)})"
                 function.assign(f"q{index}", f"0 if {known} else 2 if {unknown} else 1")
 
 
@@ -77,7 +115,7 @@ class _Element:
     def value(self, signal: int) -> str:
         node = self._layout.machine.signals[signal].node
         if isinstance(node, ir.Element):
-            return "e"
+            return f"e{_ending(self._layout, node.array)}"
         return number(node.value) if isinstance(node, ir.Constant) else f"e{signal}"
 
     def truth(self, index: int) -> str:
@@ -99,10 +137,11 @@ def _one_element(layout: Layout, array: int) -> Iterator[str]:
             yield f"t{index} = {expressions.compared(layout, truth.node, write.value, '2')}"
 
 
-def _converted(array: ir.Array) -> str:
+def _converted(layout: Layout, index: int) -> str:
+    array, elements = layout.machine.arrays[index], _elements(layout, index)
     if (array.scale, array.offset) == (1.0, 0.0):
-        return "elements"
-    return f"[e * {number(array.scale)} + {number(array.offset)} for e in elements]"
+        return elements
+    return f"[e * {number(array.scale)} + {number(array.offset)} for e in {elements}]"
 
 
 def _folds(layout: Layout, array: int) -> dict[int, ir.Fold]:

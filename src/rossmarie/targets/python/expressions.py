@@ -113,8 +113,11 @@ def unknown_kind(layout: Layout, index: int) -> str:
     lacking = [
         f"{name} != {name}" for name, used in {**slots, **folds}.items() if layout.is_timed(used)
     ]
-    measured = " and ".join(f"{name} < INF" for name in [*slots, *folds, *samples])
-    return f"(3 if {' or '.join([*lacking, measured or 'True'])} else 2)"
+    measured = [f"{name} < INF" for name in slots]
+    for signal in (*sorted(support.folds), *sorted(support.samples)):
+        is_of_list = ir.is_of_list(layout.machine, layout.supports.signals[signal])
+        measured.append(f"-INF < s{signal} < INF" if is_of_list else f"s{signal} < INF")
+    return f"(3 if {' or '.join([*lacking, ' and '.join(measured) or 'True'])} else 2)"
 
 
 # --- logic -----------------------------------------------------------------------------------

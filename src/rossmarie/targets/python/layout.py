@@ -123,9 +123,13 @@ class Layout:
         return [index for index, slot in slots if self.channel(slot.input) == channel]
 
     def arrays(self, channel: int) -> list[int]:
-        """The arrays that a channel carries."""
-        arrays = enumerate(self.machine.arrays)
-        return [index for index, array in arrays if self.channel(array.input) == channel]
+        """The arrays that a channel carries: those that stand alone, then the columns of lists."""
+        return list(ir.arrays_of(self.machine, channel))
+
+    def beside(self, array: int) -> tuple[int, ...]:
+        """The columns of the list that an array belongs to; the array itself if it stands alone."""
+        its_list = self.machine.arrays[array].list
+        return (array,) if its_list is None else ir.columns_of(self.machine, its_list)
 
     def is_timed(self, inputs: Iterable[int]) -> bool:
         """Say whether any of the inputs expires."""

@@ -169,17 +169,26 @@ def _monitor(machine: ir.Machine) -> Iterator[str]:
     yield _DOOR
     updates = names.different("update_", (channel.topic for channel in machine.channels))
     for channel, update_name in enumerate(updates):
-        fields = [("", slot) for slot in machine.slots] + [("[]", a) for a in machine.arrays]
-        paths = [
-            ".".join(map(str, (machine.inputs[field.input].name, *field.path))) + brackets
-            for brackets, field in fields
-            if machine.inputs[field.input].channel == channel
-        ]
+        slots = [each for each in machine.slots if machine.inputs[each.input].channel == channel]
+        arrays = [machine.arrays[index] for index in ir.arrays_of(machine, channel)]
+        paths = [_described(machine, slot) for slot in slots]
+        paths += [_described(machine, array) for array in arrays]
         topic = machine.channels[channel].topic
         described = ", ".join([f"{topic}: at_ns", *paths])
         yield f"{INDENT}# {comments.after_hash(described)}"
+        if any(array.list is not None for array in arrays):
+            yield f"{INDENT}# Behind []: columns of a list, of one length; None if it is not known."
         yield f"{INDENT}{update_name}: Callable[..., int]"
     yield (_WATCHES if machine.watches else "") + _MEMBERS
+
+
+def _described(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
+    """The name of a field beside its function."""
+    name = machine.inputs[field.input].name
+    if isinstance(field, ir.Array) and field.list is not None:
+        return f"{name}{ir.path_text(field.path)}"
+    words = ".".join((name, *ir.path_names(field.path)))
+    return f"{words}[]" if isinstance(field, ir.Array) else words
 
 
 def _start(layout: Layout) -> Iterator[str]:

@@ -31,12 +31,20 @@ def arrays(layout: Layout) -> str:
     """The members of the struct that keeps arrays while the monitor looks at them."""
     machine = layout.machine
     kept = (
-        f"std::vector<double> {layout.channel_names[channel]}_{field.name};"
+        _room(machine, field.array, f"{layout.channel_names[channel]}_{field.name}")
         for channel in range(len(layout.channel_names))
         for field in types.fields_of(machine, channel)
         if field.array is not None
     )
     return block(kept)
+
+
+def _room(machine: ir.Machine, array: int, name: str) -> str:
+    """The member that keeps an array; a column of a list has a bound, and needs no heap."""
+    its_list = machine.arrays[array].list
+    if its_list is None:
+        return f"std::vector<double> {name};"
+    return f"std::array<double, {machine.lists[its_list].most}> {name}{{}};"
 
 
 def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
@@ -71,21 +79,35 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
         yield f"{target} = {_scalar(layout.machine.slots[field.slot])};"
         return
     assert field.array is not None, "a field is a slot or an array"
-    whole = names.member(layout.machine.arrays[field.array].path)
+    array = layout.machine.arrays[field.array]
     kept = f"arrays.{channel}_{field.name}"
+    if array.list is not None:
+        its_list = f"message{names.member(layout.machine.lists[array.list].path)}"
+        inside = names.member(array.path[array.path.index(ir.EACH) + 1 :])
+        yield f"{target} = column({its_list}, {kept},"
+        yield f"    [](const auto &each) {{ return {_reader(array.kind)}(each{inside}); }});"
+        if field.count is not None:
+            yield f"values.{channel}.{field.count} = {its_list}.size();"
+        return
+    whole = names.member(array.path)
     yield f"{kept} = numbers(message{whole});"
     yield f"{target} = {kept}.data();"
-    yield f"{target}_count = {kept}.size();"
+    yield f"values.{channel}.{field.count} = {kept}.size();"
 
 
 def _scalar(slot: ir.Slot) -> str:
     """A field as a double."""
     last = slot.path[-1] if slot.path else ""
+    assert not isinstance(last, ir.Each), "all elements are no scalar"
     if not isinstance(last, str):
         whole = f"message{names.member(slot.path[:-1])}"
         return f"element({whole}, {_element_place(last, whole)})"
-    reader = "text_index" if slot.kind is ir.Kind.TEXT else "number"
-    return f"{reader}(message{names.member(slot.path)})"
+    return f"{_reader(slot.kind)}(message{names.member(slot.path)})"
+
+
+def _reader(kind: ir.Kind) -> str:
+    """The function in C++ that makes a number of a field."""
+    return "text_index" if kind is ir.Kind.TEXT else "number"
 
 
 def _element_place(element: int | ir.ByName | ir.Listed, whole: str) -> str:

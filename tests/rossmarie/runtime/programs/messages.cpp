@@ -27,6 +27,12 @@ int main()
     CHECK(number(uint8_t{200}) == 200.0);
     CHECK(number(Middleware::time(1'500'000'000)) == 1.5);
     CHECK(numbers(std::vector<float>{0.5F, 2.0F}) == std::vector<double>({0.5, 2.0}));
+    std::array<double, 2> room{};
+    const auto half = [](int each) { return each / 2.0; };
+    CHECK(column(std::vector<int>{1, 2}, room, half) == room.data());
+    CHECK(room == (std::array<double, 2>{0.5, 1.0}));
+    column(std::vector<int>{4, 5, 6}, room, half); // a list that is too long leaves the rest alone
+    CHECK(room == (std::array<double, 2>{2.0, 2.5}));
     CHECK(element(std::array<double, 2>{1.0, 2.0}, 1) == 2.0);
     CHECK(std::isnan(element(std::vector<double>{1.0}, 1)));
     CHECK(text_index("idle") == 1.0);

@@ -43,6 +43,9 @@
 #ifndef WINDOWS
 #define WINDOWS 0
 #endif
+#ifndef LISTS
+#define LISTS 0
+#endif
 #ifndef WATCHES
 #define WATCHES 0
 #endif

@@ -8,6 +8,19 @@
 
 #if GUARDS || OSCILLATIONS
 
+/* Whether a number that something rests on is missing: it is unknown, or beyond all numbers; the least
+ * or greatest of a list without elements is so on either side.
+ */
+static bool is_missing(const monitor *m, unsigned excuse)
+{
+    const double x = m->value[excuses[excuse]];
+#if LISTS
+    if (is_of_list[excuse])
+        return !isfinite(x);
+#endif
+    return !(x < INFINITY);
+}
+
 /* Whether a number is unknown for lack of an input with a timeout: its value is missing, or nothing
  * is missing and no number comes out (a division by zero).
  */
@@ -19,7 +32,7 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
     if (row_blames[row] == row_blames[row + 1])
         return UNKNOWN;
     for (unsigned i = row_excuses[row]; i != row_excuses[row + 1]; i++)
-        if (!(m->value[excuses[i]] < INFINITY))
+        if (is_missing(m, i))
             return UNKNOWN;
     return LOST;
 }

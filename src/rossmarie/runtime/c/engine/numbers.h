@@ -35,3 +35,20 @@ static inline double how_many(size_t truths, size_t unknowns, size_t count)
 {
     return unknowns != 0 || count == 0 ? NAN : (double)truths;
 }
+
+/* The same of the elements of a list, of which there may be none, if they are known. */
+static inline double some_of_list(size_t truths, size_t unknowns, bool is_known)
+{
+    return outcome(!is_known || (truths == 0 && unknowns != 0), truths != 0);
+}
+
+static inline double every_of_list(size_t truths, size_t unknowns, size_t count, bool is_known)
+{
+    const bool is_open = truths + unknowns == count;
+    return outcome(!is_known || (is_open && unknowns != 0), is_open);
+}
+
+static inline double how_many_of_list(size_t truths, size_t unknowns, bool is_known)
+{
+    return is_known && unknowns == 0 ? (double)truths : NAN;
+}

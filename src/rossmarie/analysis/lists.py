@@ -1,0 +1,71 @@
+"""Results over lists of messages, as terms of the solver: elements are not looked into.
+
+Where everything that can be has to be covered (`rounded`), a result is anything that the list may
+give. In a proposed course of events every list that arrives has no elements, and results are those
+of S53; whether they are borne out, the interpreter says.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import z3
+
+from rossmarie import ir
+from rossmarie.analysis.terms import Fact, Number
+
+
+class Encoding(Protocol):
+    """One evaluation of a machine as terms."""
+
+    machine: ir.Machine
+    facts: list[z3.BoolRef]
+    rounded: bool
+
+    def is_fresh(self, used: int) -> z3.BoolRef:
+        """Say whether an input is there and has not expired."""
+
+    def is_lost(self, index: int, node: ir.TruthNode) -> z3.BoolRef:
+        """Say whether an unknown leaf lacks an input with a timeout."""
+
+
+_BEYOND_ALL = z3.RealVal(10) ** 400
+"""A stand-in for infinity: greater than all doubles."""
+
+
+def list_of(machine: ir.Machine, array: int | None) -> int | None:
+    """The list of which elements are taken; None if they are those of an array."""
+    assert array is not None, "verified: only elements are folded"
+    return machine.arrays[array].list
+
+
+def folded(encoding: Encoding, its_list: int, node: ir.Fold) -> Number:
+    """The least or greatest of something."""
+    fresh = encoding.is_fresh(encoding.machine.lists[its_list].input)
+    if encoding.rounded:
+        return Number(z3.And(fresh, z3.FreshBool("fold.known")), z3.FreshReal("fold"))
+    is_minimum = node.folding is ir.Folding.MINIMUM
+    return Number(fresh, _BEYOND_ALL if is_minimum else -_BEYOND_ALL)
+
+
+def counted(encoding: Encoding, its_list: int) -> Number:
+    """For how many elements something is true."""
+    declared = encoding.machine.lists[its_list]
+    fresh = encoding.is_fresh(declared.input)
+    if not encoding.rounded:
+        return Number(fresh, z3.RealVal(0))
+    number = z3.FreshInt("count")
+    encoding.facts += [number >= 0, number <= declared.most]
+    return Number(z3.And(fresh, z3.FreshBool("count.known")), z3.ToReal(number))
+
+
+def quantified(encoding: Encoding, its_list: int, index: int, node: ir.Quantified) -> Fact:
+    """Something is true for some, or for every element."""
+    fresh = encoding.is_fresh(encoding.machine.lists[its_list].input)
+    if encoding.rounded:
+        known, is_so = z3.FreshBool("list.known"), z3.FreshBool("list.is_so")
+    else:
+        known, is_so = fresh, z3.BoolVal(node.quantifier is ir.Quantifier.ALL)
+    known = z3.And(fresh, known)
+    lost = z3.And(z3.Not(known), encoding.is_lost(index, node))
+    return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), lost)

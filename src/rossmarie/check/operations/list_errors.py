@@ -1,0 +1,89 @@
+"""Mistakes in what is asked of the elements of a list of messages."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
+    """A list of messages that an input brings without a bound."""
+
+    title = "the list `{text}` needs a bound"
+    label = "it can have any number of elements"
+    note = (
+        "a monitor has room for as many elements as its input says; a message with more of them "
+        "counts as lost"
+    )
+    help = "say it where the input is declared: `up to {bound}`"
+    text: str
+    bound: int
+
+    class Declared(Remark):
+        says = "the input is declared here"
+
+
+class NotOfTheElement(Error, code="ROSS240", name="not-of-the-element"):
+    """Something that changes, and is no part of the element, where elements are looked at."""
+
+    title = "behind `{variable} in {text}:` only `{variable}` and constants may stand"
+    label = "{found}"
+    note = (
+        "`{function}` looks at the elements of one list, one by one, while their message is there"
+    )
+    help = "ask this outside: `{function}({variable} in {text}: ...) and ...`"
+    function: str
+    variable: str
+    text: str
+    found: str
+
+    class NotWatched(Remark):
+        says = "no single element is watched over time: put `for` after the whole condition"
+
+    class WatchedTogether(Remark):
+        says = "no single element is watched over time: write `{meant}`"
+        meant: str
+
+    class Samples(Remark):
+        says = "ask it of the result, as in `{called}(min({variable} in {text}: ...))`"
+        called: str
+        variable: str
+        text: str
+
+    class OneLevel(Remark):
+        says = "rules look at one list at a time: join two such questions by `and` or `or`"
+
+    class Unused(Remark):
+        says = "name a field of the element, `{variable}. ...`"
+        variable: str
+
+
+class NotOverAList(Error, code="ROSS241", name="not-over-a-list"):
+    """`NAME in ...:` in a call that looks at no list of messages."""
+
+    title = "`{variable} in ...` looks at the elements of a list of messages"
+    label = "this is {found}"
+    help = "write `any({variable} in LIST: ...)`, or `all`, `count`, `min` or `max`"
+    variable: str
+    found: str
+
+    class OfArray(Remark):
+        says = "an array needs no name for its elements: `{function}({text} ...)`"
+        function: str
+        text: str
+
+    class Cloud(Remark):
+        says = (
+            "the points of a cloud are bytes, which rules do not read: let a node publish what "
+            "matters of them, as a scan or as a list of messages"
+        )
+
+    class ChooseList(Remark):
+        says = "choose a list of it: {lists}"
+        lists: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnboundedList,
+    NotOfTheElement,
+    NotOverAList,
+)

@@ -1,0 +1,229 @@
+"""Questions about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
+
+What stands behind the colon is an expression like any other, in which a name stands for the
+element. It may rest on the element and on constants.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from dslkit.diagnostics import Edit, Fix, Remark
+from rossmarie.check.names.fields import lists_in
+from rossmarie.check.names.references import is_value
+from rossmarie.check.operations.list_errors import NotOfTheElement, NotOverAList, UnboundedList
+from rossmarie.check.operations.operands import require_condition, scalar_operand
+from rossmarie.check.operations.rewriting import rewritten
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.declarations import ARTICLES, kind_of
+from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.scopes.trees import quoted, root_of, stripped, text_of
+from rossmarie.check.units.quantities import end_of_field
+from rossmarie.check.wording.describe import describe
+from rossmarie.core import Sampling
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import children, walk
+from rossmarie.types import Array, Boolean, List, Message, Quantity, Type, Unknown
+from rossmarie.units import DIMENSIONLESS
+
+USUAL_BOUND = 64
+"""The bound that is proposed where there is none."""
+
+_QUANTIFIERS = frozenset({"any", "all"})
+_CONDITIONAL = _QUANTIFIERS | {"count"}
+_EXTREMES = frozenset({"min", "max"})
+_OF_SAMPLES = frozenset(each.value for each in Sampling) | {"changed"}
+_MOST_LISTS = 4
+_CLOUD = "sensor_msgs/PointCloud2"
+
+
+def type_of_list_fold(node: ast.ListFold, context: Context) -> Type:
+    """The type of a fold whose list and body have theirs."""
+    function = node.function.text
+    _check_variable(node, context)
+    if function not in _CONDITIONAL | _EXTREMES:
+        finding = NotOverAList(variable=node.variable.text, found=f"`{function}`")
+        context.collector.add(finding.at(node.function.span))
+        return Unknown()
+    _check_list(node, context)
+    if not _check_body(node, context):
+        return Unknown()
+    if function in _CONDITIONAL:
+        require_condition(node.body, context)
+        return Quantity(DIMENSIONLESS) if function == "count" else Boolean()
+    value = scalar_operand(node.body, context)
+    return Unknown() if value is None else Quantity(value.quantity.unit)
+
+
+def _check_variable(node: ast.ListFold, context: Context) -> None:
+    """The name of the element must not stand for anything else."""
+    name = node.variable.text
+    own = context.declarations.conditions.get(context.entity or "", {})
+    declared = context.declarations.names.get(name)
+    other: ast.Name | None = None
+    kind = ""
+    if declared is not None:
+        other, kind = declared.name, ARTICLES[kind_of(declared)]
+    elif name in own:
+        other, kind = own[name].name, "a condition"
+    if other is None:
+        return
+    finding = DuplicateName(
+        identifier=name,
+        kind="element",
+        other=kind,
+        reason="inside the parentheses the name could mean either",
+    )
+    edits = [Edit(node.variable.span, f"each_{name}")]
+    edits += [
+        Edit(part.span, f"each_{name}")
+        for part in walk(node.body)
+        if isinstance(part, ast.Reference) and part.name.text == name
+    ]
+    fix = Fix(f"call the element `each_{name}`", tuple(edits))
+    context.collector.add(finding.at(node.variable.span, finding.First().at(other.span), fix=fix))
+
+
+# --- the list --------------------------------------------------------------------------------
+
+
+def _check_list(node: ast.ListFold, context: Context) -> None:
+    type_ = context.type_of(node.list)
+    if isinstance(type_, Unknown):
+        return
+    if not isinstance(type_, List):
+        _report_no_list(node, type_, context)
+        return
+    root = root_of(node.list)
+    used = None if root is None else context.inputs.get(root.name.text)
+    if used is None or used.declaration.bound is not None:
+        return
+    finding = UnboundedList(text=text_of(node.list), bound=USUAL_BOUND)
+    fix = None
+    if root is not None and root.name.text not in context.proposed_bounds:
+        context.proposed_bounds.add(root.name.text)
+        edit = Edit(end_of_field(used.declaration), f" up to {USUAL_BOUND}")
+        fix = Fix(f"insert `up to {USUAL_BOUND}`", (edit,))
+    place = finding.Declared().at(used.declaration.name.span)
+    context.collector.add(finding.at(node.list.span, place, fix=fix))
+
+
+def _report_no_list(node: ast.ListFold, type_: Type, context: Context) -> None:
+    text = text_of(node.list)
+    finding = NotOverAList(variable=node.variable.text, found=describe(type_))
+    help: Remark | None = None
+    if isinstance(type_, Array):
+        help = finding.OfArray(function=node.function.text, text=text)
+    elif isinstance(type_, Message) and type_.name == _CLOUD:
+        help = finding.Cloud()
+    elif isinstance(type_, Message) and (lists := lists_in(type_)):
+        shown = (f"`{text}.{'.'.join(path)}`" for path in lists[:_MOST_LISTS])
+        help = finding.ChooseList(lists=", ".join(shown))
+    context.collector.add(finding.at(node.list.span, help=help))
+
+
+# --- the body --------------------------------------------------------------------------------
+
+
+def _check_body(node: ast.ListFold, context: Context) -> bool:
+    """Report all that is neither a part of the element nor a constant; False if the body is the
+    same for all elements.
+    """
+    others = list(_others(node, context))
+    for part, found, help in others:
+        finding = _finding(node, found)
+        fix = None
+        if isinstance(part, ast.Held):
+            help, fix = _held(node, part, context)
+        context.collector.add(finding.at(part.span, help=help, fix=fix))
+    if others or _names_element(node) or isinstance(context.type_of(node.body), Unknown):
+        return True
+    finding = _finding(node, "this is the same for all elements")
+    help = finding.Unused(variable=node.variable.text)
+    context.collector.add(finding.at(node.body.span, help=help))
+    return False
+
+
+def _finding(node: ast.ListFold, found: str) -> NotOfTheElement:
+    return NotOfTheElement(
+        function=node.function.text,
+        variable=node.variable.text,
+        text=text_of(node.list),
+        found=found,
+    )
+
+
+_Other = tuple[str, Remark | None]
+"""The nature of something that is no part of the element, and a special way out if there is one."""
+
+
+def _others(
+    fold: ast.ListFold, context: Context
+) -> Iterator[tuple[ast.Expression, str, Remark | None]]:
+    """The outermost parts of the body that neither the element has nor constants are."""
+    pending = [fold.body]
+    while pending:
+        node = pending.pop()
+        if node in context.values:
+            continue
+        other = _other(node, fold, context)
+        if other is None:
+            pending.extend(reversed(children(node)))
+        elif not isinstance(node, _NAMES) or not isinstance(context.type_of(node), Unknown):
+            yield (node, *other)
+
+
+_NAMES = ast.Reference | ast.Member
+
+
+def _other(node: ast.Expression, fold: ast.ListFold, context: Context) -> _Other | None:
+    match node:
+        case ast.Reference(name=name) if name.text != fold.variable.text:
+            return "this is no part of the element", None
+        case ast.Member() if not is_value(node, context):
+            return "this is one truth for all elements", None
+        case ast.Held() | ast.Once() | ast.Response():
+            return "this looks at one element for a time", None
+        case ast.Since() | ast.Edges() | ast.Oscillates():
+            return "this follows one element over time", None
+        case ast.ListFold():
+            return "this looks at another list", NotOfTheElement.OneLevel()
+        case ast.Call():
+            return _other_call(node, fold)
+        case (
+            ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
+            | ast.Member() | ast.Index() | ast.Unary() | ast.Binary() | ast.Membership()
+            | ast.Parenthesized() | ast.Broken()
+        ):  # fmt: skip
+            return None
+
+
+def _other_call(node: ast.Call, fold: ast.ListFold) -> _Other | None:
+    name = node.function.text
+    if any(isinstance(argument, ast.Edges) for argument in node.arguments):
+        return "this follows one element over time", None
+    if name in _CONDITIONAL or (name in _EXTREMES and len(node.arguments) == 1):
+        return "this looks at another array", NotOfTheElement.OneLevel()
+    if name == "age":
+        return "this is the age of a whole message", None
+    if name in _OF_SAMPLES:
+        variable, text = fold.variable.text, text_of(fold.list)
+        help = NotOfTheElement.Samples(called=name, variable=variable, text=text)
+        return "this looks at several messages", help
+    return None
+
+
+def _held(fold: ast.ListFold, held: ast.Held, context: Context) -> tuple[Remark, Fix | None]:
+    if stripped(fold.body) is not held or fold.function.text not in _QUANTIFIERS:
+        return NotOfTheElement.NotWatched(), None
+    head = f"{fold.function.text}({fold.variable.text} in {fold.list.span.text}"
+    meant = f"{head}: {held.condition.span.text}) for {held.duration.span.text}"
+    help = NotOfTheElement.WatchedTogether(meant=quoted(meant))
+    return help, rewritten(fold, meant, context)
+
+
+def _names_element(fold: ast.ListFold) -> bool:
+    return any(
+        isinstance(part, ast.Reference) and part.name.text == fold.variable.text
+        for part in walk(fold.body)
+    )

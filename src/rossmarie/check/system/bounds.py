@@ -1,0 +1,44 @@
+"""The bounds of lists: how many messages a list of an input may have."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Collector, Edit, Fix
+from dslkit.source import Span
+from rossmarie.check.names.fields import lists_in
+from rossmarie.check.system.errors import BoundWithoutList, ListBound
+from rossmarie.syntax import ast
+from rossmarie.types import List, Message, Type, Unknown
+
+MOST_ELEMENTS = 65_536
+
+
+def read_bound(declaration: ast.Input, type_: Type, field: str, collector: Collector) -> int | None:
+    """The number behind `up to`; None if there is none, or after reporting what is wrong with it.
+    `field` is what the input reads.
+    """
+    bound = declaration.bound
+    if bound is None or isinstance(type_, Unknown):
+        return None
+    if not _has_lists(type_):
+        finding = BoundWithoutList(field=field, bound=bound.span.text)
+        collector.add(finding.at(bound.span, fix=_without(declaration, bound)))
+        return None
+    if not bound.value.is_integer() or not 1 <= bound.value <= MOST_ELEMENTS:
+        collector.add(ListBound(most=MOST_ELEMENTS, found=bound.span.text).at(bound.span))
+        return None
+    return int(bound.value)
+
+
+def _has_lists(type_: Type) -> bool:
+    return isinstance(type_, List) or (isinstance(type_, Message) and bool(lists_in(type_)))
+
+
+def _without(declaration: ast.Input, bound: ast.Number) -> Fix | None:
+    """The fix that removes `up to 64`; None if comments stand in between."""
+    last = declaration.path[-1] if declaration.path else None
+    before = last or declaration.message_type or declaration.topic
+    file, start = bound.span.file, before.span.end
+    if file.text[start : bound.span.start].split() != ["up", "to"]:
+        return None
+    edit = Edit(Span(file, start, bound.span.end), "")
+    return Fix(f"leave `up to {bound.span.text}` out", (edit,))
