@@ -25,7 +25,6 @@ from rossmarie.ir.model import (
     Between,
     Channel,
     Compare,
-    Comparison,
     Constant,
     Count,
     Element,
@@ -61,6 +60,7 @@ from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
 from rossmarie.ir.path import EACH, ByName, Each, Listed, Path, Step, path_names, path_text
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
+from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
     Support,

@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from rossmarie.ir.kleene import truth_of
-from rossmarie.ir.model import Comparison
+from rossmarie.ir.signs import Comparison
 from rossmarie.ir.verdict import TruthValue
 
 COMPARISONS: Mapping[Comparison, Callable[[Any, Any], Any]] = {

@@ -19,6 +19,7 @@ from dslkit.source import Span
 from rossmarie.core import Function, Sampling
 from rossmarie.ir.path import Path
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
+from rossmarie.ir.signs import Comparison
 
 
 class Kind(enum.Enum):
@@ -188,31 +189,6 @@ class Signal:
 
 
 # --- truths: true, false, unknown ------------------------------------------------------------
-
-
-class Comparison(enum.Enum):
-    """The comparisons of two signals."""
-
-    EQUAL = "=="
-    NOT_EQUAL = "!="
-    LESS = "<"
-    LESS_OR_EQUAL = "<="
-    GREATER = ">"
-    GREATER_OR_EQUAL = ">="
-
-    @property
-    def mirrored(self) -> Comparison:
-        """The comparison that says the same with its sides exchanged."""
-        return Comparison(_MIRRORED.get(self.value, self.value))
-
-    @property
-    def opposite(self) -> Comparison:
-        """The comparison that holds of known numbers where this one does not."""
-        return Comparison(_OPPOSITES[self.value])
-
-
-_MIRRORED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
-_OPPOSITES = {"==": "!=", "!=": "==", "<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 
 @dataclass(frozen=True)

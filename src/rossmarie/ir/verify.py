@@ -20,6 +20,7 @@ from rossmarie.ir.malformed import (
     require_index,
 )
 from rossmarie.ir.path import EACH
+from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
     columns_of,
@@ -35,7 +36,7 @@ from rossmarie.ir.support import (
 )
 from rossmarie.ir.verify_reactions import verify_reactions
 
-_EQUALITY = (ir.Comparison.EQUAL, ir.Comparison.NOT_EQUAL)
+_EQUALITY = (Comparison.EQUAL, Comparison.NOT_EQUAL)
 
 
 def verify(machine: ir.Machine) -> None:
