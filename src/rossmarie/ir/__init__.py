@@ -76,13 +76,12 @@ from rossmarie.ir.support import (
     leaf_truths,
     reachable_truths,
     rule_signals,
-    rule_terms,
     samplings,
     signal_operands,
     supports,
-    told_truths,
     truth_operands,
 )
+from rossmarie.ir.terms import rule_terms, told_truths
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify

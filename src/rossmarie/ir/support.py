@@ -5,12 +5,11 @@ Takes a machine whose operands stand before their users; answers never depend on
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from rossmarie.core import Function, Sampling, sampling_row
 from rossmarie.ir import model as ir
-from rossmarie.ir.defined import defined
 
 
 @dataclass(frozen=True)
@@ -341,11 +340,12 @@ def reachable_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
         index = waiting.pop()
         if index not in found:
             found.add(index)
-            waiting.extend(_whole_operands(machine.truths[index].node))
+            waiting.extend(whole_operands(machine.truths[index].node))
     return tuple(sorted(found))
 
 
-def _whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
+def whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
+    """The truths that a truth is computed from, without elementwise ones."""
     match node:
         case ir.Quantified():
             return ()
@@ -361,36 +361,6 @@ def leaf_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
     return tuple(
         index for index in reachable_truths(machine, truth) if is_leaf(machine.truths[index].node)
     )
-
-
-def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
-    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves,
-    what rests on time, and instead of its parts what is defined by others (`once`, `after`).
-    """
-    return tuple(_terms(machine, condition))
-
-
-def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
-    for index in told_truths(machine, condition):
-        truth = machine.truths[index]
-        is_over_time = isinstance(truth.node, ir.Held | ir.Since | ir.Recurs)
-        is_telling = truth.name is not None or is_over_time or defined(machine, index) is not None
-        if is_telling or is_leaf(truth.node):
-            yield index
-
-
-def told_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
-    """The truth and all below it that users wrote, in index order; no elementwise ones."""
-    found: set[int] = set()
-    waiting = [truth]
-    while waiting:
-        index = waiting.pop()
-        if index not in found:
-            found.add(index)
-            whole = defined(machine, index)
-            node = machine.truths[index].node
-            waiting.extend(_whole_operands(node) if whole is None else whole.operands)
-    return tuple(sorted(found))
 
 
 def rule_signals(machine: ir.Machine, condition: int) -> tuple[int, ...]:

@@ -29,11 +29,11 @@ from rossmarie.ir.support import (
     kind_of,
     reachable_truths,
     rule_signals,
-    rule_terms,
     signal_operands,
     supports,
     truth_operands,
 )
+from rossmarie.ir.terms import rule_terms
 from rossmarie.ir.verify_reactions import verify_reactions
 
 _EQUALITY = (Comparison.EQUAL, Comparison.NOT_EQUAL)

@@ -1,0 +1,39 @@
+"""The terms of a rule: the truths of which its verdicts tell (S41)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.ir import model as ir
+from rossmarie.ir.defined import defined
+from rossmarie.ir.support import is_leaf, whole_operands
+
+
+def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
+    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves,
+    what rests on time, and instead of its parts what is defined by others (`once`, `after`).
+    """
+    return tuple(_terms(machine, condition))
+
+
+def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
+    for index in told_truths(machine, condition):
+        truth = machine.truths[index]
+        is_over_time = isinstance(truth.node, ir.Held | ir.Since | ir.Recurs)
+        is_telling = truth.name is not None or is_over_time or defined(machine, index) is not None
+        if is_telling or is_leaf(truth.node):
+            yield index
+
+
+def told_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
+    """The truth and all below it that users wrote, in index order; no elementwise ones."""
+    found: set[int] = set()
+    waiting = [truth]
+    while waiting:
+        index = waiting.pop()
+        if index not in found:
+            found.add(index)
+            whole = defined(machine, index)
+            node = machine.truths[index].node
+            waiting.extend(whole_operands(node) if whole is None else whole.operands)
+    return tuple(sorted(found))
