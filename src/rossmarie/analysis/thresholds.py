@@ -49,7 +49,7 @@ def varied(machine: Machine, truths: Iterable[int], is_possible: IsPossible) -> 
         if len(alike) > 1:
             hardest_last = sorted(alike, key=lambda each: each.value, reverse=not alike[0].is_above)
             can_be_true = _possible(hardest_last[::-1], is_possible, value=True)
-            # What is true the most easily is false the least.
+            # The easier it is true, the harder it is false.
             found |= can_be_true & _possible(hardest_last, is_possible, value=False)
     return found
 

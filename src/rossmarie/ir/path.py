@@ -55,6 +55,13 @@ Step = str | int | ByName | Listed | Each
 Path = tuple[Step, ...]
 
 
+def extent(element: int | Listed) -> tuple[int, int]:
+    """The place of an element, and the least length of an array that has it."""
+    if isinstance(element, int):
+        return element, element + 1
+    return element.place, element.count
+
+
 def path_text(path: Iterable[Step]) -> str:
     """A path as users write it behind the name of an input: `.position[0]`, `.effort["elbow"]`."""
     return "".join(map(_step_text, path))

@@ -38,8 +38,8 @@ class Reduction(NamedTuple):
 
 
 State = tuple[Mapping[str, int], Mapping[str, int]]
-"""What to do about each symbol - go to a state, or, below zero, reduce by ~N -, and the state to go
-to behind each rule.
+"""The action on each symbol - go to a state, or, below zero, reduce by ~N -, and the state to go to
+behind each rule.
 """
 
 

@@ -25,6 +25,7 @@ from rossmarie.ir import (
     columns_of,
 )
 from rossmarie.ir.carried import raw_of
+from rossmarie.ir.path import extent
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.orientation import UPRIGHT, with_angle
 
@@ -125,7 +126,7 @@ class _Sender:
         whole = (setting.topic, setting.path[:-1])
         old = self.values.get(whole)
         elements = list(old) if isinstance(old, tuple) else []
-        index, least = _extent(element)
+        index, least = extent(element)
         elements += [math.nan] * (least - len(elements))
         elements[index] = _number(setting.value)
         self.values[whole] = tuple(elements)
@@ -207,13 +208,6 @@ class _Sender:
 
 
 _UNSET = object()
-
-
-def _extent(element: int | Listed) -> tuple[int, int]:
-    """The place of an element, and the length that an array has at least that holds it."""
-    if isinstance(element, int):
-        return element, element + 1
-    return element.place, element.count
 
 
 def _number(value: object) -> float:

@@ -27,6 +27,7 @@ from rossmarie.analysis.solver import check
 from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
 from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_row
 from rossmarie.core.expressions import Operand, Primitive
+from rossmarie.ir.path import extent
 from rossmarie.testing.goals import Edge, edges, signals_of
 from rossmarie.testing.whole import slot_behind
 from rossmarie.units import Unit, parse_unit
@@ -65,17 +66,6 @@ class Ramp:
     count: int
 
 
-def _least_length(slot: ir.Slot) -> int:
-    """The length of an array, at least, that a slot is an element of; 0 if it is none."""
-    match slot.path[-1] if slot.path else None:
-        case int(place):
-            return place + 1
-        case ir.Listed(count=count):
-            return count
-        case None | str() | ir.ByName() | ir.Each():
-            return 0
-
-
 @dataclass
 class World:
     """The formulas of one rule, and its variables.
@@ -107,7 +97,11 @@ class World:
             for edge in edges(self.machine, truth)
             if isinstance(self.machine.signals[edge.signal].node, ir.Count)
         ]
-        chosen = [_least_length(slot) for slot in self.machine.slots]
+        chosen = [
+            extent(slot.path[-1])[1]
+            for slot in self.machine.slots
+            if slot.path and isinstance(slot.path[-1], int | ir.Listed)
+        ]
         wanted = int(max([0.0, *counted])) + 1 + bool(counted)
         bounds = [each.most for each in self.machine.lists]
         return min(_MOST_ELEMENTS, max([wanted, *chosen]), *bounds)
