@@ -49,8 +49,11 @@ class RulePage:
         return sorted(name for names in self.rules().values() for name in names)
 
     def defined(self, folder: Path) -> list[str]:
-        """The tests in a folder that are called by a rule, in alphabetical order."""
-        return sorted(name for file in folder.glob("*.py") for name in self._defined_in(file))
+        """The tests in a folder, and in the files that sections name, that are called by a rule, in
+        alphabetical order.
+        """
+        files = {*folder.glob("*.py"), *(ROOT / file for file in _FILE.findall(self._text))}
+        return sorted(name for file in files for name in self._defined_in(file))
 
     def cited_in(self, *folders: str) -> set[int]:
         """The rules that the sources in some folders of the package name."""
