@@ -295,7 +295,7 @@ class World:
                 yield z3.Or(term == 0, term == 1)
 
     def remembering(self) -> Iterator[tuple[Variable, z3.BoolRef, z3.BoolRef]]:
-        """What each `since` was, and its two conditions."""
+        """The value of each `since`, and its two conditions."""
         for variable in [each for each in self.variables if each.kind == "remembered"]:
             node = self.machine.truths[variable.index].node
             assert isinstance(node, ir.Since), "only that remembers what it was"
