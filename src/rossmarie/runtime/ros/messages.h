@@ -30,7 +30,8 @@ template <class Array> std::vector<double> numbers(const Array &array)
     return numbers;
 }
 
-// One field of all elements of a list, as far as there is room: of a longer list only its length counts.
+// One field of all elements of a list, as far as there is room: of a longer list only its length
+// counts.
 template <class List, std::size_t MOST, class Read>
 const double *column(const List &list, std::array<double, MOST> &room, Read read)
 {

@@ -8,8 +8,8 @@
 
 #if GUARDS || OSCILLATIONS
 
-/* Whether a number that something rests on is missing: it is unknown, or beyond all numbers; the least
- * or greatest of a list without elements is so on either side.
+/* Whether a number that something rests on is missing: it is unknown, or beyond all numbers; the
+ * least or greatest of a list without elements is so on either side.
  */
 static bool is_missing(const monitor *m, unsigned excuse)
 {
