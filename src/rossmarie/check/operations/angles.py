@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dslkit.diagnostics import Remark
 from rossmarie.check.operations.errors import JumpingAngle
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped
@@ -16,6 +17,15 @@ def warn_of_rate(call: ast.Call, context: Context) -> None:
     angle = _angle(call.arguments[0])
     if angle is not None:
         _warn(call, angle, "its rate of change is enormous", context)
+
+
+def warn_of_filter(call: ast.Call, context: Context) -> None:
+    """Warn of such an angle that is smoothed: half of 180 deg and -180 deg is no such direction."""
+    angle = _angle(call.arguments[0])
+    if angle is not None:
+        effect = "what is between is near 0 deg, the opposite direction"
+        help = JumpingAngle.Unfiltered(angle=angle)
+        _warn(call, angle, effect, context, help)
 
 
 def warn_of_difference(node: ast.Binary, context: Context) -> None:
@@ -34,6 +44,8 @@ def _angle(node: ast.Expression) -> str | None:
     return inner.function.text if is_angle and isinstance(inner, ast.Call) else None
 
 
-def _warn(node: ast.Expression, angle: str, effect: str, context: Context) -> None:
+def _warn(
+    node: ast.Expression, angle: str, effect: str, context: Context, help: Remark | None = None
+) -> None:
     finding = JumpingAngle(angle=angle, effect=effect, axis=_AXES[angle])
-    context.collector.add(finding.at(node.span))
+    context.collector.add(finding.at(node.span, help=help))

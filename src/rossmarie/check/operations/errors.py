@@ -347,6 +347,10 @@ class JumpingAngle(Warning, code="ROSS409", name="jumping-angle"):
     effect: str
     axis: str
 
+    class Unfiltered(Remark):
+        says = "compare `{angle}` itself, and let `for` pass over single messages"
+        angle: str
+
 
 ALL: tuple[type[Template], ...] = (
     NotACondition,

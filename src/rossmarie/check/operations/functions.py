@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
-from rossmarie.check.operations.angles import warn_of_rate
+from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
 from rossmarie.check.operations.elements import check_elements
@@ -119,6 +119,7 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
     if operator in _QUANTIFIERS or (operator in _EXTREMES and len(node.arguments) == 1):
         return _fold(node, operator, context)
     if operator in _TIMES:
+        warn_of_filter(node, context)
         return _filter(node, operator, context)
     if operator is Operator.RATE:
         warn_of_rate(node, context)
