@@ -202,7 +202,7 @@ class Moment(Encoding):
         return choice(z3.Sum(near) >= node.count, literal(True), FALSE)
 
     def edges(self, operand: int) -> list[tuple[z3.BoolRef, z3.ArithRef]]:
-        """Of each moment up to here, whether a truth became true, and how long ago that is."""
+        """Say for each moment up to here if a truth became true, and how long ago that is."""
         now = self.truth(operand).true
         if self._before is None:
             return [(now, z3.IntVal(0))]

@@ -29,7 +29,7 @@ class Actions(Protocol):
     """The number of numbers in a flat action."""
 
     def flat(self, action: Any) -> Array:
-        """Actions as flat arrays."""
+        """Actions as flat arrays. Raises `ValueError` for what is no action of the space."""
 
     def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:
         """The actions to execute, for those that were wanted and as the guard has bounded them."""
@@ -45,7 +45,7 @@ def actions_of(space: Space[Any], act: Mapping[str, Any]) -> Actions:
             return Vectors(space, act)
         case spaces.Discrete():
             return Choices(space, act)
-        case _:
+        case _:  # open: Gymnasium has more spaces, and users make their own
             raise MappingError(
                 f"actions are {space}; a guard bounds a Box of floats, or a Discrete choice"
             )
@@ -66,6 +66,8 @@ class Vectors:
         """Actions as flat arrays, with a copy only of what is no array yet."""
         array = np.asarray(action)
         leading = array.shape[: array.ndim - len(self._shape)]
+        if array.shape != (*leading, *self._shape):
+            raise ValueError(f"an action has the shape {self._shape}, not {array.shape}")
         return array.reshape((*leading, -1))
 
     def executed(self, action: Any, bounded: Array, _: Allows, /) -> Any:
@@ -99,7 +101,12 @@ class Choices:
 
     def flat(self, action: Any) -> Array:
         """The numbers of the choices."""
-        found: Array = self._table[np.asarray(action) - self._first]
+        choices = np.asarray(action)
+        last = self._first + len(self._table) - 1
+        is_whole = choices.dtype.kind in "iu"
+        if not is_whole or ((choices < self._first) | (choices > last)).any():
+            raise ValueError(f"an action is a choice from {self._first} to {last}, not {action}")
+        found: Array = self._table[choices - self._first]
         return found
 
     def executed(self, action: Any, bounded: Array, allows: Allows, /) -> Any:

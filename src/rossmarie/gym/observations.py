@@ -23,7 +23,6 @@ list is the same as a tuple, for specifications that went through JSON.
 """
 
 Spots: TypeAlias = Mapping[str, Spot]
-_NUMBERS = (spaces.Box, spaces.Discrete, spaces.MultiBinary, spaces.MultiDiscrete)
 _FLOATS = (np.float64, np.float32)
 
 
@@ -112,9 +111,9 @@ def _parts(
             entries = list(space.spaces.items())
         case spaces.Tuple():
             entries = list(enumerate(space.spaces))
-        case _ if isinstance(space, _NUMBERS):
+        case spaces.Box() | spaces.Discrete() | spaces.MultiBinary() | spaces.MultiDiscrete():
             yield keys, space
-        case _:
+        case _:  # open: Gymnasium has more spaces, and users make their own
             where = f"entry `{'.'.join(map(str, keys))}` of the observations" if keys else (
                 "observation space"
             )  # fmt: skip

@@ -129,7 +129,7 @@ def _element_truth_supports(machine: ir.Machine) -> dict[int, Support]:
 
 
 def _array_support(machine: ir.Machine, array: int) -> Support:
-    """Of a list, all columns: they come and go together."""
+    """Find all columns of a list: they come and go together."""
     used = machine.arrays[array].input
     its_list = machine.arrays[array].list
     columns = (array,) if its_list is None else columns_of(machine, its_list)

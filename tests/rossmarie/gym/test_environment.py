@@ -218,6 +218,22 @@ def test_an_index_beyond_the_spaces_is_refused_at_once(rules: str) -> None:
         guarded(rules, act={"linear.x": 1})
 
 
+def test_what_is_no_action_is_refused_and_not_executed(rules: str) -> None:
+    chosen = Cart(kind="choice")
+    env = guarded(rules, chosen, act=CHOICE_ACT)
+    env.reset()
+    for wrong in (-1, 4, 1.0, np.array([0, 7])):
+        with pytest.raises(ValueError, match="an action is a choice from 0 to 3, not"):
+            env.step(wrong)
+    driven = Cart()
+    env = guarded(rules, driven)
+    env.reset()
+    for shape in ((2,), ()):
+        with pytest.raises(ValueError, match=r"an action has the shape \(1,\), not"):
+            env.step(np.zeros(shape, np.float32))
+    assert chosen.executed == driven.executed == []
+
+
 def test_a_monitor_may_stand_for_its_rules(rules: str) -> None:
     env = guarded(rossmarie.load(rules))
     env.reset()

@@ -99,7 +99,7 @@ class Layout:
 
     @property
     def held_initially(self) -> list[bool]:
-        """Of each truth that lasts, whether it counts as true before the start."""
+        """Say for each truth that lasts if it counts as true before the start."""
         nodes = (self.machine.truths[index].node for index in self.held)
         return [node.initially for node in nodes if isinstance(node, ir.Held)]
 

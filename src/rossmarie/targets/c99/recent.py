@@ -14,7 +14,7 @@ from rossmarie.targets.c99.types import duration, number
 
 
 def recent_tables(layout: Layout) -> list[str]:
-    """Of both the windows, the places and the truths, and what oscillations have besides."""
+    """The windows, the places and the truths of both, and what oscillations have besides."""
     starts = [0]
     for count in recent_counts(layout):
         starts.append(starts[-1] + count)

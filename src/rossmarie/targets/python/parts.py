@@ -143,7 +143,7 @@ class Recent:
         self.gap_end_ns = at_ns
 
     def look(self, source: int, at_ns: int) -> int:
-        """Whether enough lie in the window, the source of them being known or not."""
+        """Say if enough lie in the window, the source of them being known or not."""
         if source > 1:
             self.gap = source
             self.gap_end_ns = None
@@ -155,7 +155,7 @@ class Recent:
         return 0 if is_over else self.gap
 
     def is_full(self) -> bool:
-        """Whether there are as many as count."""
+        """Say if there are as many as count."""
         return len(self.instants) == self.instants.maxlen
 
     def wake_ns(self, truth: int, never_ns: int) -> int:
@@ -180,7 +180,7 @@ class Recurrence:
         self.recent.forget(at_ns)
 
     def look(self, value: int, at_ns: int) -> int:
-        """Whether there were enough edges, the condition being `value`."""
+        """Say if there were enough edges, the condition being `value`."""
         if value == 1 and self.before == 0:
             self.recent.instants.append(at_ns)
         self.before = value
