@@ -13,7 +13,7 @@ from hypothesis import HealthCheck, example, given, settings
 
 from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import Outcome, run_test_file
-from support.depth import is_deep
+from support.depth import examples, is_deep
 from support.rule_texts import rules
 from support.testing import INPUTS
 
@@ -50,7 +50,7 @@ def is_failed(found: Outcome) -> bool:
     return any(ran.found for ran in found.ran)
 
 
-@settings(max_examples=8, deadline=None, suppress_health_check=_SLOW, derandomize=True)
+@settings(max_examples=examples(0.5), deadline=None, suppress_health_check=_SLOW, derandomize=True)
 @given(rules())
 @example(MUTATED)
 @example(DECLARED)

@@ -44,7 +44,7 @@ def test_same_decisions_in_c_and_in_python(case: PolicyCase) -> None:
         python.restart()
 
 
-@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@settings(phases=phases_of_compiled(), max_examples=examples(0.2))
 @given(policy_cases(), st.integers(0, 8))
 def test_a_guard_that_is_restored_goes_on_as_the_one_that_was_saved(
     case: PolicyCase, place: int
@@ -84,7 +84,7 @@ def in_a_row(batch: GuardBatch, steps: list[Step]) -> Found:
     return decided.actions.tobytes(), decided.active.tolist(), decided.changed.tolist()
 
 
-@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@settings(phases=phases_of_compiled(), max_examples=examples(0.2))
 @given(policy_cases(), st.lists(st.integers(0, 3), max_size=4))
 def test_guards_in_a_row_decide_as_each_by_itself(case: PolicyCase, restarts: list[int]) -> None:
     shortest = min(map(len, case.episodes))
@@ -118,7 +118,7 @@ def in_two_calls(batch: GuardBatch, steps: list[Step], which: list[bool]) -> Fou
     return actions.tobytes(), active.tolist(), changed.tolist()
 
 
-@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@settings(phases=phases_of_compiled(), max_examples=examples(0.2))
 @given(policy_cases(), st.lists(st.booleans(), min_size=4, max_size=4))
 def test_observations_and_actions_in_two_calls_give_the_same(
     case: PolicyCase, which: list[bool]
