@@ -57,7 +57,18 @@ from rossmarie.ir.model import (
 )
 from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
-from rossmarie.ir.path import EACH, ByName, Each, Listed, Path, Step, path_names, path_text
+from rossmarie.ir.path import (
+    EACH,
+    POINTS,
+    ByName,
+    Each,
+    Listed,
+    Path,
+    Points,
+    Step,
+    path_names,
+    path_text,
+)
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.signs import Comparison
@@ -96,6 +107,7 @@ __all__ = [
     "MOST_EVALUATIONS",
     "NEVER_NS",
     "NO_REACTIONS",
+    "POINTS",
     "AgeReaches",
     "And",
     "Apply",
@@ -143,6 +155,7 @@ __all__ = [
     "Oscillates",
     "Part",
     "Path",
+    "Points",
     "Publication",
     "Quantified",
     "Quantifier",

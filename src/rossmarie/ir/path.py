@@ -49,8 +49,23 @@ class Each:
 
 EACH = Each()
 
-Step = str | int | ByName | Listed | Each
-"""The name of a field, the place or the name of an element, or every element."""
+
+@dataclass(frozen=True)
+class Points:
+    """The points of a `sensor_msgs/PointCloud2`, as a list: the cloud itself says, message by
+    message, which fields they have, and where in its bytes (S56).
+    """
+
+    def __str__(self) -> str:
+        return "points"
+
+
+POINTS = Points()
+
+Step = str | int | ByName | Listed | Each | Points
+"""The name of a field, the place or the name of an element, every element, or the points of a
+cloud.
+"""
 
 Path = tuple[Step, ...]
 
@@ -89,3 +104,5 @@ def _step_text(step: Step) -> str:
             return f'["{key}"]'
         case Each():
             return "[]"
+        case Points():
+            return f".{step}"
