@@ -1,0 +1,120 @@
+"""The points of a `sensor_msgs/PointCloud2`: from its bytes to columns of numbers (S56, S57).
+
+A cloud says itself which fields its points have, and where in its bytes they lie. Nothing of that
+is trusted: a cloud that contradicts itself is not known.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+AXES = ("x", "y", "z")
+"""The fields that are the place of a point: one without a place is none."""
+
+Cloud = Any
+"""An object with the fields of the message, however it was made."""
+
+_KINDS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
+"""The kinds of numpy, by the `datatype` of a `sensor_msgs/PointField`."""
+
+_SINGLE = (0, 1)
+"""The values of `count` of one number; PCL writes 0 for that, too."""
+
+
+class UnreadableCloudError(Exception):
+    """The reason why nothing is known of the points of a cloud."""
+
+
+class LackingFieldError(UnreadableCloudError):
+    """A cloud does not have a field that is read; `fields` are those that it has."""
+
+    def __init__(self, name: str, fields: Sequence[str]) -> None:
+        super().__init__(f"its points have no field `{name}`")
+        self.name = name
+        self.fields = tuple(fields)
+
+
+@dataclass(frozen=True)
+class _Layout:
+    """Where the points are: numbers that fit to each other, and to the bytes that there are."""
+
+    rows: int
+    columns: int
+    row_step: int
+    point_step: int
+
+    @property
+    def needed(self) -> int:
+        """The bytes from the first to the end of the last point."""
+        if not self.rows or not self.columns:
+            return 0
+        return (self.rows - 1) * self.row_step + self.columns * self.point_step
+
+
+def is_cloud(value: object) -> bool:
+    """Say whether something looks like a cloud: a message, or a mapping."""
+    if isinstance(value, Mapping):
+        return "point_step" in value and "data" in value
+    return hasattr(value, "point_step") and hasattr(value, "data")
+
+
+def columns(cloud: Cloud, names: Sequence[str], most: int) -> list[NDArray[np.float64]]:
+    """The numbers of all points that have a place, for each of the fields `names`.
+
+    Raises `UnreadableCloudError` if the cloud has more than `most` points, those without a place
+    included, lacks one of the fields, or contradicts itself.
+    """
+    layout = _layout(cloud, most)
+    data = np.frombuffer(memoryview(cloud.data), np.uint8)
+    if layout.needed > len(data):
+        raise UnreadableCloudError(f"it has {len(data)} bytes of {layout.needed}")
+    fields = [str(field.name) for field in cloud.fields]
+    axes = [axis for axis in AXES if axis in fields]
+    found = {
+        name: _column(cloud, name, fields, layout, data) for name in dict.fromkeys((*names, *axes))
+    }
+    is_there = np.ones(layout.rows * layout.columns, np.bool_)
+    for axis in axes:
+        is_there &= ~np.isnan(found[axis])
+    return [found[name][is_there] for name in names]
+
+
+def _layout(cloud: Cloud, most: int) -> _Layout:
+    layout = _Layout(
+        int(cloud.height), int(cloud.width), int(cloud.row_step), int(cloud.point_step)
+    )
+    if layout.rows * layout.columns > most:
+        raise UnreadableCloudError(f"it has more than {most} points")
+    if layout.rows > 1 and layout.row_step < layout.columns * layout.point_step:
+        raise UnreadableCloudError("its rows overlap")
+    return layout
+
+
+def _column(
+    cloud: Cloud, name: str, fields: Sequence[str], layout: _Layout, data: NDArray[np.uint8]
+) -> NDArray[np.float64]:
+    """One field of all points, row after row."""
+    if fields.count(name) != 1:
+        if name not in fields:
+            raise LackingFieldError(name, fields)
+        raise UnreadableCloudError(f"its points have several fields `{name}`")
+    field = cloud.fields[fields.index(name)]
+    kind = _KINDS.get(int(field.datatype))
+    if kind is None or int(field.count) not in _SINGLE:
+        raise UnreadableCloudError(f"its field `{name}` is not one number")
+    type_ = np.dtype(kind).newbyteorder(">" if cloud.is_bigendian else "<")
+    if int(field.offset) + type_.itemsize > layout.point_step:
+        raise UnreadableCloudError(f"its field `{name}` lies behind the point")
+    shape = (layout.rows, layout.columns)
+    if 0 in shape:
+        return np.empty(0)
+    # One row may say any step to the next: there is none.
+    steps = (layout.row_step if layout.rows > 1 else 0, layout.point_step)
+    numbers: NDArray[Any] = np.ndarray(shape, type_, data, int(field.offset), steps)
+    with np.errstate(invalid="ignore"):  # a NaN of any kind becomes one
+        return numbers.astype(np.float64).ravel()
