@@ -58,6 +58,7 @@ from rossmarie.ir.model import (
 from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
 from rossmarie.ir.path import (
+    AXES,
     EACH,
     POINTS,
     ByName,
@@ -99,6 +100,7 @@ from rossmarie.ir.verify import verify
 from rossmarie.ir.wiring import CommandPart, Part, Publication, Wiring
 
 __all__ = [
+    "AXES",
     "EACH",
     "EARLIEST_NS",
     "FLAG_LIMITS",

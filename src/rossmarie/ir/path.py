@@ -62,6 +62,9 @@ class Points:
 
 POINTS = Points()
 
+AXES = ("x", "y", "z")
+"""The fields that are the place of a point: what has no place is no point (S57)."""
+
 Step = str | int | ByName | Listed | Each | Points
 """The name of a field, the place or the name of an element, every element, or the points of a
 cloud.

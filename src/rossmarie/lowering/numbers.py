@@ -202,9 +202,11 @@ class Numbers:
     def _is_there(self, node: ast.ListFold) -> int:
         """The truth that is true of each point of a cloud: there is none without its place."""
         points = self.type_of(node.list)
-        assert isinstance(points, List) and isinstance(points.element, Point), "checked"
-        shown = Shown(f"{node.variable.text}.x", node.body.span, points.element.element.unit)
-        x = self._read_part(self._elements[node.variable.text], "x", points.element.element, shown)
+        assert isinstance(points, List), "checked: it is the points of a cloud"
+        assert isinstance(points.element, Point), "checked: it is the points of a cloud"
+        name = node.variable.text
+        shown = Shown(name, node.body.span)
+        x = self._read_part(self._elements[name], "x", points.element.element, shown)
         is_number = ir.Compare(ir.Comparison.EQUAL, x, x)
         return self._nodes.leaf(is_number, self.shown(node.body))
 

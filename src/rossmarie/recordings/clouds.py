@@ -13,8 +13,7 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.base import normalize_fieldname
 from rosbags.typesys.store import Typestore
 
-from rossmarie.core import clouds
-from rossmarie.ir import POINTS, Array, List, Path
+from rossmarie.ir import POINTS, Array, List, Path, clouds
 
 _CLOUD = "sensor_msgs/msg/PointCloud2"
 _NEEDED = frozenset(
@@ -45,9 +44,7 @@ def is_of_points(array: Array) -> bool:
     return POINTS in array.path
 
 
-def cloud_readers(
-    arrays: Mapping[int, Array], lists: Sequence[List]
-) -> Iterator[CloudReader]:
+def cloud_readers(arrays: Mapping[int, Array], lists: Sequence[List]) -> Iterator[CloudReader]:
     """A reader for each cloud whose points some `arrays` are."""
     by_list: dict[int, dict[int, str]] = {}
     for index, array in arrays.items():

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rosbags.serde import SerdeError
 from rosbags.typesys.store import Typestore
 
-from rossmarie.core.clouds import UnreadableCloudError
+from rossmarie.ir.clouds import UnreadableCloudError
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch
 from rossmarie.recordings.extraction import Message, Wanted, compile_extractor

@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 
 from rossmarie.units import Unit
 
-
 AXES = ("x", "y", "z")
 """The components of a vector."""
 

@@ -6,37 +6,39 @@ is trusted: a cloud that contradicts itself is not known.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol, TypeGuard
 
 import numpy as np
 from numpy.typing import NDArray
 
-AXES = ("x", "y", "z")
-"""The fields that are the place of a point: one without a place is none."""
-
-Cloud = Any
-"""An object with the fields of the message, however it was made."""
+from rossmarie.ir.path import AXES
 
 _KINDS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
 """The kinds of numpy, by the `datatype` of a `sensor_msgs/PointField`."""
+
+_MOST_NAMED = 16
+"""Fields that are named where one is missing; a hostile cloud has millions."""
 
 _SINGLE = (0, 1)
 """The values of `count` of one number; PCL writes 0 for that, too."""
 
 
+class Cloud(Protocol):
+    """An object with the fields of the message, however it was made."""
+
+    height: int
+    width: int
+    fields: Sequence[Any]
+    is_bigendian: bool
+    point_step: int
+    row_step: int
+    data: Any
+
+
 class UnreadableCloudError(Exception):
     """The reason why nothing is known of the points of a cloud."""
-
-
-class LackingFieldError(UnreadableCloudError):
-    """A cloud does not have a field that is read; `fields` are those that it has."""
-
-    def __init__(self, name: str, fields: Sequence[str]) -> None:
-        super().__init__(f"its points have no field `{name}`")
-        self.name = name
-        self.fields = tuple(fields)
 
 
 @dataclass(frozen=True)
@@ -56,10 +58,8 @@ class _Layout:
         return (self.rows - 1) * self.row_step + self.columns * self.point_step
 
 
-def is_cloud(value: object) -> bool:
-    """Say whether something looks like a cloud: a message, or a mapping."""
-    if isinstance(value, Mapping):
-        return "point_step" in value and "data" in value
+def is_cloud(value: object) -> TypeGuard[Cloud]:
+    """Say whether something looks like the message of a cloud."""
     return hasattr(value, "point_step") and hasattr(value, "data")
 
 
@@ -101,7 +101,8 @@ def _column(
     """One field of all points, row after row."""
     if fields.count(name) != 1:
         if name not in fields:
-            raise LackingFieldError(name, fields)
+            has = ", ".join(map(str, fields[:_MOST_NAMED])) or "none"
+            raise UnreadableCloudError(f"its points have no field `{name}`; they have {has}")
         raise UnreadableCloudError(f"its points have several fields `{name}`")
     field = cloud.fields[fields.index(name)]
     kind = _KINDS.get(int(field.datatype))
