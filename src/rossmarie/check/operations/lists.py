@@ -29,7 +29,8 @@ from rossmarie.types import Array, Boolean, List, Message, Quantity, Type, Unkno
 from rossmarie.units import DIMENSIONLESS
 
 USUAL_BOUND = 64
-"""The bound that is proposed where there is none."""
+USUAL_POINTS = 65_536
+"""The bounds that are proposed where there is none, for lists of messages and for clouds."""
 
 _QUANTIFIERS = frozenset({"any", "all"})
 _CONDITIONAL = _QUANTIFIERS | {"count"}
@@ -99,12 +100,13 @@ def _check_list(node: ast.ListFold, context: Context) -> None:
     used = None if root is None else context.inputs.get(root.name.text)
     if used is None or used.declaration.bound is not None:
         return
-    finding = UnboundedList(text=text_of(node.list), bound=USUAL_BOUND)
+    bound = USUAL_POINTS if type_.is_of_points else USUAL_BOUND
+    finding = UnboundedList(text=text_of(node.list), bound=bound)
     fix = None
     if root is not None and root.name.text not in context.proposed_bounds:
         context.proposed_bounds.add(root.name.text)
-        edit = Edit(end_of_field(used.declaration), f" up to {USUAL_BOUND}")
-        fix = Fix(f"insert `up to {USUAL_BOUND}`", (edit,))
+        edit = Edit(end_of_field(used.declaration), f" up to {bound}")
+        fix = Fix(f"insert `up to {bound}`", (edit,))
     place = finding.Declared().at(used.declaration.name.span)
     context.collector.add(finding.at(node.list.span, place, fix=fix))
 
