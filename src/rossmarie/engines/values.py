@@ -21,9 +21,10 @@ from rossmarie.ir import (
     list_names,
     near_name,
     path_names,
+    point_columns,
 )
 from rossmarie.ir.carried import holds_flags
-from rossmarie.ir.clouds import Cloud, UnreadableCloudError, columns, is_cloud
+from rossmarie.ir.clouds import Cloud, UnreadableCloudError, columns, is_cloud, leave_out
 
 Value: TypeAlias = (
     float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud | None
@@ -47,6 +48,7 @@ class NamedValues:
         self.slots, self.arrays = (_by_name(names) for names in field_names(machine))
         self.lists = _by_name(list_names(machine))
         self.arrivals = arrival_names(machine)
+        self._clouds = point_columns(machine)
 
     def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
         """One message on each channel of which a field is named, by channel.
@@ -74,7 +76,8 @@ class NamedValues:
             else:
                 raise KeyError(self.unknown(name))
         for found in arrays.values():
-            self._leave_out(found)
+            for cloud in self._clouds:
+                leave_out(cloud, found)
         return {
             channel: ChannelValues(slots.get(channel, {}), arrays.get(channel, {}))
             for channel in slots.keys() | arrays.keys()
@@ -160,20 +163,6 @@ class NamedValues:
         except UnreadableCloudError:
             return {}
         return {column: each.tolist() for column, each in zip(found, read, strict=True)}
-
-    def _leave_out(self, arrays: dict[int, Sequence[float]]) -> None:
-        """Leave the points without a place out of the columns of clouds (S57)."""
-        for its_list in range(len(self._machine.lists)):
-            found = columns_of(self._machine, its_list)
-            given = [arrays[column] for column in found if column in arrays]
-            is_whole = len(given) == len(found) and len({len(each) for each in given}) == 1
-            if not self._is_of_points(its_list) or not is_whole:
-                continue
-            axes = [column for column in found if self._machine.arrays[column].path[-1] in AXES]
-            is_there = ~np.isnan([arrays[axis] for axis in axes]).any(axis=0)
-            if axes and not is_there.all():
-                for column in found:
-                    arrays[column] = np.asarray(arrays[column])[is_there].tolist()
 
     def _is_of_points(self, its_list: int) -> bool:
         return POINTS in self._machine.lists[its_list].path

@@ -97,7 +97,7 @@ from rossmarie.ir.terms import rule_terms, told_truths
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
-from rossmarie.ir.wiring import CommandPart, Part, Publication, Wiring
+from rossmarie.ir.wiring import CommandPart, Part, PointColumns, Publication, Wiring, point_columns
 
 __all__ = [
     "AXES",
@@ -157,6 +157,7 @@ __all__ = [
     "Oscillates",
     "Part",
     "Path",
+    "PointColumns",
     "Points",
     "Publication",
     "Quantified",
@@ -211,6 +212,7 @@ __all__ = [
     "near_name",
     "path_names",
     "path_text",
+    "point_columns",
     "reachable_truths",
     "reactions",
     "require_instant",

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.ir.path import AXES
+from rossmarie.ir.wiring import PointColumns
 
 _KINDS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 8: "f8"}
 """The kinds of numpy, by the `datatype` of a `sensor_msgs/PointField`."""
@@ -119,3 +120,17 @@ def _column(
     numbers: NDArray[Any] = np.ndarray(shape, type_, data, int(field.offset), steps)
     with np.errstate(invalid="ignore"):  # a NaN of any kind becomes one
         return numbers.astype(np.float64).ravel()
+
+
+def leave_out(cloud: PointColumns, arrays: dict[int, Sequence[float]]) -> None:
+    """Leave the points without a place out of the columns of a cloud (S57), if these are all there
+    and of one length.
+    """
+    found = [arrays[column] for column in cloud.columns if column in arrays]
+    is_whole = len(found) == len(cloud.columns) and len({len(each) for each in found}) == 1
+    if not is_whole or not cloud.axes:
+        return
+    is_there = ~np.isnan([arrays[axis] for axis in cloud.axes]).any(axis=0)
+    if not is_there.all():
+        for column in cloud.columns:
+            arrays[column] = np.asarray(arrays[column], np.float64)[is_there].tolist()

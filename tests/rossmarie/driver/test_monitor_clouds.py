@@ -7,9 +7,11 @@ from pathlib import Path
 from random import Random
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from rossmarie import Monitor
+from rossmarie.native import ColumnError
 from support.c_compiler import needs_c
 from support.clouds import LIES, plain_cloud, random_cloud, truthful
 from support.engines import ENGINES, load
@@ -102,3 +104,16 @@ def _active(cloud: list[list[float]] | None, bright: list[list[float]] | None) -
         or max(bright[0], default=-math.inf) > 3.0,
     }
     return [name for name, is_active in found.items() if is_active]
+
+
+def test_a_table_has_a_place_for_each_point(monitor: Monitor) -> None:
+    times = np.array([1, 2])
+    columns = {
+        "cloud.x": np.array([[5.0, 1.0], [5.0, 5.0]]),
+        "cloud.z": np.zeros((2, 2)),
+        "bright.intensity": np.zeros((2, 0)),
+    }
+    assert monitor.run(times, columns).active.tolist() == [[True, False, False], [False] * 3]
+    columns["cloud.z"] = np.array([[0.0, 0.0], [0.0, NAN]])
+    with pytest.raises(ColumnError, match="a point without a place in row 1"):
+        monitor.run(times, columns)
