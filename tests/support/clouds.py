@@ -167,6 +167,7 @@ LIES: Mapping[str, Callable[[SimpleNamespace], None]] = {
     "a huge count": _set_field(0, count=HUGE),
     "another name": _set_field(0, name="X"),
     "a name twice": _set_field(1, name="x"),
+    "a number twice": _set_field(1, name="intensity"),
     "a place twice": _set_field(3, name="y"),
     "a place that is not read and lies outside": _set_field(1, offset=HUGE),
     "no fields": _set(fields=[]),

@@ -29,9 +29,10 @@ NAME = "sensor_msgs/msg/PointCloud2"
 
 
 def reads(*names: str, most: int = MOST) -> Machine:
-    plain = machine([("/points", "sensor_msgs/PointCloud2")], [("scan", 0)])
-    columns = tuple(Array(0, (POINTS, EACH, name), 1.0, 0.0, "", list=0) for name in names)
-    return replace(plain, arrays=columns, lists=(List(0, (POINTS,), most),))
+    columns = [Array(0, (POINTS, EACH, name), 1.0, 0.0, "", list=0) for name in names]
+    lists = [List(0, (POINTS,), most)]
+    channel = ("/points", "sensor_msgs/PointCloud2")
+    return machine([channel], [("scan", 0)], arrays=columns, lists=lists)
 
 
 def recorded(ros: Typestore, clouds: list[SimpleNamespace]) -> list[Reading]:
