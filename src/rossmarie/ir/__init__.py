@@ -57,7 +57,19 @@ from rossmarie.ir.model import (
 )
 from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
-from rossmarie.ir.path import EACH, ByName, Each, Listed, Path, Step, path_names, path_text
+from rossmarie.ir.path import (
+    AXES,
+    EACH,
+    POINTS,
+    ByName,
+    Each,
+    Listed,
+    Path,
+    Points,
+    Step,
+    path_names,
+    path_text,
+)
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.signs import Comparison
@@ -85,9 +97,10 @@ from rossmarie.ir.terms import rule_terms, told_truths
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
-from rossmarie.ir.wiring import CommandPart, Part, Publication, Wiring
+from rossmarie.ir.wiring import CommandPart, Part, PointColumns, Publication, Wiring, point_columns
 
 __all__ = [
+    "AXES",
     "EACH",
     "EARLIEST_NS",
     "FLAG_LIMITS",
@@ -96,6 +109,7 @@ __all__ = [
     "MOST_EVALUATIONS",
     "NEVER_NS",
     "NO_REACTIONS",
+    "POINTS",
     "AgeReaches",
     "And",
     "Apply",
@@ -143,6 +157,8 @@ __all__ = [
     "Oscillates",
     "Part",
     "Path",
+    "PointColumns",
+    "Points",
     "Publication",
     "Quantified",
     "Quantifier",
@@ -196,6 +212,7 @@ __all__ = [
     "near_name",
     "path_names",
     "path_text",
+    "point_columns",
     "reachable_truths",
     "reactions",
     "require_instant",

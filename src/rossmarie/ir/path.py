@@ -49,8 +49,26 @@ class Each:
 
 EACH = Each()
 
-Step = str | int | ByName | Listed | Each
-"""The name of a field, the place or the name of an element, or every element."""
+
+@dataclass(frozen=True)
+class Points:
+    """The points of a `sensor_msgs/PointCloud2`, as a list: the cloud itself says, message by
+    message, which fields they have, and where in its bytes (S56).
+    """
+
+    def __str__(self) -> str:
+        return "points"
+
+
+POINTS = Points()
+
+AXES = ("x", "y", "z")
+"""The fields that are the place of a point: what has no place is no point (S57)."""
+
+Step = str | int | ByName | Listed | Each | Points
+"""The name of a field, the place or the name of an element, every element, or the points of a
+cloud.
+"""
 
 Path = tuple[Step, ...]
 
@@ -89,3 +107,5 @@ def _step_text(step: Step) -> str:
             return f'["{key}"]'
         case Each():
             return "[]"
+        case Points():
+            return f".{step}"

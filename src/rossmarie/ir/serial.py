@@ -15,7 +15,7 @@ import typing
 
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import model as ir
-from rossmarie.ir.path import ByName, Each, Listed
+from rossmarie.ir.path import ByName, Each, Listed, Points
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
@@ -77,7 +77,7 @@ _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {step.__name__: step for step in (ByName, Listed, Each)}
+} | {step.__name__: step for step in (ByName, Listed, Each, Points)}
 
 
 def _is_node(kind: type) -> bool:

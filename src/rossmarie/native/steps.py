@@ -51,6 +51,8 @@ typedef struct guard_wiring {
     unsigned char *present;
     guard_part *slots;
     guard_part *arrays;
+    int32_t *clouds;
+    unsigned char *is_axis;
     guard_part *parts;
     guard_publication *publications;
     double *published;
@@ -97,6 +99,8 @@ class WiringTable:
             "present": library.new("unsigned char[]", present),
             "slots": library.new("guard_part[]", [_part(part) for part in wiring.slots] or 1),
             "arrays": library.new("guard_part[]", [_part(part) for part in wiring.arrays] or 1),
+            "clouds": library.new("int32_t[]", _clouds(wiring) or 1),
+            "is_axis": library.new("unsigned char[]", _axes(wiring) or 1),
             "parts": library.new(
                 "guard_part[]",
                 [_part(each.part, each.command, each.field) for each in wiring.commands] or 1,
@@ -118,6 +122,17 @@ def _part(part: Part, command: int = 0, field: int = 0) -> Sequence[float]:
     return (
         part.first, part.step, part.count, part.scale, part.offset, part.is_flag, command, field, 0,
     )  # fmt: skip
+
+
+def _clouds(wiring: Wiring) -> list[int]:
+    """For each array the cloud of which it is a column."""
+    owners = {column: cloud for cloud, each in enumerate(wiring.clouds) for column in each.columns}
+    return [owners.get(array, -1) for array in range(len(wiring.arrays))]
+
+
+def _axes(wiring: Wiring) -> list[int]:
+    axes = {axis for each in wiring.clouds for axis in each.axes}
+    return [int(array in axes) for array in range(len(wiring.arrays))]
 
 
 def _publications(wiring: Wiring) -> list[tuple[int, ...]]:
