@@ -1,6 +1,4 @@
-/* The functions of the engine that have no memory, and those of angles (angles.h is written by
- * program.py).
- */
+/* The functions of the engine that have no memory. */
 #include "calls.h"
 
 #include "engine/tables.h"
@@ -22,7 +20,7 @@ static const uint64_t node_users[1] = {0};
 
 #include "engine/numbers.h"
 
-#include "angles.h"
+#include "engine/functions.h"
 
 enum { LOGIC, BITS, NUMBERS, QUANTIFIERS, ANGLES };
 

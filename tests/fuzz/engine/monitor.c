@@ -15,6 +15,7 @@ typedef fuzzed_monitor monitor;
 #define NODES (TRUTHS + RULES)
 #define TIMEOUTS 2
 #define COVERED 1
+#define EXCUSES 10
 #define LITERALS (2 + PADDING)
 #define HELD 5
 #define HELD_INITIALLY 1

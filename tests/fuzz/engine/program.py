@@ -13,11 +13,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from rossmarie.core import Function, defined
-from rossmarie.core.expressions import subfunctions_of
-from rossmarie.targets.c99 import functions
 from rossmarie.targets.c99.engine import files
-from rossmarie.targets.formulas import definition_of_subfunction
 from support.c_compiler import STRICT, run, write
 
 HERE = Path(__file__).parent
@@ -104,18 +100,11 @@ def _packed(call: Call) -> bytes:
 
 @cache
 def _folder() -> Path:
-    """Where the programs are built: the engine, and the functions of angles."""
+    """Where the programs are built, beside the engine."""
     folder = tempfile.TemporaryDirectory()
     atexit.register(folder.cleanup)
-    path = Path(folder.name)
-    angles = dict.fromkeys(
-        part
-        for each in (Function.ROLL, Function.PITCH)
-        for part in subfunctions_of(defined(each, 4))
-    )
-    texts = (functions.function(definition_of_subfunction(each)) for each in angles)
-    write({**files(), "angles.h": "\n".join(texts)}, path)
-    return path
+    write(files(), Path(folder.name))
+    return Path(folder.name)
 
 
 @cache

@@ -10,7 +10,9 @@
 #define TASKS 9
 #define RULES 4
 #define COMMANDS 2
+#define SCALES 1
 #define CONFIRMED 1
+#define ESCALATIONS 2
 #define YIELDING 1
 
 enum fuzzed_truth { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_LOST };
