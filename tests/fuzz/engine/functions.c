@@ -58,6 +58,8 @@ static void make(const call *made)
         found[0] = known(made->x[0]);
         found[1] = outcome((made->about & 1) != 0, (made->about & 2) != 0);
         found[2] = element_truth((made->about & 1) != 0, (made->about & 2) != 0);
+        found[3] = minimum_of(made->x[0], made->x[1]);
+        found[4] = maximum_of(made->x[0], made->x[1]);
         break;
     case QUANTIFIERS:
         quantifiers(made->x, found);

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 
 from fuzz.engine.rules import (
     ACTIVATED,
@@ -37,28 +36,26 @@ from fuzz.engine.rules import (
     UNKNOWN,
     VALUES,
     Event,
+    Recent,
     Rule,
     both,
     divided,
     either,
     known,
+    mean,
+    median,
     opposite,
 )
 
 
-@dataclass
-class Recent:
-    """Instants of turning points or edges; where a gap is, since when its source is known again."""
-
-    instants: list[int] = field(default_factory=list)
-    gap: int = FALSE
-    gap_end_ns: int | None = None
-
-
 class Monitor:
-    """The monitor. Calls give their result and the events, as the C does."""
+    """The monitor. Calls give their result and the events, as the C does.
 
-    def __init__(self) -> None:
+    `initially` is what counts as having been before the start, to `outside_held`.
+    """
+
+    def __init__(self, initially: int) -> None:
+        self._initially = initially
         self.started = False
         self.now_ns = 0
         self.state = dict.fromkeys(INPUTS, NEVER_RECEIVED)
@@ -139,7 +136,8 @@ class Monitor:
         for name in ("rate", "change", "median", "mean", "low_pass"):
             self.value[name] = NAN
         self.held = {
-            name: UNKNOWN if self.started else initially for name, (_, _, initially) in HELD.items()
+            name: UNKNOWN if self.started else self._initially if name == "outside_held" else FALSE
+            for name in HELD
         }
         self.start_ns: dict[str, int | None] = dict.fromkeys(HELD)
         self.recent = {name: Recent([], before, t_ns) for name in (*SWINGS, *EDGES)}
@@ -154,7 +152,7 @@ class Monitor:
         for name, (used, age_ns) in AGES.items():
             if self.truth[name] == FALSE:
                 yield self.stamp_ns[used] + age_ns
-        for name, (condition, duration_ns, _) in HELD.items():
+        for name, (condition, duration_ns) in HELD.items():
             start_ns = self.start_ns[name]
             if self.truth[condition] == TRUE != self.truth[name] and start_ns is not None:
                 yield start_ns + duration_ns
@@ -207,18 +205,14 @@ class Monitor:
         if 0 in arrived:
             self._sample("x", value["x"], t_ns)
             value["rate"] = self._rate("x")
-            window = self._window("x", 400)
-            total = window[0]
-            for x in window[1:]:
-                total += x
-            value["mean"] = known(total / len(window))
+            value["mean"] = mean(self._window("x", 400))
         if 1 in arrived:
             self._sample("y", value["y"], t_ns)
             last = [x for _, x in self.samples["y"][-2:]]
             value["change"] = (
                 NAN if len(last) < 2 or any(map(math.isnan, last)) else float(last[0] != last[1])
             )
-            value["median"] = self._median(self._window("y", 800))
+            value["median"] = median(self._window("y", 800))
             value["low_pass"] = self._low_pass(value["y"], t_ns)
         value["quotient"] = known(divided(value["x"], value["y"]))
         value["sum"] = known(value["least"] + value["x"])
@@ -229,14 +223,6 @@ class Monitor:
             return NAN
         (t0_ns, x0), (t1_ns, x1) = self.samples[name][-2:]
         return known((x1 - x0) / (float(t1_ns - t0_ns) / 1e9))
-
-    def _median(self, window: list[float]) -> float:
-        """S43."""
-        if any(map(math.isnan, window)):
-            return NAN
-        ordered, count = sorted(window), len(window)
-        a, b = ordered[(count - 1) // 2], ordered[count // 2]
-        return a if a == b else a / 2 + b / 2
 
     def _low_pass(self, x: float, t_ns: int) -> float:
         """S50."""
@@ -345,7 +331,7 @@ class Monitor:
 
     def _held(self, name: str, t_ns: int) -> int:
         """S33, S45."""
-        condition, duration_ns, _ = HELD[name]
+        condition, duration_ns = HELD[name]
         value = self.truth[condition]
         if value != TRUE:
             self.held[name], self.start_ns[name] = value, None

@@ -18,7 +18,7 @@ typedef fuzzed_monitor monitor;
 #define EXCUSES 10
 #define LITERALS (2 + PADDING)
 #define HELD 5
-#define HELD_INITIALLY 1
+#define HELD_INITIALLY (PADDING ? 0 : 1)
 #define SINCES 2
 #define AGES 3
 #define OSCILLATIONS 2

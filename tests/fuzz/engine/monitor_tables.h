@@ -188,7 +188,9 @@ static const bool is_of_list[10] = {false, true,  false, false, false,
 
 static const int64_t held_durations[HELD] = {300, 400, LONGEST - 1, 250, 200};
 static const index_t held_nodes[HELD] = {ABOVE_HELD, OUTSIDE_HELD, HUGE_HELD, NESTED, SUM_HELD};
+#if HELD_INITIALLY
 static const unsigned char held_initially[HELD] = {FALSE, TRUE, FALSE, FALSE, FALSE};
+#endif
 static const int64_t age_limits[AGES] = {LONGEST - 1, 700, 1200};
 static const index_t age_input[AGES] = {INPUT_X, INPUT_Y, INPUT_Z};
 static const unsigned char age_unknown[AGES] = {LOST, UNKNOWN, LOST};

@@ -6,7 +6,8 @@ S1... are the rules of docs/explanation/semantics.md.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 
 FALSE, TRUE, UNKNOWN, LOST = range(4)
 NEVER_RECEIVED, FRESH, EXPIRED = range(3)
@@ -52,13 +53,13 @@ RESTS_ON = {
 """The slots, folds and samples (S30) that each number rests on."""
 AGES = {"age_x": ("x", LONGEST - 1), "age_y": ("y", 700), "age_z": ("z", 1200)}
 HELD = {
-    "above_held": ("x_above", 300, FALSE),
-    "outside_held": ("x_outside", 400, TRUE),
-    "huge_held": ("y_huge", LONGEST - 1, FALSE),
-    "nested": ("above_held", 250, FALSE),
-    "sum_held": ("sum_above", 200, FALSE),
+    "above_held": ("x_above", 300),
+    "outside_held": ("x_outside", 400),
+    "huge_held": ("y_huge", LONGEST - 1),
+    "nested": ("above_held", 250),
+    "sum_held": ("sum_above", 200),
 }
-"""The condition, the duration, and what counts as having been before the start."""
+"""The condition and the duration."""
 SINCES = {
     "y_since_x": ("y_above", "x_above"),
     "not_inside_since_once": ("not_inside", "once"),
@@ -113,6 +114,15 @@ class Event:
     input: int = 0
 
 
+@dataclass
+class Recent:
+    """Instants of turning points or edges; where a gap is, since when its source is known again."""
+
+    instants: list[int] = field(default_factory=list)
+    gap: int = FALSE
+    gap_end_ns: int | None = None
+
+
 def known(x: float) -> float:
     """S4."""
     return x if math.isfinite(x) else NAN
@@ -139,3 +149,20 @@ def divided(a: float, b: float) -> float:
         return a / b
     sign = math.copysign(1.0, a) * math.copysign(1.0, b)
     return NAN if a == 0.0 or math.isnan(a) else math.copysign(math.inf, sign)
+
+
+def median(window: Sequence[float]) -> float:
+    """S43."""
+    if any(map(math.isnan, window)):
+        return NAN
+    ordered, count = sorted(window), len(window)
+    a, b = ordered[(count - 1) // 2], ordered[count // 2]
+    return a if a == b else a / 2 + b / 2
+
+
+def mean(window: Sequence[float]) -> float:
+    """S49."""
+    total = window[0]
+    for x in window[1:]:
+        total += x
+    return known(total / len(window))

@@ -88,7 +88,7 @@ class _OfMonitor:
     """A monitor beside that of model.py."""
 
     def __init__(self, padding: int) -> None:
-        self._monitor = model.Monitor()
+        self._monitor = model.Monitor(rules.FALSE if padding else rules.TRUE)
         truths, values = len(rules.TRUTHS) + padding, len(rules.VALUES)
         self._stand = struct.Struct(f"@iiqq{truths}q{values}d{truths}B3B10B2BB0q")
         self._places = [i + (padding if i >= _LEAVES else 0) for i in range(len(rules.TRUTHS))]
@@ -245,7 +245,13 @@ def _bits(call: Call) -> list[float]:
 def _numbers(call: Call) -> list[float]:
     is_unknown, value = call.about & 1, call.about >> 1 & 1
     x = rules.known(call.numbers[0])
-    return [x, math.nan if is_unknown else value, rules.UNKNOWN if is_unknown else value]
+    a, b = call.numbers
+    is_open = math.isnan(a) or math.isnan(b)
+    least, greatest = min(b, a), max(b, a)
+    return [
+        x, math.nan if is_unknown else value, rules.UNKNOWN if is_unknown else value,
+        math.nan if is_open else least, math.nan if is_open else greatest,
+    ]  # fmt: skip
 
 
 def _quantifiers(call: Call) -> list[float]:
