@@ -65,7 +65,9 @@ static void make(const call *made)
         quantifiers(made->x, found);
         break;
     default:
-        found[0] = arcsine(made->x[0]), found[1] = arctangent(made->x[0], made->x[1]);
+        found[0] = arcsine(made->x[0]);
+        found[1] = arctangent(made->x[0], made->x[1]);
+        found[2] = pitch_of(made->x[0], made->x[1], made->x[2], made->x[3]);
         break;
     }
     set_truth(&m, 0, TRUE, made->t_ns);

@@ -221,7 +221,7 @@ class _OfFunctions:
             unknowns = data.byte() % (count - truths + 1)
             return Call(kind, 0, 0, (truths, unknowns, count, data.byte() % 2))
         bits = int.from_bytes(data.several(8), "little", signed=True) if kind == _BITS else 0
-        return Call(kind, bits or 1, data.byte(), (data.number(), data.number()))
+        return Call(kind, bits or 1, data.byte(), tuple(data.number() for _ in range(4)))
 
     def check(self, call: Call, read: _Read) -> None:
         found = list(_FOUND.unpack(read(_FOUND.size)))
@@ -245,7 +245,7 @@ def _bits(call: Call) -> list[float]:
 def _numbers(call: Call) -> list[float]:
     is_unknown, value = call.about & 1, call.about >> 1 & 1
     x = rules.known(call.numbers[0])
-    a, b = call.numbers
+    a, b, _, _ = call.numbers
     is_open = math.isnan(a) or math.isnan(b)
     least, greatest = min(b, a), max(b, a)
     return [
@@ -274,10 +274,14 @@ def _folded(elements: list[int]) -> list[float]:
 
 def _check_angles(numbers: tuple[float, ...], found: list[float]) -> None:
     """S5: within a unit in the last place of what a library finds, which is nearly as near."""
-    y, x = numbers
+    y, x, z, w = numbers
     is_open = math.isnan(y) or math.isnan(x) or (math.isinf(y) and math.isinf(x))
     _check_angle("asin", math.asin(y) if abs(y) <= 1.0 else math.nan, found[0], [y])
     _check_angle("atan2", math.nan if is_open else math.atan2(y, x + 0.0), found[1], [y, x])
+    n = ((y * y + x * x) + z * z) + w * w
+    sine = rules.divided(2.0 * (w * x - z * y), n)
+    pitch = math.nan if n == 0.0 or math.isnan(sine) else math.asin(max(-1.0, min(sine, 1.0)))
+    _check_angle("pitch", pitch, found[2], [y, x, z, w])
 
 
 def _check_angle(name: str, wanted: float, found: float, operands: list[float]) -> None:
