@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[2]
 FOUND = ROOT / "build" / "fuzz"
 MEMORY = 6 << 30
 """Address space of a process; most of it is reserved and not used."""
-PACKAGES = ["dslkit", "ezskiros", "rossmarie"]
+PACKAGES = ["dslkit", "ezskiros", "fuzz.engine", "rossmarie"]
 ALL = "all"
 
 
@@ -37,7 +37,8 @@ def main() -> int:
     if arguments.target == ALL:
         return fuzz_all(arguments.seconds)
     FOUND.mkdir(parents=True, exist_ok=True)
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    _, most = resource.getrlimit(resource.RLIMIT_AS)
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, most))
     with tempfile.TemporaryDirectory() as folder:
         if importlib.util.find_spec("atheris") is not None:
             fuzz_by_coverage(arguments.target, Path(folder), arguments.seconds)

@@ -2,7 +2,8 @@
 that is said about it.
 
 No target runs code that has been damaged: of skills, it damages what descriptions hold, the values
-that are known at launch, and the text that `ezskiros migrate` parses.
+that are known at launch, and the text that `ezskiros migrate` parses. Of the engine of monitors in
+C, bytes are no file but calls of it.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ from ezskiros.driver import check_paths
 from ezskiros.engine.scenes import load_world
 from ezskiros.migrate.files import migrate_paths
 from ezskiros.ontology import Ontology, load
+from fuzz.engine import trying
 from rossmarie.driver import check_file
 from rossmarie.ir import EACH, POINTS, Array, List
 from rossmarie.lowering import lower
@@ -49,6 +51,7 @@ from support.recordings import (
     write_ros2,
 )
 
+ENGINE = "engine"
 ROOT = Path(__file__).parents[2]
 CPU_LIMIT_S = 30.0
 """The largest rules files take 3 s of a quiet machine."""
@@ -282,5 +285,6 @@ TARGETS = {
     "ontology": Target(_ontologies, _load),
     "scene": Target(_scenes, _open_scene),
     "skills": Target(_values, _describe),
+    ENGINE: Target(trying.seeds, trying.read),
 }
 """By what `make fuzz TARGET=...` calls them."""

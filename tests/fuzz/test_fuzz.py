@@ -11,27 +11,44 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from fuzz.mutation import mutate
-from fuzz.targets import TARGETS
+from fuzz.targets import ENGINE, TARGETS
 from rossmarie.driver import check_file
+from support.c_compiler import needs_c
 from support.depth import deep
 
 FOUND = sorted((Path(__file__).parent / "found").glob("*/*"))
+FILES = [name for name in TARGETS if name != ENGINE]
 ROUNDS = 60
 
 
-@pytest.mark.parametrize("path", FOUND, ids=lambda path: f"{path.parent.name}-{path.name}")
+@pytest.mark.parametrize(
+    "path",
+    [pytest.param(path, marks=[needs_c] if path.parent.name == ENGINE else []) for path in FOUND],
+    ids=lambda path: f"{path.parent.name}-{path.name}",
+)
 def test_what_was_found_stays_mended(path: Path, tmp_path: Path) -> None:
     TARGETS[path.parent.name].try_bytes(path.read_bytes(), tmp_path)
 
 
-@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("name", FILES)
 def test_examples_are_read(name: str, tmp_path: Path) -> None:
     for content in TARGETS[name].seeds():
         TARGETS[name].try_bytes(content, tmp_path)
 
 
-@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("name", FILES)
 def test_damaged_examples_are_findings_not_crashes(name: str, tmp_path: Path) -> None:
+    _try_damaged(name, tmp_path)
+
+
+@needs_c
+def test_the_engine_answers_as_its_models_do(tmp_path: Path) -> None:
+    for content in TARGETS[ENGINE].seeds():
+        TARGETS[ENGINE].try_bytes(content, tmp_path)
+    _try_damaged(ENGINE, tmp_path)
+
+
+def _try_damaged(name: str, tmp_path: Path) -> None:
     chance = random.Random(1 if os.environ.get("CI") else None)
     known = TARGETS[name].seeds()
     for _ in range(ROUNDS):
@@ -42,7 +59,7 @@ def test_damaged_examples_are_findings_not_crashes(name: str, tmp_path: Path) ->
             raise AssertionError(f"this file: {content!r}") from error
 
 
-@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("name", FILES)
 @given(content=st.binary(max_size=200))
 def test_any_bytes_are_findings_not_crashes(
     tmp_path_factory: pytest.TempPathFactory, name: str, content: bytes

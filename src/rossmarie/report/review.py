@@ -62,11 +62,9 @@ def side_by_side(source: SourceFile, generated: Mapping[str, str]) -> Sequence[R
 
 
 def _marked(name: str, text: str) -> Iterator[tuple[int, tuple[int, str]]]:
-    """The lines that name a line of a rules file, with that; a case has the line behind it, too."""
+    """The lines that name a line of a rules file, with that."""
     mark = re.compile(rf"\s*/\* {re.escape(name)}:(\d+)\b.*?\*/")
-    lines = text.splitlines()
-    for number, line in enumerate(lines):
+    for number, line in enumerate(text.splitlines(), start=1):
         if found := mark.search(line):
             own = f"{line[: found.start()]}{line[found.end() :]}".strip()
-            behind = f" {lines[number + 1].strip()}" if own.startswith("case ") else ""
-            yield int(found[1]), (number + 1, own + behind)
+            yield int(found[1]), (number, own)

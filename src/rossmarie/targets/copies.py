@@ -20,7 +20,12 @@ SUMS = "SHA256SUMS"
 
 def texts_of(files: Mapping[str, Path]) -> dict[str, str]:
     """The texts of these files, by their names among the copies, and the file of their hashes."""
-    contents = {name: files[name].read_bytes() for name in sorted(files)}
+    return with_sums({name: path.read_bytes() for name, path in files.items()})
+
+
+def with_sums(files: Mapping[str, bytes]) -> dict[str, str]:
+    """The same of contents."""
+    contents = {name: files[name] for name in sorted(files)}
     rows = (f"{sha256(content).hexdigest()}  {name}\n" for name, content in contents.items())
     sums = "".join([f"# {MARK}. Check it here: sha256sum -c {SUMS}\n", *rows])
     return {**{name: content.decode() for name, content in contents.items()}, SUMS: sums}

@@ -157,7 +157,22 @@ def definitions(
     """
     found = [definition_of(*each) for each in ir.functions(machine)]
     found += map(definition_of_samples, ir.samplings(machine))
-    called = [each for each in found if not each.is_inline and is_called(each)]
+    yield from _after_applied([each for each in found if is_called(each)])
+
+
+def fixed_definitions() -> Iterator[Definition]:
+    """All functions that take a fixed number of operands, in the same order: these are the same for
+    all machines.
+    """
+    found = [
+        definition_of(each, row(each).least) for each in Function if row(each).most is not None
+    ]
+    yield from _after_applied([*found, *map(definition_of_samples, Sampling)])
+
+
+def _after_applied(found: Sequence[Definition]) -> Iterator[Definition]:
+    """Those that need a definition, after those that they apply."""
+    called = [each for each in found if not each.is_inline]
     applied = dict.fromkeys(part for each in called for part in subfunctions_of(each.expression))
     yield from map(definition_of_subfunction, applied)
     yield from called

@@ -18,8 +18,7 @@ CODE = {
         "    INPUT_X, /* a<b>.ross:1 /x */\n"
         "};\n"
         "    {1.0, TRUTH_X_1, TRUE, 0}, /* a<b>.ross:3 x > 1 */\n"
-        "    case TRUTH_X_1_FOR_2: /* a<b>.ross:3 x > 1 for 2 */\n"
-        "        return held(m, 0, TRUTH_X_1, t_ns);\n"
+        "    case TRUTH_X_1_FOR_2: return held(m, 0, TRUTH_X_1, t_ns); /* a<b>.ross:3 */\n"
         "    INPUT_Y, /* b.ross:2 /y */\n"
         "    INPUT_Z, /* a<b>.ross:31 /z */\n"
     )

@@ -208,7 +208,8 @@ def test_a_constant_that_means_something_else_is_refused(
 
 
 QUICK_FAULTS = (
-    (("a < b ? a : b", "a < b ? b : a"), "earlier", "it is not later than either"),
+    (("{ return a < b ? a : b; }", "{ return a < b ? b : a; }"), "earlier",
+     "it is not later than either"),
     (("    set_wake(m);\n    return before",
       "    set_wake(m);\n    m->now_ns--;\n    return before"),
      "update_tilt_late_after", "the clock is set"),
@@ -219,7 +220,7 @@ QUICK_FAULTS = (
     ((" && !UNLIKELY(x > m->high[g])", ""), "inside_0", "it is inside"),
 )  # fmt: skip
 FAULTS = (
-    (("m->held_due_ns[k] > m->now_ns)", "m->held_due_ns[k] > m->now_ns + 1)"),
+    (("m->held_due_ns[k] > m->now_ns &&", "m->held_due_ns[k] > m->now_ns + 1 &&"),
      "earliest_timer", "for 2 sec` lies ahead"),
     (("    m->stamp_ns[INPUT_TILT] = t_ns;\n", ""), "numbers_tilt",
      "`stamp_ns` is as it has to be"),
@@ -229,8 +230,8 @@ FAULTS = (
     (("condition == LOST", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
     (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
      "is what it means"),
-    (("fabs(", "-("), "numbers", "`abs(tilt)` is what it means"),
-    (("fabs(", "-("), "step_numbers_tilt", "`abs(tilt)` is what it means"),
+    (("fabs(m->", "-(m->"), "numbers", "`abs(tilt)` is what it means"),
+    (("fabs(m->", "-(m->"), "step_numbers_tilt", "`abs(tilt)` is what it means"),
     (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
      "`abs(tilt)` is forgotten with what it is computed from"),
     (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",

@@ -56,7 +56,7 @@ def descriptions(layout: Layout) -> str:
     ]
     if machine.texts:
         parts.append(_texts(f"const char *const {layout.name}_texts", ["texts"], [machine.texts]))
-    return "\n\n".join(parts)
+    return "\n".join(parts)
 
 
 def _texts(declared: str, named: Sequence[str], rows: Sequence[Sequence[str]]) -> str:

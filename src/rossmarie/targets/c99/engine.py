@@ -1,4 +1,5 @@
-"""The part of monitors and reactors that is the same for all rules: C files that are copied.
+"""The part of monitors and reactors that is the same for all rules: C files that are copied, and
+the functions of numbers and of samples, which are written from the core.
 
 Generated files name the version of the engine that they need, so that none is compiled with another
 one that a later build put in its place.
@@ -10,6 +11,8 @@ from functools import cache
 from hashlib import sha256
 
 from rossmarie.targets import copies
+from rossmarie.targets.c99 import functions
+from rossmarie.targets.formulas import fixed_definitions
 
 FOLDER = "engine"
 """The folder of the copies, beside the generated files."""
@@ -19,7 +22,18 @@ _ROOT = copies.ROOT / "c" / FOLDER
 
 @cache
 def _copies() -> dict[str, str]:
-    return copies.texts_of({path.name: path for path in _ROOT.glob("*.h")})
+    found = {path.name: path.read_bytes() for path in _ROOT.glob("*.h")}
+    return copies.with_sums({**found, "functions.h": _functions().encode()})
+
+
+def _functions() -> str:
+    """The file of functions that need no table of the rules."""
+    head = (
+        f"/* {copies.MARK}. */\n\n"
+        "/* Functions of numbers and of samples, as rossmarie.core defines them: the rules S4 to\n"
+        " * S6, S19, S20, S43, S49 and S50 of the semantics.\n */\n"
+    )
+    return "\n".join([head, *map(functions.function, fixed_definitions())])
 
 
 def version() -> str:

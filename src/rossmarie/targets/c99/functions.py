@@ -25,5 +25,5 @@ def function(definition: Definition) -> str:
     lines.append(f"return {formulas.text(definition.expression)};")
     head = ", ".join(f"double {each}" for each in definition.parameters)
     body = "".join(f"    {line}\n" for line in lines)
-    opening = f"/* {definition.remark} */\nstatic double {definition.name}({head})\n"
+    opening = f"/* {definition.remark} */\nstatic inline double {definition.name}({head})\n"
     return f"{opening}{{\n{body}}}\n"

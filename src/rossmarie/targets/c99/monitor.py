@@ -20,7 +20,7 @@ from rossmarie.targets.c99.layout import lay_out
 from rossmarie.targets.c99.messages import Messages
 from rossmarie.targets.c99.nodes import derive
 from rossmarie.targets.c99.text import indented, table
-from rossmarie.targets.formulas import definitions
+from rossmarie.targets.formulas import definitions, fixed_definitions
 
 
 def generate(machine: ir.Machine) -> dict[str, str]:
@@ -104,8 +104,8 @@ class _Writer:
         return self._templates.get_template(template).render(**known, **blanks)
 
     def _defined(self) -> Iterator[str]:
-        """The functions of the core that the monitor calls, in the order of the core."""
-        names = self._messages.expressions.functions
+        """The functions of any number of operands that are called; all others are in the engine."""
+        names = self._messages.expressions.functions - {each.name for each in fixed_definitions()}
         called = definitions(self._layout.machine, lambda each: each.name in names)
         yield from map(functions.function, called)
 

@@ -9,14 +9,14 @@ from rossmarie.targets.c99.layout import Layout
 
 
 def derive(layout: Layout) -> str:
-    """The function that evaluates one derived truth."""
+    """The function that evaluates one derived truth; its words stand where its name is declared."""
     marked = (*layout.oscillations, *layout.derived)
     cases = []
     for index in marked:
         truth = layout.machine.truths[index]
-        remark = comments.in_c(f"{names.place(truth.span)}  {truth.text}")
-        cases.append(f"    case {layout.truth_names[index]}: /* {remark} */")
-        cases.append(f"        return {_expression(layout, index, truth.node)};")
+        value = _expression(layout, index, truth.node)
+        place = comments.in_c(names.place(truth.span))
+        cases.append(f"    case {layout.truth_names[index]}: return {value}; /* {place} */")
     unused = [] if marked else ["    (void)m;"]
     unused += [] if layout.held or layout.recent else ["    (void)t_ns;"]
     lines = [
@@ -25,8 +25,7 @@ def derive(layout: Layout) -> str:
         *unused,
         "    switch (node) {",
         *cases,
-        "    default:",
-        "        return UNKNOWN;",
+        "    default: return UNKNOWN;",
         "    }",
         "}\n",
     ]

@@ -34,6 +34,8 @@ def _counts(found: reactions.Reactions) -> dict[str, int]:
     """The sizes of what a reactor has; of what is not named here it has none."""
     used = {
         "COMMANDS": len(found.commands),
+        "SCALES": sum(isinstance(task.effect, reactions.Scale) for task in found.tasks),
+        "ESCALATIONS": sum(len(task.otherwise) for task in found.tasks),
         "CONFIRMED": sum(
             1 for each in found.tasks if reactions.confirmation(each.effect) is not None
         ),
@@ -72,12 +74,18 @@ def _task_tables(found: reactions.Reactions) -> str:
     return "\n".join(
         [
             "/* Tasks: rule, awaited for, state at the end, waits, fails at once, needs, does,",
-            " * answers, confirmed by; and what starts when they fail.",
+            " * answers, confirmed by; and what starts when they fail, if anything does.",
             " */",
             remarked_table("plan", "tasks", rows),
-            lists("task_escalations", "escalations", _named("task", otherwise)),
+            *_escalation_table(otherwise),
         ]
     )
+
+
+def _escalation_table(otherwise: Sequence[Sequence[int]]) -> list[str]:
+    """The tasks that start when each fails, if any do."""
+    rows = _named("task", otherwise)
+    return [lists("task_escalations", "escalations", rows)] if any(otherwise) else []
 
 
 def _task_row(found: reactions.Reactions, index: int, rule: int) -> str:
@@ -253,10 +261,8 @@ def _scale_tables(
         for row in rows
         for task, scale in row
     ]
-    return [
-        table("index_t", "command_scales", _starts(rows)),
-        remarked_table("scale", "scales", listed or [("{0, 1.0, 0.0}", "none")]),
-    ]
+    starts = table("index_t", "command_scales", _starts(rows))
+    return [starts, remarked_table("scale", "scales", listed)] if listed else []
 
 
 def _starts(rows: Sequence[Sequence[object]]) -> list[int]:

@@ -53,6 +53,7 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "TIMEOUTS": sum(1 for used in machine.inputs if used.timeout_ns is not None),
         "GUARDS": len(layout.guards),
         "COVERED": len(covered_values(layout)),
+        "EXCUSES": sum(map(len, _excuses(layout))),
         "LITERALS": len(layout.literals),
         "HELD": len(layout.held),
         "HELD_INITIALLY": sum(layout.held_initially),
@@ -269,19 +270,28 @@ def _blame_tables(layout: Layout) -> str:
     same for the oscillations.
     """
     swings = [layout.supports.truths[index] for index in layout.oscillations]
-    supports = [layout.values[guard.value].support for guard in layout.guards] + swings
     blames = [layout.guard_blames(guard) for guard in layout.guards]
     blames += [layout.blamed(support) for support in swings]
-    excuses = [layout.excuses(support) for support in supports]
+    listed = [lists("row_blames", "blames", _rows_of_values(layout, blames))]
+    excuses = _excuses(layout)
+    if not any(excuses):
+        return _section("The numbers whose lack makes a truth lost.", listed)
     of_lists = ["true" if layout.is_of_list(value) else "false" for row in excuses for value in row]
     return _section(
         "The numbers whose lack makes a truth lost, and those whose lack leaves it unknown.",
         [
-            lists("row_blames", "blames", _rows_of_values(layout, blames)),
+            *listed,
             lists("row_excuses", "excuses", _rows_of_values(layout, excuses)),
-            table("bool", "is_of_list", of_lists or ["false"]) if layout.machine.lists else "",
+            table("bool", "is_of_list", of_lists) if layout.machine.lists else "",
         ],
     )
+
+
+def _excuses(layout: Layout) -> list[list[int]]:
+    """The values whose lack leaves each guard, and then each oscillation, unknown."""
+    supports = [layout.values[guard.value].support for guard in layout.guards]
+    supports += [layout.supports.truths[index] for index in layout.oscillations]
+    return [layout.excuses(support) for support in supports]
 
 
 def _rows_of_values(layout: Layout, rows: list[list[int]]) -> list[tuple[str, list[str]]]:

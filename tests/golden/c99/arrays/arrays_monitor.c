@@ -23,6 +23,7 @@ typedef arrays_monitor monitor;
 #define NODES 8
 #define TIMEOUTS 1
 #define GUARDS 4
+#define EXCUSES 2
 #define LITERALS 1
 
 /* The numbers that a monitor keeps, in SI units. */
@@ -139,22 +140,13 @@ static const index_t shown_inputs[1] = {
 
 #include "engine/monitor.h"
 
-/* The lesser of (a, b). */
-static double minimum_of(double a, double b)
-{
-    return isnan(a) || isnan(b) ? NAN : a < b ? a : b;
-}
-
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     (void)t_ns;
     switch (node) {
-    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
-        return both(m->truth[TRUTH_TRUTH_2], m->truth[TRUTH_TRUTH_3]);
-    case TRUTH_TRUTH_6: /* draft.ross:1 truth_6 */
-        return either(either(m->truth[TRUTH_TRUTH_4], m->truth[TRUTH_TRUTH_1]), m->truth[TRUTH_TRUTH_5]);
-    default:
-        return UNKNOWN;
+    case TRUTH_TRUTH_5: return both(m->truth[TRUTH_TRUTH_2], m->truth[TRUTH_TRUTH_3]); /* draft.ross:1 */
+    case TRUTH_TRUTH_6: return either(either(m->truth[TRUTH_TRUTH_4], m->truth[TRUTH_TRUTH_1]), m->truth[TRUTH_TRUTH_5]); /* draft.ross:1 */
+    default: return UNKNOWN;
     }
 }
 
@@ -224,15 +216,12 @@ int arrays_step(arrays_monitor *m, int64_t t_ns, const arrays_values *v)
 static const char *const term_texts[4] = {
     /* rule_1 */ "truth_1", "truth_2", "truth_3", "truth_4",
 };
-
 static const char *const value_texts[2] = {
     /* rule_1 */ "min(ranges)", "count(ranges > 0.5 m)",
 };
-
 static const char *const input_texts[1] = {
     /* rule_1 */ "input_0",
 };
-
 const arrays_description arrays_rules[1] = {
     {"rule_1", "truth_6",
      "clears by contract",

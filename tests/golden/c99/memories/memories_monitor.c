@@ -23,6 +23,7 @@ typedef memories_monitor monitor;
 #define NODES 19
 #define TIMEOUTS 1
 #define GUARDS 5
+#define EXCUSES 5
 #define LITERALS 5
 #define OSCILLATIONS 1
 #define EDGES 1
@@ -228,81 +229,14 @@ static const index_t shown_inputs[5] = {
 
 #include "engine/monitor.h"
 
-/* The arc sine of x divided by x, less 1, of z = x * x. */
-static double arcsine_surplus(double z)
-{
-    const double part0 = 0.16666666666666669 + z * (0.07499999999998433 + z * 0.04464285714635543);
-    const double cube = z * z * z;
-    const double part1 = 0.030381944138531247 + z * (0.02237217294214989 + z * 0.017352392720869973);
-    const double part2 = 0.013971212973552933 + z * (0.011479177415184906 + z * 0.01032281435018578);
-    const double part3 = 0.005457506718640358 + z * (0.01740087944269402 + z * (-0.014851887071247204));
-    const double part4 = 0.028757851367421566;
-    return z * (part0 + cube * (part1 + cube * (part2 + cube * (part3 + cube * part4))));
-}
-
-/* The leading half of the digits of x. */
-static double leading(double x)
-{
-    const double scaled = x * 134217729.0;
-    return scaled - (scaled - x);
-}
-
-/* The arc sine of x from 1/2 to 1. */
-static double arcsine_far(double x)
-{
-    const double z = 0.5 * (1.0 - x);
-    const double root = sqrt(z);
-    const double upper = leading(root);
-    const double lower = root == 0.0 ? 0.0 : (z - upper * upper) / (root + upper);
-    return 1.5707963267948966 - 2.0 * upper + (6.123233995736766e-17 - 2.0 * lower - 2.0 * root * arcsine_surplus(z));
-}
-
-/* The arc sine of x in radians, NaN beyond 1. */
-static double arcsine(double x)
-{
-    const double size = fabs(x);
-    return size < 0.5 ? x + x * arcsine_surplus(x * x) : x < 0.0 ? -(arcsine_far(size)) : arcsine_far(size);
-}
-
-/* The pitch of (x, y, z, w). */
-static double pitch_of(double x, double y, double z, double w)
-{
-    const double n = x * x + y * y + z * z + w * w;
-    const double sine = 2.0 * (w * y - z * x) / n;
-    return n == 0.0 ? NAN : arcsine(sine < (-1.0) ? (-1.0) : 1.0 < sine ? 1.0 : sine);
-}
-
-/* The rate of change of a number. */
-static double rate_of(double newest, double before, double seconds)
-{
-    return (newest - before) / seconds;
-}
-
-/* The median of a number over a window. */
-static double median_of(double lower, double upper)
-{
-    return lower == upper ? lower : lower / 2.0 + upper / 2.0;
-}
-
-/* A number behind a low pass of a time. */
-static double low_pass_of(double newest, double before, double seconds, double constant)
-{
-    return isnan(before) ? newest : before + seconds / (constant + seconds) * (newest - before);
-}
-
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
-        return swings_or_gap(m, 0, t_ns);
-    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
-        return both(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_TRUTH_4]);
-    case TRUTH_TRUTH_10: /* draft.ross:1 truth_10 */
-        return both(m->truth[TRUTH_TRUTH_8], m->truth[TRUTH_TRUTH_9]);
-    case TRUTH_TRUTH_12: /* draft.ross:1 truth_12 */
-        return recurs(m, 0, TRUTH_TRUTH_3, t_ns);
-    default:
-        return UNKNOWN;
+    case TRUTH_TRUTH_3: return swings_or_gap(m, 0, t_ns); /* draft.ross:1 */
+    case TRUTH_TRUTH_5: return both(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_TRUTH_4]); /* draft.ross:1 */
+    case TRUTH_TRUTH_10: return both(m->truth[TRUTH_TRUTH_8], m->truth[TRUTH_TRUTH_9]); /* draft.ross:1 */
+    case TRUTH_TRUTH_12: return recurs(m, 0, TRUTH_TRUTH_3, t_ns); /* draft.ross:1 */
+    default: return UNKNOWN;
     }
 }
 
@@ -381,7 +315,6 @@ static const char *const term_texts[8] = {
     /* rule_4 */ "truth_8", "truth_9",
     /* rule_5 */ "truth_3", "truth_12",
 };
-
 static const char *const value_texts[8] = {
     /* rule_1 */ "median(orientation.pitch(), 1 sec)",
     /* rule_2 */ "signal_4", "rate(orientation.pitch())", "previous(orientation.pitch())",
@@ -389,7 +322,6 @@ static const char *const value_texts[8] = {
     /* rule_4 */ "mean(x, 1 sec)", "low_pass(x, 0.2 sec)",
     /* rule_5 */ "signal_0",
 };
-
 static const char *const input_texts[5] = {
     /* rule_1 */ "input_0",
     /* rule_2 */ "input_0",
@@ -397,7 +329,6 @@ static const char *const input_texts[5] = {
     /* rule_4 */ "input_0",
     /* rule_5 */ "input_0",
 };
-
 const memories_description memories_rules[5] = {
     {"rule_1", "truth_1",
      "clears by contract",
@@ -415,7 +346,6 @@ const memories_description memories_rules[5] = {
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 6, value_texts + 7, input_texts + 4, 2, 1, 1},
 };
-
 const char *const memories_texts[1] = {
     /* texts */ "docked",
 };

@@ -17,12 +17,14 @@ typedef reacting_reactor reactor;
 #define TASKS 7
 #define RULES 2
 #define COMMANDS 1
+#define SCALES 1
+#define ESCALATIONS 2
 #define CONFIRMED 1
 
 #include "engine/plans.h"
 
 /* Tasks: rule, awaited for, state at the end, waits, fails at once, needs, does,
- * answers, confirmed by; and what starts when they fail.
+ * answers, confirmed by; and what starts when they fail, if anything does.
  */
 static const plan tasks[7] = {
     {0, INT64_C(0), HOLDING, false, false, NONE, NONE, NONE, NONE}, /* actions.ross:2 act: limit /cmd_vel */

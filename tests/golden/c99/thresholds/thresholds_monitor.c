@@ -23,6 +23,7 @@ typedef thresholds_monitor monitor;
 #define NODES 9
 #define GUARDS 2
 #define COVERED 2
+#define EXCUSES 2
 #define LITERALS 1
 #define HELD 1
 
@@ -136,14 +137,10 @@ static const index_t shown_inputs[3] = {
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case TRUTH_DRIVE_FAST: /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
-        return held(m, 0, TRUTH_TRUTH_0, t_ns);
-    case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
-        return opposite(m->truth[TRUTH_TRUTH_2]);
-    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
-        return both(m->truth[TRUTH_DRIVE_FAST], m->truth[TRUTH_TRUTH_3]);
-    default:
-        return UNKNOWN;
+    case TRUTH_DRIVE_FAST: return held(m, 0, TRUTH_TRUTH_0, t_ns); /* drive.ross:1 */
+    case TRUTH_TRUTH_3: return opposite(m->truth[TRUTH_TRUTH_2]); /* draft.ross:1 */
+    case TRUTH_TRUTH_5: return both(m->truth[TRUTH_DRIVE_FAST], m->truth[TRUTH_TRUTH_3]); /* draft.ross:1 */
+    default: return UNKNOWN;
     }
 }
 
@@ -200,17 +197,14 @@ static const char *const term_texts[4] = {
     /* rule_1 */ "truth_0", "drive.fast", "truth_2",
     /* rule_2 */ "drive.slow",
 };
-
 static const char *const value_texts[3] = {
     /* rule_1 */ "speed", "docked",
     /* rule_2 */ "speed",
 };
-
 static const char *const input_texts[3] = {
     /* rule_1 */ "input_0", "input_1",
     /* rule_2 */ "input_0",
 };
-
 const thresholds_description thresholds_rules[2] = {
     {"rule_1", "truth_5",
      "clears by contract",

@@ -94,14 +94,12 @@ static const limit limits[6] = {
 };
 static const unsigned char leaf_below[2] = {FALSE, TRUE};
 
-/* The numbers whose lack makes a truth lost, and those whose lack leaves it unknown. */
+/* The numbers whose lack makes a truth lost. */
 static const index_t row_blames[3] = {0, 1, 2};
 static const index_t blames[2] = {
     /* GUARD_INPUT_0 */ VALUE_INPUT_0,
     /* GUARD_INPUT_1 */ VALUE_INPUT_1,
 };
-static const index_t row_excuses[3] = {0, 0, 0};
-static const index_t excuses[1] = {0};
 
 /* Durations, ages, turning points, and truths that never change. */
 static const int64_t held_durations[1] = {
@@ -138,14 +136,10 @@ static const index_t shown_inputs[1] = {
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case TRUTH_TRUTH_3: /* draft.ross:1 truth_3 */
-        return opposite(m->truth[TRUTH_TRUTH_2]);
-    case TRUTH_TRUTH_4: /* draft.ross:1 truth_4 */
-        return held(m, 0, TRUTH_TRUTH_3, t_ns);
-    case TRUTH_TRUTH_5: /* draft.ross:1 truth_5 */
-        return either(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_BATTERY_STALE]);
-    default:
-        return UNKNOWN;
+    case TRUTH_TRUTH_3: return opposite(m->truth[TRUTH_TRUTH_2]); /* draft.ross:1 */
+    case TRUTH_TRUTH_4: return held(m, 0, TRUTH_TRUTH_3, t_ns); /* draft.ross:1 */
+    case TRUTH_TRUTH_5: return either(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_BATTERY_STALE]); /* draft.ross:1 */
+    default: return UNKNOWN;
     }
 }
 
@@ -227,15 +221,12 @@ int timeouts_step(timeouts_monitor *m, int64_t t_ns, const timeouts_values *v)
 static const char *const term_texts[2] = {
     /* rule_1 */ "truth_0", "battery.stale",
 };
-
 static const char *const value_texts[1] = {
     /* rule_1 */ "signal_1",
 };
-
 static const char *const input_texts[1] = {
     /* rule_1 */ "input_1",
 };
-
 const timeouts_description timeouts_rules[1] = {
     {"rule_1", "truth_5",
      "clears by contract",

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie import ir
+from rossmarie.driver import compile_file
 from rossmarie.ir.reactions import CancelGoal, Plan
 from rossmarie.targets.c99 import engine, generate, generate_loadable
 from rossmarie.targets.c99.monitor import own_files
@@ -28,6 +29,7 @@ from support.drafts import Draft
 from support.golden import assert_golden
 from support.parts import NM, needs
 
+MOBILE_BASE = Path(__file__).parents[4] / "examples" / "thesis" / "mobile_base.ross"
 GOLDEN = Path(__file__).parents[3] / "golden" / "c99"
 
 
@@ -193,3 +195,10 @@ def test_a_reactor_has_only_what_it_needs() -> None:
     files = own_files(replace(machine, reactions=plain, watches=()))
     assert "math.h>" not in files["reacting_reactor.c"]
     assert not re.search("_bounds|_watch", "".join(files.values()))
+
+
+def test_rules_of_the_thesis_are_short() -> None:
+    """As decision 45 says."""
+    files = own_files(compile_file(MOBILE_BASE).machine)
+    assert files["mobile_base_monitor.c"].count("\n") <= 300
+    assert files["mobile_base_reactor.c"].count("\n") <= 75

@@ -10,6 +10,9 @@
 #ifndef COVERED
 #define COVERED 0
 #endif
+#ifndef EXCUSES
+#define EXCUSES 0
+#endif
 #ifndef LITERALS
 #define LITERALS 0
 #endif

@@ -22,10 +22,15 @@ static double greater(double a, double b) { return b > a ? b : a; }
 static double factor_of(const reactor *r, unsigned command, int64_t t_ns)
 {
     double factor = 1.0;
+#if SCALES
     for (unsigned i = command_scales[command]; i != command_scales[command + 1]; i++) {
         const double gone = moved(r, scales[i].task, scales[i].ramp, t_ns);
         factor = lesser(factor, scales[i].factor + gone);
     }
+#endif
+    (void)r;
+    (void)command;
+    (void)t_ns;
     return factor;
 }
 

@@ -6,7 +6,7 @@
  * guard_limits[g] and guard_limits[g + 1] - 1, from low to high.
  */
 
-#if GUARDS || OSCILLATIONS
+#if EXCUSES
 
 /* Whether a number that something rests on is missing: it is unknown, or beyond all numbers; the
  * least or greatest of a list without elements is so on either side.
@@ -21,6 +21,10 @@ static bool is_missing(const monitor *m, unsigned excuse)
     return !(x < INFINITY);
 }
 
+#endif
+
+#if GUARDS || OSCILLATIONS
+
 /* Whether a number is unknown for lack of an input with a timeout: its value is missing, or nothing
  * is missing and no number comes out (a division by zero).
  */
@@ -31,9 +35,11 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
             return LOST;
     if (row_blames[row] == row_blames[row + 1])
         return UNKNOWN;
+#if EXCUSES
     for (unsigned i = row_excuses[row]; i != row_excuses[row + 1]; i++)
         if (is_missing(m, i))
             return UNKNOWN;
+#endif
     return LOST;
 }
 

@@ -21,6 +21,8 @@
 
 #include "numbers.h"
 
+#include "functions.h"
+
 #include "timers.h"
 
 #include "limits.h"

@@ -8,8 +8,14 @@
 #ifndef COMMANDS
 #define COMMANDS 0
 #endif
+#ifndef SCALES
+#define SCALES 0
+#endif
 #ifndef CONFIRMED
 #define CONFIRMED 0
+#endif
+#ifndef ESCALATIONS
+#define ESCALATIONS 0
 #endif
 #ifndef YIELDING
 #define YIELDING 0

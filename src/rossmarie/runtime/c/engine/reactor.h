@@ -149,7 +149,9 @@ static void escalate(reactor *r)
     for (unsigned i = 0; i != r->failed_count; i++) {
         const unsigned task = r->failed[i];
         decide(r, task, NAMED(FAILED), -1);
+#if ESCALATIONS
         start(r, &escalations[task_escalations[task]], &escalations[task_escalations[task + 1]]);
+#endif
     }
     r->failed_count = 0;
 }
