@@ -38,7 +38,7 @@ class Robot(Ears):
         self.arm_speed = None  # m/s; None: nobody commands the arm
         self.near = None  # whether something is near; None: the scanner is silent
         self.torques = None  # of all joints, without their names
-        self.efforts = None  # pairs of a joint and its torque in Nm, which may lack; None: all are silent
+        self.efforts = None  # pairs of a joint and its torque in Nm, or None; None: all are silent
         self.parts = None  # pairs of a part and its level, "OK" or "ERROR"; None: all are silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
