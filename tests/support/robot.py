@@ -38,7 +38,7 @@ class Robot(Ears):
         self.arm_speed = None  # m/s; None: nobody commands the arm
         self.near = None  # whether something is near; None: the scanner is silent
         self.torques = None  # of all joints, without their names
-        self.efforts = None  # pairs of a joint and its torque in Nm; None: the joints are silent
+        self.efforts = None  # pairs of a joint and its torque in Nm, or None; None: all are silent
         self.parts = None  # pairs of a part and its level, "OK" or "ERROR"; None: all are silent
         self.cloud = None  # the fields of a cloud, its data in hexadecimals; None: it is silent
         self.mode = "driving"
@@ -92,7 +92,7 @@ class Robot(Ears):
         if self.efforts is not None:
             self._joints = self._joints or self.sensor("/joint_states", JointState)
             names = [name for name, _ in self.efforts]
-            torques = [float(torque) for _, torque in self.efforts]
+            torques = [float(torque) for _, torque in self.efforts if torque is not None]
             self._joints.publish(JointState(name=names, effort=torques))
         if self.torques is not None:
             self._torques = self._torques or self.sensor("/effort_states", Float64MultiArray)

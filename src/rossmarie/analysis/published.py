@@ -84,7 +84,7 @@ def _place(element: int | ByName | Listed, length: int, given: Given) -> int | N
         case int():
             return element
         case ByName(names=names):
-            return element.place(list(map(str, _elements(names, given))))
+            return element.place(list(map(str, _elements(names, given))), length)
         case Listed():
             return element.place_among(length)
 

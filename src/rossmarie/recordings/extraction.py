@@ -50,7 +50,7 @@ class Wanted:
     lists: Sequence[List] = ()
 
 
-Find = Callable[[Named, Sequence[Any]], int | None]
+Find = Callable[[Named, Sequence[str], int], int | None]
 """The place of an element, as `place_of` says."""
 
 
@@ -202,7 +202,9 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
                 value = getattr(value, normalize_fieldname(part))
                 continue
             assert isinstance(part, int | Named), "a single element has a place or a name"
-            place = part if isinstance(part, int) else find(part, _among(message, part, value))
+            place = part
+            if not isinstance(part, int):
+                place = find(part, _names(message, part), len(value))
             if place is None or place >= len(value):
                 return None
             value = value[place]
@@ -211,13 +213,14 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
     return read
 
 
-def _among(message: Message, element: Named, array: Sequence[Any]) -> Sequence[Any]:
+def _names(message: Message, element: Named) -> Sequence[str]:
+    """The names that a message has for the elements of an array; none if they are declared."""
     match element:
         case ByName(names=path):
             names: Sequence[str] = attrgetter(_attributes(path))(message)
             return names
         case Listed():
-            return array
+            return ()
 
 
 def _goes_by_name(path: Path) -> bool:

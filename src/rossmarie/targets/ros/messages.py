@@ -137,7 +137,7 @@ def _element_place(element: int | ir.ByName | ir.Listed, whole: str) -> str:
         case int():
             return str(element)
         case ir.ByName(key=key, names=path):
-            return f"place_of({c99_names.string(key)}, message{names.member(path)})"
+            return f"place_of({c99_names.string(key)}, message{names.member(path)}, {whole})"
         case ir.Listed(place=place, count=count):
             return f"place_among({place}, {count}, {whole})"
 
