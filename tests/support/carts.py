@@ -15,7 +15,8 @@ system cell {
 input wall = topic /range : sensor_msgs/Range .range timeout 0.5 sec;
 action creep { limit /cart/speed { linear.x in [-0.3, 0.05] m/s; }; }
 action stop { block /cart/speed; } latched until reset;
-rule close: if wall < 0.6 m then { creep; } feedback 1 per activation, 5 per sec;
+rule close: if wall < 0.6 m then { creep; } feedback 1 per activation, 5 per sec,
+    margin in mm;
 rule at_wall: if wall < 0.3 m then { stop; };
 """
 PERIOD_NS = 100_000_000

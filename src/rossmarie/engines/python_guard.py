@@ -79,6 +79,11 @@ class PythonGuard:
         """True once every input with a timeout has arrived."""
         return not self._missing
 
+    @property
+    def margins(self) -> tuple[float, ...]:
+        """The margins that rules declare, in SI units, in the order of the rules."""
+        return self._monitor.margins
+
     def open(self) -> None:
         """Commands may pass (R12)."""
         self._reactor.open()
@@ -189,7 +194,8 @@ class PythonGuard:
         """The facts after a step in which this happened, as `native` has them."""
         bits = sum(1 << rule for rule, is_active in enumerate(self.active) if is_active)
         size = (max(1, len(self._machine.rules)) + 7) // 8
-        return packed_note(said, bits.to_bytes(size, "little"), self.states, self._reactor.since_ns)
+        active = bits.to_bytes(size, "little")
+        return packed_note(said, active, self.margins, self.states, self._reactor.since_ns)
 
     def _follow(self, at_ns: int) -> None:
         """Let the reactor look, and do the resets of all latched rules that it orders."""

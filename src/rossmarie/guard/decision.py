@@ -23,6 +23,7 @@ from rossmarie.ir import (
     Verdict,
     Wiring,
     explain,
+    margins_of,
 )
 from rossmarie.ir.reactions import (
     Call,
@@ -52,6 +53,13 @@ def active_in(note: bytes, rules: int) -> NDArray[np.bool_]:
     """Say which of so many rules are active, by the facts after a step."""
     bits = np.frombuffer(note, np.uint8, offset=1, count=(rules + 7) // 8)
     return np.unpackbits(bits, count=rules, bitorder="little").astype(np.bool_)
+
+
+def margins_in(note: bytes, machine: Machine) -> NDArray[np.float64]:
+    """The margins that rules declare, each in its unit, by the facts after a step."""
+    first = 1 + (max(1, len(machine.rules)) + 7) // 8
+    declared = np.frombuffer(note, np.uint8, 8 * len(margins_of(machine)), first)
+    return FeedbackMeter(machine).margins(declared.view(np.float64))
 
 
 @dataclass(frozen=True)
@@ -131,6 +139,14 @@ class Decision:
         before_ns, note = self._before
         before, after = (active_in(each, len(machine.rules)) for each in (note, self._note))
         return FeedbackMeter(machine).between(before, after, self._at_ns - before_ns)
+
+    @property
+    def margin(self) -> NDArray[np.float64]:
+        """How far the conditions of rules are from where they change, of shape (margins,), in the
+        order of `Guard.rules_with_margin` and each in the unit that its rule declares: positive
+        while the condition is false, negative while it is true, NaN while it is unknown.
+        """
+        return margins_in(self._note, self._reasons.machine)
 
     @property
     def changed_by(self) -> tuple[str, ...]:

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from rossmarie.engines import GuardEngine, Started, start_guard
 from rossmarie.guard.batch import GuardBatch
-from rossmarie.guard.decision import Before, Decision, Reasons, Request, active_in
+from rossmarie.guard.decision import Before, Decision, Reasons, Request, active_in, margins_in
+from rossmarie.guard.feedback import rules_with_margin
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
 from rossmarie.ir import (
     Change,
@@ -96,6 +97,20 @@ class Guard:
     def rules(self) -> tuple[str, ...]:
         """The names of the rules."""
         return tuple(rule.name for rule in self.machine.rules)
+
+    @property
+    def rules_with_margin(self) -> tuple[str, ...]:
+        """The names of the rules that declare a margin, in the order of margins."""
+        return rules_with_margin(self.machine)
+
+    @property
+    def margin(self) -> NDArray[np.float64]:
+        """The margins at the last observation, as `Decision.margin`. Raises `ValueError` before
+        any observation.
+        """
+        self._now()
+        assert self._latest is not None, "it was observed"
+        return margins_in(self._latest[1], self.machine)
 
     def require_sizes(self, observed: int, acted: int) -> None:
         """Raise `MappingError` if observations and actions of so many numbers lack a place that is
@@ -198,7 +213,7 @@ class Guard:
 
     def batch(self, count: int) -> GuardBatch:
         """So many guards by the same rules and declarations, which have seen nothing."""
-        return GuardBatch(count, self.rules, self._engine.row, self._mapping.wiring)
+        return GuardBatch(count, self.machine, self._engine.row, self._mapping.wiring)
 
     def state(self) -> GuardState:
         """All that it knows, for `restore`; it can be pickled if the guard is native."""

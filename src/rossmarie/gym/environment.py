@@ -24,7 +24,8 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
 
     - `guard`: the actions `proposed` and `executed`, `intervened` (whether they differ) and
       `active` (which rules are active at the new observation, in the order of `rules`) and
-      `feedback` (that of each rule for this step);
+      `feedback` (that of each rule for this step) and `margin` (at the new observation, in the
+      order of `rules_with_margin`);
     - `cost`: 1.0 while a rule is active, added to that of the environment if it has one;
     - `action_mask`, for choices: 1 for each that would pass as it is in the next step.
     """
@@ -70,6 +71,11 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         """The names of the rules."""
         return self.guard.rules
 
+    @property
+    def rules_with_margin(self) -> tuple[str, ...]:
+        """The names of the rules that declare a margin."""
+        return self.guard.rules_with_margin
+
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Any, dict[str, Any]]:
@@ -99,6 +105,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
             "intervened": bool(passed.intervened),
             "active": active,
             "feedback": feedback,
+            "margin": self.guard.margin,
         }
         cost = float(info.get("cost", 0.0)) + float(active.any())
         is_over = bool(self._interface.is_over(active))

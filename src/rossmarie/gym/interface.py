@@ -71,7 +71,7 @@ class Interface:
             act=with_speeds(self.actions.declared, seen),
         )
         self.guard.require_sizes(self.observations.size, self.actions.size)
-        self.feedback = FeedbackMeter(monitor.machine)
+        self.feedback = FeedbackMeter(self.guard.machine)
         latched = [rule.release is None for rule in monitor.machine.rules]
         self._ending = np.array(latched, np.bool_) & (declared.latched == "truncate")
 

@@ -19,7 +19,7 @@ from rossmarie.ir.path import ByName, Each, Listed
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 7
+VERSION = 8
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -77,7 +77,7 @@ _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {step.__name__: step for step in (ByName, Listed, Each)}
+} | {step.__name__: step for step in (ByName, Listed, Each, ir.Margin)}
 
 
 def _is_node(kind: type) -> bool:

@@ -54,24 +54,30 @@ static void put_back(const double *numbers, const Py_buffer *view)
     }
 }
 
-/* What is known after a step: what happened, which rules are active and, if the action was changed,
- * the tasks.
+/* What is known after a step: what happened, which rules are active, the margins and, if the action
+ * was changed, the tasks.
  */
 static PyObject *noted(const host *h, int said)
 {
     const size_t rules = sizeof h->machine.active;
     const size_t tasks = said & GUARD_CHANGED ? GUARD_TASKS : 0;
-    PyObject *note = PyBytes_FromStringAndSize(NULL, (Py_ssize_t)(1 + rules + 9 * tasks));
+    const size_t size = 1 + rules + sizeof(double) * GUARD_MARGINS + 9 * tasks;
+    double margins[GUARD_MARGINS + 1];
+    PyObject *note = PyBytes_FromStringAndSize(NULL, (Py_ssize_t)size);
     unsigned char *to;
     if (!note)
         return NULL;
     to = (unsigned char *)PyBytes_AS_STRING(note);
-    to[0] = (unsigned char)said;
-    memcpy(to + 1, h->machine.active, rules);
+    *to++ = (unsigned char)said;
+    memcpy(to, h->machine.active, rules);
+    to += rules;
+    guard_margins(h, margins);
+    memcpy(to, margins, sizeof(double) * GUARD_MARGINS);
+    to += sizeof(double) * GUARD_MARGINS;
     if (tasks) {
         int64_t since_ns[GUARD_TASKS + 1];
-        guard_note(h, to + 1 + rules, since_ns);
-        memcpy(to + 1 + rules + tasks, since_ns, 8 * tasks);
+        guard_note(h, to, since_ns);
+        memcpy(to + tasks, since_ns, 8 * tasks);
     }
     return note;
 }

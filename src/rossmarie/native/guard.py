@@ -114,6 +114,14 @@ class NativeGuard:
         """True once every input with a timeout has arrived."""
         return bool(self.library.function("guard_has_all_inputs")(self.host))
 
+    @property
+    def margins(self) -> tuple[float, ...]:
+        """The margins that rules declare, in SI units, in the order of the rules."""
+        count = len(ir.margins_of(self._machine))
+        room = self.library.new("double[]", count + 1)
+        self.library.function("guards_margins")(self.host, 1, room)
+        return tuple(room[:count])
+
     def open(self) -> None:
         """Commands may pass (R12)."""
         self.library.function("guard_open")(self.host)
@@ -186,7 +194,7 @@ class NativeGuard:
 
     def row(self, count: int) -> NativeRow:
         """So many guards of the same machine, that have seen nothing."""
-        return NativeRow(self.library, count, len(self._machine.rules), self._table)
+        return NativeRow(self.library, count, self._machine, self._table)
 
     def take_events(self) -> list[Event]:
         """The events that were told since the last time; orders wait on."""
@@ -229,8 +237,8 @@ class NativeGuard:
         states = self.library.new("unsigned char[]", tasks or 1)
         since_ns = self.library.new("int64_t[]", tasks or 1)
         self.library.function("guard_note")(self.host, states, since_ns)
-        bits = self._monitor.active_bits
-        return packed_note(said, bits, list(states)[:tasks], list(since_ns)[:tasks])
+        bits, margins = self._monitor.active_bits, self.margins
+        return packed_note(said, bits, margins, list(states)[:tasks], list(since_ns)[:tasks])
 
     def take(self) -> Told:
         """All that was told since the last time. Raises `MemoryError` if any of it was lost for

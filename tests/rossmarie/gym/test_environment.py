@@ -211,6 +211,14 @@ def test_feedback_is_told_and_taken_from_the_reward_on_request(rules: str) -> No
         assert [reward for _, reward, *_ in steps] == pytest.approx(rewards)
 
 
+def test_margins_are_those_of_the_new_observation(rules: str) -> None:
+    env = guarded(rules)
+    env.reset()
+    told = [env.step(fast())[4]["guard"]["margin"] for _ in range(5)]
+    assert env.rules_with_margin == ("close",)
+    np.testing.assert_allclose(told, [[300.0], [200.0], [100.0], [0.0], [-100.0]], atol=1e-4)
+
+
 def test_an_index_beyond_the_spaces_is_refused_at_once(rules: str) -> None:
     with pytest.raises(MappingError, match=r"observation\[7\], of 2 numbers"):
         guarded(rules, observe={"wall": 7})

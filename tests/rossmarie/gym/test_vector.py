@@ -131,6 +131,8 @@ def test_each_is_guarded_as_by_itself(rules: str, kind: str, mode: AutoresetMode
     assert any(each and each[0]["intervened"] for told in wanted for each in told)
     assert any(each and sum(each[0]["feedback"]) for told in wanted for each in told)
     assert any(each and not each[0]["intervened"] for told in wanted for each in told)
+    margins = [each[0]["margin"][0] for told in wanted for each in told if each]
+    assert min(margins) < 0 < max(margins)
 
 
 def test_the_last_observation_of_an_episode_is_seen_before_the_next_begins(rules: str) -> None:
