@@ -27,7 +27,9 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
       `feedback` (that of each rule for this step) and `margin` (at the new observation, in the
       order of `rules_with_margin`);
     - `cost`: 1.0 while a rule is active, added to that of the environment if it has one;
-    - `action_mask`, for choices: 1 for each that would pass as it is in the next step.
+    - `action_mask`, for choices: 1 for each that would pass as it is in the next step;
+    - `no_choice_passes`, for choices: true if the mask is 0 throughout. The choice that is nearest
+      to what the rules allow is executed then, though they do not allow it.
     """
 
     def __init__(
@@ -127,4 +129,6 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
 
     def _with_mask(self, info: dict[str, Any]) -> dict[str, Any]:
         mask = self._interface.actions.mask(self.guard.allows)
-        return info if mask is None else {**info, "action_mask": mask}
+        if mask is None:
+            return info
+        return {**info, "action_mask": mask, "no_choice_passes": not mask.any()}

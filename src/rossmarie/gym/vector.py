@@ -157,7 +157,9 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         mask = self._interface.actions.mask(self._guards.allows)
         if mask is None:
             return infos
-        return {**infos, "action_mask": mask, "_action_mask": np.ones(self.num_envs, np.bool_)}
+        told = {"action_mask": mask, "no_choice_passes": ~mask.any(axis=-1)}
+        everywhere = np.ones(self.num_envs, np.bool_)
+        return {**infos, **told, **{f"_{name}": everywhere for name in told}}
 
 
 def _mode_of(env: VectorEnv[Any, Any, Any]) -> AutoresetMode:

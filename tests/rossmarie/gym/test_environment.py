@@ -96,8 +96,12 @@ def test_where_no_choice_passes_the_nearest_is_taken(rules: str) -> None:
     env = guarded(rules, cart, act={"linear.x": [0.1, 0.2, 0.3, -0.4]})
     _, info = env.reset()
     assert info["action_mask"].tolist() == [0, 0, 0, 0]
+    assert info["no_choice_passes"] is True
     _, _, _, _, info = env.step(2)
     assert info["guard"]["executed"] == 0
+    assert info["no_choice_passes"] is True
+    env = guarded(rules, Cart(start=0.2, kind="choice"), act=CHOICE_ACT)
+    assert env.reset()[1]["no_choice_passes"] is False, "one of them stands still"
 
 
 def test_a_target_is_held_by_a_block_and_moves_no_faster_than_a_limit(rules: str) -> None:

@@ -159,6 +159,15 @@ def test_masks_of_choices_are_those_of_the_next_step(rules: str) -> None:
     assert infos["action_mask"].shape == (COUNT, len(CHOICES))
 
 
+def test_environments_in_which_no_choice_passes_are_told(rules: str) -> None:
+    given = declared("choice") | {"act": {"linear.x": [0.1, 0.2, 0.3, 0.4]}}
+    two = [lambda: Cart(start=0.45, kind="choice"), lambda: Cart(start=2.0, kind="choice")]
+    envs = GuardedVectorEnv(SyncVectorEnv(two), rules, **given)
+    for infos in (envs.reset()[1], envs.step(np.array([1, 1]))[4]):
+        assert infos["no_choice_passes"].tolist() == [True, False]
+        assert infos["_no_choice_passes"].all()
+
+
 def test_only_environments_that_are_reset_by_a_mask_can_be_truncated(rules: str) -> None:
     for mode in (AutoresetMode.NEXT_STEP, AutoresetMode.SAME_STEP):
         with pytest.raises(MappingError, match="reset by a mask"):
