@@ -62,6 +62,14 @@ def margins_in(note: bytes, machine: Machine) -> NDArray[np.float64]:
     return FeedbackMeter(machine).margins(declared.view(np.float64))
 
 
+def feedback_between(
+    machine: Machine, before: tuple[int, bytes], after: tuple[int, bytes]
+) -> NDArray[np.float64]:
+    """The feedback of each rule from one observation to the next, of shape (rules,)."""
+    was, is_ = (active_in(note, len(machine.rules)) for _, note in (before, after))
+    return FeedbackMeter(machine).between(was, is_, after[0] - before[0])
+
+
 @dataclass(frozen=True)
 class Request:
     """Something that rules want done outside of the action: `kind` says whether its `effect` is to
@@ -91,7 +99,16 @@ class Reasons:
 class Decision:
     """An action that may be done, and why; the rest is worked out when it is asked for."""
 
-    __slots__ = ("_at_ns", "_before", "_given", "_note", "_reasons", "action", "requests")
+    __slots__ = (
+        "_at_ns",
+        "_before",
+        "_earlier",
+        "_given",
+        "_note",
+        "_reasons",
+        "action",
+        "requests",
+    )
 
     def __init__(
         self,
@@ -100,11 +117,13 @@ class Decision:
         note: bytes,
         reasons: Reasons,
         before: Before,
+        earlier: NDArray[np.float64] | None = None,
         given: Array | None = None,
         requests: tuple[Request, ...] = (),
     ) -> None:
         self._at_ns = at_ns
         self._before = before
+        self._earlier = earlier
         self.action = action
         """The action to execute."""
         self._note = note
@@ -130,15 +149,14 @@ class Decision:
 
     @property
     def feedback(self) -> NDArray[np.float64]:
-        """The feedback of each rule for a learner since the observation before, of shape (rules,);
-        0 at the first one.
+        """The feedback of each rule for a learner since the observation of the decision before, of
+        shape (rules,); 0 at the first one.
         """
         machine = self._reasons.machine
         if self._before is None:
             return np.zeros(len(machine.rules))
-        before_ns, note = self._before
-        before, after = (active_in(each, len(machine.rules)) for each in (note, self._note))
-        return FeedbackMeter(machine).between(before, after, self._at_ns - before_ns)
+        last = feedback_between(machine, self._before, (self._at_ns, self._note))
+        return last if self._earlier is None else self._earlier + last
 
     @property
     def margin(self) -> NDArray[np.float64]:

@@ -75,6 +75,12 @@ class Interface:
         latched = [rule.release is None for rule in monitor.machine.rules]
         self._ending = np.array(latched, np.bool_) & (declared.latched == "truncate")
 
+    def require_substeps(self, substeps: int) -> int:
+        """A number of substeps. Raises `MappingError` if a period has not so many."""
+        if not 0 < as_index(substeps) <= self.period_ns:
+            raise MappingError(f"a step has at least one substep, not {substeps}")
+        return as_index(substeps)
+
     def is_over(self, active: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """True where an active rule truncates the episode."""
         return np.asarray((active & self._ending).any(axis=-1))

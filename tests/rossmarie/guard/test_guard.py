@@ -327,6 +327,23 @@ def test_feedback_is_that_of_the_last_observation(make: Make) -> None:
     assert guard.decide(wanted).feedback.tolist() == [2.0, 0.0, 0.0, 0.0]
 
 
+def test_feedback_of_several_observations_before_a_decision_is_summed(make: Make) -> None:
+    guard = make()
+    wanted = np.array([0.8, 0.1])
+    guard.observe(0, np.array(CALM))
+    guard.decide(wanted)
+    for at_ns, seen in ((1, CALM), (2, FAST), (SECOND, CALM), (SECOND + 1, CALM)):
+        guard.observe(at_ns, np.array(seen))
+    state = guard.state()
+    expected = [2.0 + 0.5 * (SECOND - 2) / SECOND, 0.0, 0.0, 0.0]
+    assert guard.decide(wanted).feedback.tolist() == expected
+    assert guard.decide(wanted).feedback.tolist() == expected
+    assert step(guard, SECOND + 2).feedback.tolist() == [0.0] * 4
+    guard.restore(state)
+    guard.observe(SECOND + 2, np.array(FAST))
+    assert guard.decide(wanted).feedback.tolist() == [2.0 + expected[0], 0.0, 0.0, 0.0]
+
+
 def test_margins_are_distances_to_the_limits_in_the_units_of_the_rules(make: Make) -> None:
     guard = make()
     with pytest.raises(ValueError, match="nothing has happened yet"):
