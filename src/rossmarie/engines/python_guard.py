@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from copy import copy, deepcopy
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from rossmarie.engines.python_steps import PythonSteps
 from rossmarie.interpreter import Reactor
 from rossmarie.ir import (
     EARLIEST_NS,
+    NEVER_NS,
     ChannelValues,
     Event,
     FieldBounds,
@@ -139,6 +141,27 @@ class PythonGuard:
             return len(self._events) + len(self._orders) - before
 
         return call
+
+    def watch_call(self, channel: int) -> Callable[..., int | None]:
+        """A function for one message on a channel, as that of `native`'s guard."""
+        inputs = self._machine.inputs
+        if any(inputs[each.input].channel == channel for each in self._machine.lists):
+            raise ValueError("a channel with lists has no fast call")
+        take = self._monitor.message_call(channel)
+        count = sum(inputs[slot.input].channel == channel for slot in self._machine.slots)
+
+        def watch(at_ns: int, *values: Any) -> int | None:
+            if take(at_ns, *map(float, values[:count]), *values[count:]) < 0:
+                raise ValueError(f"an instant of {at_ns} ns is out of range")
+            self._missing -= {channel}
+            self._events += self._monitor.take_events()
+            self._follow(at_ns)
+            if self.has_news:
+                return None
+            wake_ns = self.next_wake()
+            return NEVER_NS if wake_ns is None else wake_ns
+
+        return watch
 
     def row(self, count: int) -> PythonRow:
         """So many guards of the same machine, that have seen nothing."""

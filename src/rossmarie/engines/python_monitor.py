@@ -120,6 +120,10 @@ class PythonMonitor:
         """
         if self._arrays[channel]:
             raise ValueError("a channel with arrays has no fast call")
+        return self.message_call(channel)
+
+    def message_call(self, channel: int) -> Callable[..., int]:
+        """The same for any channel: its arrays stand behind its slots."""
         call: Callable[..., int] = self._generated[channel]
         return call
 

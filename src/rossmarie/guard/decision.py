@@ -160,7 +160,7 @@ class Decision:
 
     @property
     def margin(self) -> NDArray[np.float64]:
-        """How far the conditions of rules are from where they change, of shape (margins,), in the
+        """The distances of conditions of rules to where they change, of shape (margins,), in the
         order of `Guard.rules_with_margin` and each in the unit that its rule declares: positive
         while the condition is false, negative while it is true, NaN while it is unknown.
         """

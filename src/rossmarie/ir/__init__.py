@@ -6,6 +6,7 @@ from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
+from rossmarie.ir.feedback import Feedback, Margin
 from rossmarie.ir.learning import below_margins, margins_of, without_margins
 from rossmarie.ir.limits import (
     EARLIEST_NS,
@@ -29,7 +30,6 @@ from rossmarie.ir.model import (
     Constant,
     Count,
     Element,
-    Feedback,
     Flag,
     Fold,
     Folding,
@@ -40,7 +40,6 @@ from rossmarie.ir.model import (
     List,
     Literal,
     Machine,
-    Margin,
     Not,
     Or,
     Oscillates,

@@ -5,10 +5,11 @@ from __future__ import annotations
 import dataclasses
 
 from rossmarie.ir import model as ir
+from rossmarie.ir.feedback import Margin
 from rossmarie.ir.support import compared_signals, signal_operands
 
 
-def margins_of(machine: ir.Machine) -> tuple[ir.Margin, ...]:
+def margins_of(machine: ir.Machine) -> tuple[Margin, ...]:
     """The margins that rules declare, in the order of the rules."""
     declared = (rule.feedback.margin for rule in machine.rules)
     return tuple(margin for margin in declared if margin is not None)

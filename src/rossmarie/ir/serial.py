@@ -15,6 +15,7 @@ import typing
 
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import model as ir
+from rossmarie.ir.feedback import Margin
 from rossmarie.ir.path import ByName, Each, Listed
 from rossmarie.ir.reactions import Effect
 
@@ -77,7 +78,7 @@ _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {step.__name__: step for step in (ByName, Listed, Each, ir.Margin)}
+} | {step.__name__: step for step in (ByName, Listed, Each, Margin)}
 
 
 def _is_node(kind: type) -> bool:

@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from rossmarie.core import row, sampling_row
 from rossmarie.ir import model as ir
+from rossmarie.ir.feedback import Margin
 from rossmarie.ir.malformed import (
     MalformedMachine,
     require,
@@ -326,9 +327,7 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
         require(times == 1, f"rule {name}", f"there are {times} of this name")
 
 
-def _verify_margin(
-    machine: ir.Machine, margin: ir.Margin, arrays: ElementArrays, where: str
-) -> None:
+def _verify_margin(machine: ir.Machine, margin: Margin, arrays: ElementArrays, where: str) -> None:
     require_index(margin.signal, len(machine.signals), where, "signal")
     require(arrays.signals[margin.signal] is None, where, "an elementwise margin")
     require(kind_of(machine, margin.signal) is ir.Kind.REAL, where, "a margin that is no number")

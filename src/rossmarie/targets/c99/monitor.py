@@ -95,7 +95,7 @@ class _Writer:
             confirmed=any(reactions.confirmation(task.effect) is not None for task in found.tasks),
             resets=table("unsigned char", "task_resets", list(map(int, resets))),
             margins=len(margins),
-            margin_signals=table("int", "margin_signals", margins),
+            margin_signals=table("int", "guard_margin_signals", margins),
         )
 
     def _fill(self, template: str, **blanks: object) -> str:
