@@ -126,7 +126,7 @@ def _is_plain(empty: Message, path: Path) -> bool:
         return False
     if not isinstance(last, str):
         return isinstance(_value(empty, tuple(parents)), np.ndarray)
-    return isinstance(_value(empty, path), int | float)
+    return isinstance(_field(empty, path), int | float)
 
 
 def _are_floats(empty: Message, path: Path) -> bool:
