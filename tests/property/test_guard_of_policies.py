@@ -60,7 +60,7 @@ def test_a_guard_that_is_restored_goes_on_as_the_one_that_was_saved(
                 assert run_policy(restored, steps[place:], is_begun=place > 0) == wanted
 
 
-Found = tuple[bytes, list[list[bool]], list[bool]]
+Found = tuple[bytes, list[list[bool]], list[bool], bytes]
 
 
 def row_by_row(guards: list[Guard], steps: list[Step]) -> Found:
@@ -71,7 +71,8 @@ def row_by_row(guards: list[Guard], steps: list[Step]) -> Found:
     ]
     active = [[rule in decision.active for rule in guards[0].rules] for decision in found]
     actions = np.array([decision.action for decision in found])
-    return actions.tobytes(), active, [decision.changed for decision in found]
+    margins = np.array([decision.margin for decision in found])
+    return actions.tobytes(), active, [decision.changed for decision in found], margins.tobytes()
 
 
 def in_a_row(batch: GuardBatch, steps: list[Step]) -> Found:
@@ -81,7 +82,12 @@ def in_a_row(batch: GuardBatch, steps: list[Step]) -> Found:
         np.array([step.observation for step in steps]),
         np.array([step.action for step in steps]),
     )
-    return decided.actions.tobytes(), decided.active.tolist(), decided.changed.tolist()
+    return (
+        decided.actions.tobytes(),
+        decided.active.tolist(),
+        decided.changed.tolist(),
+        batch.margin.tobytes(),
+    )
 
 
 @settings(phases=phases_of_compiled(), max_examples=examples(0.2))
@@ -115,7 +121,7 @@ def in_two_calls(batch: GuardBatch, steps: list[Step], which: list[bool]) -> Fou
         changed |= decided.changed
         if passing is not None:
             assert (passing.diagonal() <= ~changed).all()
-    return actions.tobytes(), active.tolist(), changed.tolist()
+    return actions.tobytes(), active.tolist(), changed.tolist(), batch.margin.tobytes()
 
 
 @settings(phases=phases_of_compiled(), max_examples=examples(0.2))

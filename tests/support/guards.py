@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
 from hypothesis import strategies as st
 
 from rossmarie import ir
@@ -125,11 +126,14 @@ def take(guard: GuardEngine, machine: ir.Machine, step: Step) -> None:
         case Update(at_ns, messages):
             (channel, *others) = messages
             fields = fields_of(machine)[channel]
-            if others or fields.arrays:
+            if others or fields.lists:
                 guard.update(at_ns, messages)
-            else:
-                numbers = (messages[channel].slots.get(slot, NAN) for slot in fields.slots)
-                assert guard.update_call(channel)(at_ns, *numbers) >= 0
+                return
+            values = messages[channel]
+            numbers = [values.slots.get(slot, NAN) for slot in fields.slots]
+            arrays = [np.array(values.arrays.get(each, ()), np.float64) for each in fields.arrays]
+            wake_ns = guard.watch_call(channel)(at_ns, *numbers, *arrays)
+            assert wake_ns in (None, guard.next_wake() or ir.NEVER_NS)
         case Advance(at_ns):
             guard.advance(at_ns)
         case Reset(at_ns, rule):

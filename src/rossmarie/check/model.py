@@ -11,12 +11,12 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile
 from rossmarie.check.effects import CheckedEffect
-from rossmarie.ir.model import Feedback
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.types import Type
+from rossmarie.units import Unit
 
 ConditionKey = tuple[str, str]
 """The names of an entity and of a condition in it."""
@@ -57,6 +57,15 @@ class CheckedInput:
 
 
 @dataclass(frozen=True)
+class CheckedFeedback:
+    """The amounts that a learner loses by a rule, and the unit of its margin if it declares one."""
+
+    per_activation: float
+    per_second: float
+    margin: Unit | None
+
+
+@dataclass(frozen=True)
 class Symbols:
     """The meaning of each name."""
 
@@ -92,6 +101,6 @@ class CheckedProgram:
     unless: tuple[tuple[int, ...], ...]
     hazards: Mapping[str, ast.Hazard]
     gaps: Mapping[str, Gaps]
-    feedback: tuple[Feedback, ...] = ()
+    feedback: tuple[CheckedFeedback, ...] = ()
     message_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

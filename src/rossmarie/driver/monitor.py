@@ -17,7 +17,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
 from rossmarie.engines import NamedValues, Value, start_monitor
 from rossmarie.guard import Declared, Guard
-from rossmarie.ir import Event, Machine, event_line
+from rossmarie.ir import Event, Machine, event_line, without_margins
 from rossmarie.native import NativeMonitor, fit
 
 
@@ -55,8 +55,10 @@ class Monitor:
     """
 
     def __init__(self, machine: Machine) -> None:
-        self.machine = machine
-        started = start_monitor(machine)
+        """Margins of the machine are for guards; a monitor runs without them."""
+        self._with_margins = machine
+        self.machine = without_margins(machine)
+        started = start_monitor(self.machine)
         self._engine = started.engine
         self.kind = started.kind
         self.reason = started.reason
@@ -77,7 +79,7 @@ class Monitor:
         Raises `MappingError` if they do not fit the rules. Gives a `RuntimeWarning` with the reason
         if the guard is not native.
         """
-        guard = Guard(self.machine, observe, act)
+        guard = Guard(self._with_margins, observe, act)
         if guard.reason is not None:
             warnings.warn(guard.reason, RuntimeWarning, stacklevel=2)
         return guard
@@ -192,7 +194,7 @@ def load(
     Gives a `RuntimeWarning` with the reason if the monitor is not native.
     """
     compiled = compile_file(Path(rules), systems=systems, message_folders=message_folders)
-    monitor = Monitor(compiled.machine)
+    monitor = Monitor(compiled.with_margins)
     if monitor.reason is not None:
         warnings.warn(monitor.reason, RuntimeWarning, stacklevel=2)
     return monitor

@@ -15,7 +15,7 @@ from dslkit.source import SourceFile
 from rossmarie.check import CheckedProgram, CheckOptions, check
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
-from rossmarie.ir import Machine, verify
+from rossmarie.ir import Machine, verify, without_margins
 from rossmarie.ir.script import Script
 from rossmarie.lowering import lower
 from rossmarie.syntax import ast, parse
@@ -67,9 +67,11 @@ class Compiled:
     """A rules file without errors: its machine, the warnings on it, and where the definitions of
     its messages may lie, the tests in it, and of each input the path that its declaration chooses.
     `sources` are all files that the machine rests on, as they were read, the main one last.
+    `with_margins` is the machine for those that learn: with the margins that rules declare.
     """
 
     machine: Machine
+    with_margins: Machine
     warnings: tuple[Diagnostic, ...]
     message_folders: tuple[Path, ...]
     tests: tuple[Script, ...]
@@ -103,7 +105,8 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     bases = {name: used.path for name, used in result.program.symbols.inputs.items()}
     files = (module.file for module in result.modules)
     return Compiled(
-        machine=machine,
+        machine=without_margins(machine),
+        with_margins=machine,
         warnings=result.diagnostics,
         message_folders=folders,
         tests=result.program.tests,

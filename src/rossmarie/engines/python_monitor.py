@@ -27,6 +27,7 @@ class PythonMonitor:
         self._arrays = [ir.arrays_of(machine, channel) for channel in channels]
         self._is_column = [array.list is not None for array in machine.arrays]
         self._has_watches = bool(machine.watches)
+        self._has_margins = bool(ir.margins_of(machine))
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
         self._jump = module["TimeJump"]
@@ -54,6 +55,14 @@ class PythonMonitor:
     def watches(self) -> tuple[TruthValue, ...]:
         """The values of the watched truths, by index."""
         return tuple(map(TruthValue, self._generated.watches())) if self._has_watches else ()
+
+    @property
+    def margins(self) -> tuple[float, ...]:
+        """The margins that rules declare, in SI units, in the order of the rules."""
+        if not self._has_margins:
+            return ()
+        margins: tuple[float, ...] = self._generated.margins()
+        return margins
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """The messages that arrive at one instant, by channel index."""
@@ -111,6 +120,10 @@ class PythonMonitor:
         """
         if self._arrays[channel]:
             raise ValueError("a channel with arrays has no fast call")
+        return self.message_call(channel)
+
+    def message_call(self, channel: int) -> Callable[..., int]:
+        """The same for any channel: its arrays stand behind its slots."""
         call: Callable[..., int] = self._generated[channel]
         return call
 

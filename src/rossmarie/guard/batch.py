@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.engines import GuardRow
+from rossmarie.guard.feedback import FeedbackMeter, rules_with_margin
 from rossmarie.guard.mapping import MappingError
-from rossmarie.ir import Wiring, require_instant
+from rossmarie.ir import Machine, Wiring, require_instant
 from rossmarie.native import put_back
 
 Array = NDArray[Any]
@@ -35,7 +36,7 @@ class GuardBatch:
     def __init__(
         self,
         count: int,
-        rules: tuple[str, ...],
+        machine: Machine,
         row_of: Callable[[int], GuardRow],
         wiring_of: Callable[[int, int | None], Wiring],
     ) -> None:
@@ -44,7 +45,9 @@ class GuardBatch:
         """
         if count < 1:
             raise ValueError(f"a batch has at least one guard, not {count}")
-        self.rules = rules
+        self.rules = tuple(rule.name for rule in machine.rules)
+        self.rules_with_margin = rules_with_margin(machine)
+        self._meter = FeedbackMeter(machine)
         self._count = count
         self._row = row_of(count)
         self._wiring_of = wiring_of
@@ -53,6 +56,13 @@ class GuardBatch:
     def __len__(self) -> int:
         """The number of guards."""
         return self._count
+
+    @property
+    def margin(self) -> NDArray[np.float64]:
+        """The margins in each environment at its last observation, of shape (n, margins), as
+        `Decision.margin`; NaN where nothing was observed.
+        """
+        return self._meter.margins(self._row.margins())
 
     def step(
         self, times_ns: int | NDArray[np.int64], observations: Array, actions: Array

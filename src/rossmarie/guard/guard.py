@@ -16,7 +16,16 @@ from numpy.typing import NDArray
 
 from rossmarie.engines import GuardEngine, Started, start_guard
 from rossmarie.guard.batch import GuardBatch
-from rossmarie.guard.decision import Before, Decision, Reasons, Request, active_in
+from rossmarie.guard.decision import (
+    Before,
+    Decision,
+    Reasons,
+    Request,
+    active_in,
+    feedback_between,
+    margins_in,
+)
+from rossmarie.guard.feedback import rules_with_margin
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
 from rossmarie.ir import (
     Change,
@@ -64,6 +73,8 @@ class GuardState:
     causes: Mapping[int, Verdict]
     known: Any
     seen: tuple[Before, Before] = (None, None)
+    earlier: NDArray[np.float64] | None = None
+    is_decided: bool = False
 
 
 class Guard:
@@ -90,12 +101,28 @@ class Guard:
         self._at_ns: int | None = None
         self._before: Before = None
         self._latest: Before = None
+        self._earlier: NDArray[np.float64] | None = None
+        self._is_decided = False
         self._sizes: Sizes | None = None
 
     @property
     def rules(self) -> tuple[str, ...]:
         """The names of the rules."""
         return tuple(rule.name for rule in self.machine.rules)
+
+    @property
+    def rules_with_margin(self) -> tuple[str, ...]:
+        """The names of the rules that declare a margin, in the order of margins."""
+        return rules_with_margin(self.machine)
+
+    @property
+    def margin(self) -> NDArray[np.float64]:
+        """The margins at the last observation, as `Decision.margin`. Raises `ValueError` before
+        any observation.
+        """
+        self._now()
+        assert self._latest is not None, "it was observed"
+        return margins_in(self._latest[1], self.machine)
 
     def require_sizes(self, observed: int, acted: int) -> None:
         """Raise `MappingError` if observations and actions of so many numbers lack a place that is
@@ -119,6 +146,8 @@ class Guard:
 
     def observe(self, at_ns: int, observation: Array) -> NDArray[np.bool_]:
         """Let an observation arrive, for `decide`; gives which rules are active, of shape (rules,).
+        Several may come before a decision: those of the substeps of a simulation, each at its
+        instant.
 
         Raises what `step` raises.
         """
@@ -160,15 +189,25 @@ class Guard:
         return self._allow(np.ascontiguousarray(actions, np.float64))
 
     def _decision(self, at_ns: int, executed: Array, note: bytes, wanted: Array) -> Decision:
+        self._is_decided = True
+        before, earlier = self._before, self._earlier
         if not note[0] & _NEWS:
-            return Decision(at_ns, executed, note, self._reasons, self._before)
+            return Decision(at_ns, executed, note, self._reasons, before, earlier)
         requests = self._take() if note[0] & TOLD else ()
         given = wanted.copy() if note[0] & CHANGED else None
-        return Decision(at_ns, executed, note, self._reasons, self._before, given, requests)
+        return Decision(at_ns, executed, note, self._reasons, before, earlier, given, requests)
 
     def _see(self, at_ns: int, note: bytes) -> None:
-        """Take note of an observation, and of the one before."""
+        """Take note of an observation, and of the one before; of those before it about which nobody
+        has decided, of their feedback only.
+        """
         self._at_ns = at_ns
+        if self._is_decided:
+            self._earlier = None
+        elif self._before is not None and self._latest is not None:
+            found = feedback_between(self.machine, self._before, self._latest)
+            self._earlier = found if self._earlier is None else self._earlier + found
+        self._is_decided = False
         self._before, self._latest = self._latest, (at_ns, note)
 
     def report(self, request: Request | int, *, success: bool) -> None:
@@ -198,7 +237,7 @@ class Guard:
 
     def batch(self, count: int) -> GuardBatch:
         """So many guards by the same rules and declarations, which have seen nothing."""
-        return GuardBatch(count, self.rules, self._engine.row, self._mapping.wiring)
+        return GuardBatch(count, self.machine, self._engine.row, self._mapping.wiring)
 
     def state(self) -> GuardState:
         """All that it knows, for `restore`; it can be pickled if the guard is native."""
@@ -212,6 +251,8 @@ class Guard:
             self._reasons.causes,
             known,
             (self._before, self._latest),
+            self._earlier,
+            self._is_decided,
         )
 
     def restore(self, state: GuardState) -> None:
@@ -232,6 +273,7 @@ class Guard:
         self._connect(*state.sizes)
         self._at_ns = state.at_ns
         self._before, self._latest = state.seen
+        self._earlier, self._is_decided = state.earlier, state.is_decided
         self._reasons = replace(self._reasons, causes=state.causes)
 
     @cached_property

@@ -6,6 +6,8 @@ from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
+from rossmarie.ir.feedback import Feedback, Margin
+from rossmarie.ir.learning import below_margins, margins_of, without_margins
 from rossmarie.ir.limits import (
     EARLIEST_NS,
     LATEST_NS,
@@ -28,7 +30,6 @@ from rossmarie.ir.model import (
     Constant,
     Count,
     Element,
-    Feedback,
     Flag,
     Fold,
     Folding,
@@ -149,6 +150,7 @@ __all__ = [
     "LostInput",
     "Machine",
     "MalformedMachine",
+    "Margin",
     "Not",
     "Once",
     "Or",
@@ -189,6 +191,7 @@ __all__ = [
     "Wiring",
     "arrays_of",
     "arrival_names",
+    "below_margins",
     "columns_of",
     "compared_signals",
     "defined",
@@ -208,6 +211,7 @@ __all__ = [
     "list_names",
     "machine_from_json",
     "machine_to_json",
+    "margins_of",
     "most_evaluations",
     "near_name",
     "path_names",
@@ -225,4 +229,5 @@ __all__ = [
     "truth_operands",
     "verify",
     "wakes",
+    "without_margins",
 ]

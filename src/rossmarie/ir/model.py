@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 from dslkit.source import Span
 from rossmarie.core import Function, Sampling
+from rossmarie.ir.feedback import NO_FEEDBACK, Feedback
 from rossmarie.ir.path import Path
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.signs import Comparison
@@ -324,17 +325,6 @@ class Truth:
 
 
 # --- rules -----------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Feedback:
-    """The loss of a learner by a rule: each time that it becomes active, and while it is active."""
-
-    per_activation: float = 0.0
-    per_second: float = 0.0
-
-
-NO_FEEDBACK = Feedback()
 
 
 @dataclass(frozen=True)

@@ -15,11 +15,12 @@ import typing
 
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import model as ir
+from rossmarie.ir.feedback import Margin
 from rossmarie.ir.path import ByName, Each, Listed, Points
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 7
+VERSION = 8
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -77,7 +78,7 @@ _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {step.__name__: step for step in (ByName, Listed, Each, Points)}
+} | {step.__name__: step for step in (ByName, Listed, Each, Points, Margin)}
 
 
 def _is_node(kind: type) -> bool:

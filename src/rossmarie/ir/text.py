@@ -155,7 +155,9 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     yield f"  terms {_names('t', rule.terms)}; signals {_names('s', rule.signals)}"
     if rule.feedback != ir.Feedback():
         once, lasting = rule.feedback.per_activation, rule.feedback.per_second
-        yield f"  feedback {once:g} per activation, {lasting:g} per s"
+        margin = rule.feedback.margin
+        told = "" if margin is None else f", margin s{margin.signal}{_in_unit(margin.unit)}"
+        yield f"  feedback {once:g} per activation, {lasting:g} per s{told}"
 
 
 def _hazards(machine: ir.Machine) -> Iterator[str]:

@@ -251,6 +251,13 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
 
 /* --- many guards --------------------------------------------------------------------------- */
 
+/* The margins of each guard in its row, GUARD_MARGINS of them; NaN where nothing was observed. */
+void guards_margins(const host *first, size_t count, double *margins)
+{
+    for (size_t i = 0; i != count; i++)
+        guard_margins(&(guard_of(first) + i)->base, margins + i * GUARD_MARGINS);
+}
+
 /* So many guards in a row that have seen nothing; NULL if there is no memory. */
 host *guards_new(size_t count)
 {

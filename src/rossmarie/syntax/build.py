@@ -36,7 +36,7 @@ class Unless(NamedTuple):
 class Learned(NamedTuple):
     """The amounts behind `feedback`."""
 
-    amounts: tuple[ast.Feedback, ...]
+    amounts: tuple[ast.Feedback | ast.Margin, ...]
     span: Span
 
 
@@ -148,6 +148,11 @@ class Builder(TestBuilder):
         """`1.0 per activation`, `0.5 per sec`."""
         time = None if parts[2].text == "activation" else self._unit(parts[2])
         return ast.Feedback(parts[0], time, self._span(parts))
+
+    def margin(self, parts: list[Any]) -> ast.Margin:
+        """`margin in N`."""
+        unit = self._unit(parts[2]) if len(parts) > 1 else None
+        return ast.Margin(unit, self._span(parts))
 
     def mitigates(self, parts: list[Any]) -> Mitigates:
         """`mitigates HAZARD, HAZARD`."""

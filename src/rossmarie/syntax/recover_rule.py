@@ -208,7 +208,7 @@ class _Recovery:
                 found.append(contract)
         return tuple(found)
 
-    def _feedback(self) -> tuple[ast.Feedback, ...]:
+    def _feedback(self) -> tuple[ast.Feedback | ast.Margin, ...]:
         """`feedback AMOUNT, AMOUNT`, up to the hazards."""
         if self._text() != "feedback":
             return ()

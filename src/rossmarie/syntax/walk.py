@@ -82,7 +82,7 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield condition
             for contract in contracts:
                 yield from _of_contract(contract)
-            yield from (each.amount for each in feedback)
+            yield from (each.amount for each in feedback if isinstance(each, ast.Feedback))
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))
         case ast.System(members=members):

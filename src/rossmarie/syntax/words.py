@@ -56,7 +56,8 @@ MEMBER_WORDS = {
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
     | {"names"}
-    | {"unless", "feedback", "per", "activation", "mitigates", "publishes", "subscribes"}
+    | {"unless", "feedback", "per", "activation", "margin", "mitigates"}
+    | {"publishes", "subscribes"}
     | {"since", "once", "after"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
@@ -127,7 +128,7 @@ FORMS = {
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
     "feedback": "what a learner is told is written behind the contract of a rule: "
-    "`feedback 1.0 per activation, 0.5 per sec`",
+    "`feedback 1.0 per activation, 0.5 per sec, margin in N`",
     "mitigates": "what a rule is for is written behind its contract: `mitigates HAZARD, HAZARD`",
     "priority": "the order of rules is written `priority RULE over RULE;`",
     "test": "a test is written "

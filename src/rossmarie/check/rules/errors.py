@@ -145,8 +145,48 @@ class OddFeedback(Error, code="ROSS423", name="odd-feedback"):
     title = "feedback is a plain number that is not negative, once per activation and once per time"
     label = "{found}"
     note = "a learner is told the sum of the feedback of all rules, as a loss"
-    help = "write it like this: `feedback 1.0 per activation, 0.5 per sec`"
+    help = "write it like this: `feedback 1.0 per activation, 0.5 per sec, margin in N`"
     found: str
+
+
+class NoMargin(Error, code="ROSS424", name="no-margin"):
+    """A rule with a margin whose condition has a part that has no distance to a limit."""
+
+    title = "this has no distance to a limit, and so the rule has no margin"
+    label = "{found}"
+    note = (
+        "a margin is made of the distances of `<`, `<=`, `>`, `>=`, `in` and `not in`; "
+        "`and`, `or`, `not`, `any`, `all` and `for` pass them on"
+    )
+    help = "leave out `margin`, or give this part a rule of its own"
+    found: str
+
+    class Asked(Remark):
+        says = "asked for here"
+
+
+class MarginUnit(Error, code="ROSS425", name="margin-unit"):
+    """A margin in a unit that is not that of all comparisons."""
+
+    title = "a margin has one dimension, but this is {one}, and the comparison {other}"
+    label = "this is {one}"
+    note = "a margin is a single number: the least or the greatest of the distances"
+    one: str
+    other: str
+
+    class First(Remark):
+        says = "this is {one}"
+        one: str
+
+    class Asked(Remark):
+        says = "asked for here"
+
+    class Apart(Remark):
+        says = "leave out `margin`, or give each comparison a rule of its own"
+
+    class Meant(Remark):
+        says = "write `{meant}`"
+        meant: str
 
 
 ALL: tuple[type[Template], ...] = (
@@ -162,4 +202,6 @@ ALL: tuple[type[Template], ...] = (
     UnmitigatedHazard,
     LastResortOverruled,
     OddFeedback,
+    NoMargin,
+    MarginUnit,
 )

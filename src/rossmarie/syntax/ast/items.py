@@ -233,6 +233,14 @@ class Feedback:
 
 
 @dataclass(frozen=True)
+class Margin:
+    """`margin in N`; without a unit it is a plain number."""
+
+    unit: Unit | None
+    span: Span
+
+
+@dataclass(frozen=True)
 class Rule:
     """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT feedback AMOUNT mitigates HAZARD`
     -- name, other rules, contracts, feedback and hazards are optional.
@@ -245,7 +253,7 @@ class Rule:
     unless: tuple[Name, ...]
     steps: tuple[Step, ...]
     contracts: tuple[ResumeContract, ...]
-    feedback: tuple[Feedback, ...]
+    feedback: tuple[Feedback | Margin, ...]
     mitigates: tuple[Name, ...]
     documentation: str | None
     span: Span

@@ -86,6 +86,7 @@ class _Writer:
     def guard_file(self) -> str:
         found = self._layout.machine.reactions
         resets = [isinstance(task.effect, reactions.Reset) for task in found.tasks]
+        margins = [each.signal for each in ir.margins_of(self._layout.machine)]
         return self._fill(
             "guard.c.j2",
             rules=len(self._layout.machine.rules),
@@ -93,6 +94,8 @@ class _Writer:
             commands=len(found.commands) if found.tasks else 0,
             confirmed=any(reactions.confirmation(task.effect) is not None for task in found.tasks),
             resets=table("unsigned char", "task_resets", list(map(int, resets))),
+            margins=len(margins),
+            margin_signals=table("int", "guard_margin_signals", margins),
         )
 
     def _fill(self, template: str, **blanks: object) -> str:

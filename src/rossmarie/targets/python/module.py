@@ -152,6 +152,10 @@ _WATCHES = """\
     watches: Callable[[], tuple[int, ...]]  # what confirms that tasks have succeeded
 """
 
+_MARGINS = """\
+    margins: Callable[[], tuple[float, ...]]  # how far rules are from their limits, in SI units
+"""
+
 _MEMBERS = """\
     update: Callable[[int, Mapping[int, Sequence[object]]], int]
     advance: Callable[[int], int]  # time passes without a message
@@ -179,7 +183,8 @@ def _monitor(machine: ir.Machine) -> Iterator[str]:
         if any(array.list is not None for array in arrays):
             yield f"{INDENT}# Behind []: columns of a list, of one length; None if it is not known."
         yield f"{INDENT}{update_name}: Callable[..., int]"
-    yield (_WATCHES if machine.watches else "") + _MEMBERS
+    asked = _WATCHES if machine.watches else ""
+    yield asked + (_MARGINS if ir.margins_of(machine) else "") + _MEMBERS
 
 
 def _described(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
@@ -262,9 +267,15 @@ def _questions(layout: Layout) -> Iterator[str]:
     updates = [f"update_{channel}" for channel in range(len(machine.channels))]
     if machine.watches:
         yield from _watches(layout)
+    margins = ir.margins_of(machine)
+    if margins:
+        function = Function("margins()")
+        function.line(f"return {names.tuple_of(layout.value(each.signal) for each in margins)}")
+        yield from function.text()
     members = [
         *updates,
         *(["watches"] if machine.watches else []),
+        *(["margins"] if margins else []),
         "update",
         "advance",
         "reset",
