@@ -12,7 +12,18 @@ import numpy as np
 from heron import messages
 from heron.messages import Message
 from rossmarie.guard import Core, Value
-from rossmarie.ir import Array, ByName, Each, Listed, Path, Slot, Told, arrival_names, field_names
+from rossmarie.ir import (
+    Array,
+    ByName,
+    Each,
+    Listed,
+    Path,
+    Points,
+    Slot,
+    Told,
+    arrival_names,
+    field_names,
+)
 
 Take = Callable[[int, Message], Told | None]
 """An instant and a message; gives what the core has to tell, if there is anything."""
@@ -108,6 +119,7 @@ def _field(message: Message, path: Path) -> Any:
             continue
         if isinstance(part, Each):
             return [_field(each, path[step + 1 :]) for each in value]
+        assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
         place = _place(message, part, len(value))
         if place is None or place >= len(value):
             return math.nan
