@@ -22,6 +22,7 @@ from rossmarie.ir import (
     Listed,
     Machine,
     Path,
+    Points,
     Slot,
     Told,
     arrival_names,
@@ -173,6 +174,7 @@ def _field(message: Message, path: Path) -> Any:
             continue
         if isinstance(part, Each):
             return [_field(each, path[step + 1 :]) for each in value]
+        assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
         place = _place(message, part, len(value))
         if place is None or place >= len(value):
             return math.nan

@@ -69,7 +69,7 @@ def test_a_place_that_no_rule_reads_is_one_all_the_same(monitor: Monitor) -> Non
 
 def test_clouds_as_columns(monitor: Monitor) -> None:
     columns = {"cloud.x": [0.5, NAN, 5.0], "cloud.z": [NAN, 0.0, 5.0], "bright": None}
-    monitor.update(0, columns)  # type: ignore[arg-type]
+    monitor.update(0, columns)
     assert list(monitor.active) == ["blind", "glaring"]
     monitor.update(1, {"cloud.x": [0.5, 5.0], "cloud.z": [0.0, 5.0], "bright": []})
     assert list(monitor.active) == ["near"]
@@ -81,7 +81,7 @@ def test_a_cloud_that_is_not_known_is_lost(monitor: Monitor, lie: str) -> None:
     value: object = [FAR, {"x": 5.0}]
     if lie in LIES:
         value = truthful()
-        LIES[lie](value)  # type: ignore[arg-type]
+        LIES[lie](value)
     assert send(monitor, 1, value) == LOST.get(lie, ["near", "blind", "glaring"])
 
 
