@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import gc
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 _NEW_OBJECTS = 50_000
 """Python's own number is below a thousand: then a tenth of a short run goes into looking."""
@@ -16,3 +18,15 @@ def look_seldom() -> None:
 def look_no_more() -> None:
     """From now on, what is there stays: the system takes it back when the process ends."""
     gc.freeze()
+
+
+@contextmanager
+def not_now() -> Iterator[None]:
+    """Within, do not look at all: most of what is made is needed, or there is time later."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()

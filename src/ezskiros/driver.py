@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import difflib
-import gc
 import os
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager, redirect_stdout
+from collections.abc import Iterable, Sequence
+from contextlib import redirect_stdout
 from dataclasses import dataclass
 from io import StringIO
 from pathlib import Path
 
+from dslkit import garbage
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.source import SourceFile, Span, is_file
 from ezskiros import session
@@ -44,18 +44,6 @@ class Checked:
     trees: Sequence[Tree]
 
 
-@contextmanager
-def _without_collections() -> Iterator[None]:
-    """Within, nobody looks for garbage: a check needs nearly all that it makes until its end."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()
-
-
 def check_paths(
     paths: Iterable[Path], values: Path | None = None, collector: Collector | None = None
 ) -> Checked:
@@ -74,7 +62,7 @@ def check_paths(
         session.collecting(collector),
         session.checking(roots(files)),
         redirect_stdout(StringIO()),
-        _without_collections(),
+        garbage.not_now(),
         deep(),
     ):
         loaded = load_skills(paths)

@@ -111,11 +111,6 @@ def is_of_user(path: str) -> bool:
     return path.startswith(_checked.get()) or not path.startswith(LIBRARIES)
 
 
-def is_collecting() -> bool:
-    """Say whether findings are collected."""
-    return _collector.get() is not None
-
-
 def report(diagnostic: Diagnostic) -> None:
     """Keep a finding; raises `SkillError` with it if nobody collects."""
     collector = _collector.get()

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import gc
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from py_trees.common import Status
 
+from dslkit import garbage
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Reason
@@ -43,7 +42,7 @@ class Task:
     def tick(self) -> Status:
         """One tick."""
         self.ticks += 1
-        with deep(), _without_collections():
+        with deep(), garbage.not_now():
             for _ in self.root.tick():
                 pass
         return self.root.status
@@ -84,15 +83,3 @@ def run(
     if status is Status.FAILURE:
         reason = task.setting.last_failure
     return Outcome(status is Status.SUCCESS, task.ticks, clock() - start, reason)
-
-
-@contextmanager
-def _without_collections() -> Iterator[None]:
-    """Within, nobody looks for garbage: there is time for that from tick to tick."""
-    was_enabled = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if was_enabled:
-            gc.enable()

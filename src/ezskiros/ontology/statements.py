@@ -8,8 +8,6 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import ClassVar, TypeAlias
 
-from dslkit.source import Span
-
 Value: TypeAlias = "str | int | float | bool"
 TURNED = {"<": ">=", ">": "<=", "<=": ">", ">=": "<"}
 """The comparison that holds of numbers when the other does not."""
@@ -89,11 +87,3 @@ def negated(statement: Statement) -> Statement | None:
     if isinstance(statement, OfType):
         return None
     return replace(statement, is_true=not statement.is_true)
-
-
-@dataclass(frozen=True)
-class Placed:
-    """A statement, and where it is written: all of it, and its parts by their roles."""
-
-    statement: Statement
-    span: Span

@@ -197,10 +197,10 @@ class Reset:
     """`reset`: what an operator's reset of all latched rules does (S38)."""
 
 
-Effect = (
-    Limit | Scale | Publish | Call | SetParameter | SwitchControllers | SendGoal | CancelGoal
-    | Log | Diagnose | Hook | Reset
-)  # fmt: skip
+Awaited = Call | SetParameter | SwitchControllers | SendGoal | CancelGoal
+"""Effects whose end is awaited for a time."""
+
+Effect = Limit | Scale | Publish | Awaited | Log | Diagnose | Hook | Reset
 
 
 # --- plans -----------------------------------------------------------------------------------

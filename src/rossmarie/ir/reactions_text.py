@@ -85,13 +85,7 @@ def _effect(effect: reactions.Effect) -> str:
             return f"{_awaited(effect)} within {duration_text(effect.timeout_ns)}"
 
 
-def _awaited(
-    effect: reactions.Call
-    | reactions.SetParameter
-    | reactions.SwitchControllers
-    | reactions.SendGoal
-    | reactions.CancelGoal,
-) -> str:
+def _awaited(effect: reactions.Awaited) -> str:
     match effect:
         case reactions.Call(service=service, service_type=kind, assignments=assignments):
             return f"call {service} : {kind} {_fields(assignments)}"

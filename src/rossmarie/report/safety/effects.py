@@ -80,14 +80,7 @@ class Effects:
     def _units(self, command: int) -> dict[reactions.FieldPath, str]:
         return {field.path: field.unit for field in self._found.commands[command].fields}
 
-    def _awaited(
-        self,
-        effect: reactions.Call
-        | reactions.SetParameter
-        | reactions.SwitchControllers
-        | reactions.SendGoal
-        | reactions.CancelGoal,
-    ) -> str:
+    def _awaited(self, effect: reactions.Awaited) -> str:
         match effect:
             case reactions.Call(service=service, service_type=kind, assignments=assignments):
                 return f"the service {service} ({kind}) is called with {_assigned(assignments)}"

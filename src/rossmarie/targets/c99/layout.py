@@ -108,6 +108,11 @@ class Layout:
         nodes = (self.machine.truths[index].node for index in self.ages)
         return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
+    def remark(self, truth: int) -> str:
+        """The place and the words of a truth."""
+        declared = self.machine.truths[truth]
+        return f"{names.place(declared.span)}  {declared.text}"
+
     def truths_in_order(self) -> list[int]:
         """All truth indexes in the order of their nodes."""
         return sorted(self.node_of_truth, key=self.node_of_truth.__getitem__)

@@ -15,7 +15,7 @@ from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
 from rossmarie.targets.c99.elements import Elements
 from rossmarie.targets.c99.expressions import Expressions, Piece
 from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.text import block, call, indented
+from rossmarie.targets.c99.text import block, boolean, call, indented
 
 
 class Messages:
@@ -131,7 +131,7 @@ class Messages:
         calm = "is_calm(m, t_ns)"
         if not is_seen_by_guards(self._layout, channel):
             calm += f" && m->quiet[{channel}]"
-        arrived = ", ".join(_truth(each == channel) for each in range(len(self.fields)))
+        arrived = ", ".join(boolean(each == channel) for each in range(len(self.fields)))
         unchanged = ["before == CALM"]
         for guard in self._layout.guards_of(channel):
             value = self.expressions.kept(guard.value)
@@ -246,7 +246,3 @@ class Messages:
         for number, truth in enumerate(self._layout.oscillations):
             channels = self._layout.supports.truths[truth].channels
             yield Piece(channels, (f"follow(m, {number}, t_ns);",))
-
-
-def _truth(value: bool) -> str:
-    return "true" if value else "false"

@@ -11,7 +11,7 @@ from rossmarie.ir import overruled, reactions
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.layout import Layout
-from rossmarie.targets.c99.text import lists, remarked_table, sizes, table
+from rossmarie.targets.c99.text import boolean, lists, remarked_table, sizes, starts_of, table
 from rossmarie.targets.c99.types import duration, number
 
 
@@ -98,8 +98,8 @@ def _task_row(found: reactions.Reactions, index: int, rule: int) -> str:
         str(rule),
         duration(reactions.timeout_ns(task.effect) or 0),
         "HOLDING" if reactions.is_lasting(task.effect) else "DONE",
-        _truth(reactions.waits(task.effect)),
-        _truth(overruled.fails_at_once(task)),
+        boolean(reactions.waits(task.effect)),
+        boolean(overruled.fails_at_once(task)),
         _or_none(task.resource),
         _or_none(numbers.get(overruled.deed(task.effect))),
         _or_none(answer),
@@ -123,9 +123,6 @@ def _remark(found: reactions.Reactions, index: int) -> str:
 
 def _plan_tables(found: reactions.Reactions) -> str:
     stages = [stage for plan in found.plans for stage in plan.stages]
-    places = [0]
-    for plan in found.plans:
-        places.append(places[-1] + len(plan.stages))
     planned = [plan.tasks for plan in found.plans]
     return "\n".join(
         [
@@ -133,7 +130,7 @@ def _plan_tables(found: reactions.Reactions) -> str:
             " * tasks that start with each stage; all their tasks.",
             " */",
             table("index_t", "rule_order", found.order),
-            table("index_t", "rule_stages", places),
+            table("index_t", "rule_stages", starts_of(len(plan.stages) for plan in found.plans)),
             lists("stage_tasks", "staged_tasks", _named("stage", stages)),
             lists("rule_tasks", "planned_tasks", _named("rule", planned)),
             *_unless_table(found),
@@ -189,10 +186,6 @@ def _named(kind: str, rows: Sequence[Sequence[int]]) -> list[tuple[str, Sequence
     return [(f"{kind} {index}", row) for index, row in enumerate(rows)]
 
 
-def _truth(value: bool) -> str:
-    return "true" if value else "false"
-
-
 def _or_none(index: int | None) -> str:
     return "NONE" if index is None else str(index)
 
@@ -245,7 +238,7 @@ def _limit_tables(
         for task, bound in row
     ]
     return [
-        table("index_t", "command_limits", _starts(rows)),
+        table("index_t", "command_limits", starts_of(map(len, rows))),
         remarked_table("bound", "bounding", listed or [("{0, 0, 0.0, 0.0, 0.0}", "none")]),
     ]
 
@@ -261,12 +254,5 @@ def _scale_tables(
         for row in rows
         for task, scale in row
     ]
-    starts = table("index_t", "command_scales", _starts(rows))
+    starts = table("index_t", "command_scales", starts_of(map(len, rows)))
     return [starts, remarked_table("scale", "scales", listed)] if listed else []
-
-
-def _starts(rows: Sequence[Sequence[object]]) -> list[int]:
-    places = [0]
-    for row in rows:
-        places.append(places[-1] + len(row))
-    return places

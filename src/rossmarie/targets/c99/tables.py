@@ -15,7 +15,7 @@ from rossmarie.targets.c99.coverage import covered_values
 from rossmarie.targets.c99.layout import Guard, Layout
 from rossmarie.targets.c99.recent import recent_tables
 from rossmarie.targets.c99.state import is_small
-from rossmarie.targets.c99.text import enumeration, lists, remarked_table, sizes, table
+from rossmarie.targets.c99.text import boolean, enumeration, lists, remarked_table, sizes, table
 from rossmarie.targets.c99.types import duration, number
 from rossmarie.targets.limits import true_below, twins
 
@@ -70,11 +70,6 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "WATCHES": len(machine.watches),
     }
     return {**always, **{name: size for name, size in used.items() if size}}
-
-
-def _remark(layout: Layout, truth: int) -> str:
-    declared = layout.machine.truths[truth]
-    return f"{names.place(declared.span)}  {declared.text}"
 
 
 def _section(title: str, parts: Sequence[str]) -> str:
@@ -149,7 +144,7 @@ def _value_names_listed(layout: Layout) -> str:
 
 def _truth_names_listed(layout: Layout) -> str:
     truths = [
-        (layout.truth_names[index], _remark(layout, index)) for index in layout.truths_in_order()
+        (layout.truth_names[index], layout.remark(index)) for index in layout.truths_in_order()
     ]
     rules = [
         (_rule_node(layout, index), f"{names.place(rule.span)}  {rule.name}")
@@ -260,7 +255,7 @@ def _limit_rows(layout: Layout, guard: Guard) -> list[str]:
         above = "TRUE" if limit.rises else "FALSE"
         away = 0 if other is None else other - place
         leaf = layout.truth_names[limit.leaf]
-        remark = comments.in_c(_remark(layout, limit.leaf))
+        remark = comments.in_c(layout.remark(limit.leaf))
         rows.append(f"{{{number(limit.at)}, {leaf}, {above}, {away}}}, /* {remark} */")
     return [*rows, "ABOVE_ALL,"]
 
@@ -276,7 +271,7 @@ def _blame_tables(layout: Layout) -> str:
     excuses = _excuses(layout)
     if not any(excuses):
         return _section("The numbers whose lack makes a truth lost.", listed)
-    of_lists = ["true" if layout.is_of_list(value) else "false" for row in excuses for value in row]
+    of_lists = [boolean(layout.is_of_list(value)) for row in excuses for value in row]
     return _section(
         "The numbers whose lack makes a truth lost, and those whose lack leaves it unknown.",
         [
@@ -364,7 +359,7 @@ def _held_tables(layout: Layout) -> list[str]:
     for index in layout.held:
         node = layout.machine.truths[index].node
         assert isinstance(node, ir.Held), "the layout lists durations"
-        rows.append((duration(node.duration_ns), _remark(layout, index)))
+        rows.append((duration(node.duration_ns), layout.remark(index)))
     nodes = [layout.truth_names[index] for index in layout.held]
     initially = layout.held_initially
     values = [_value(holds) for holds in initially]
@@ -380,7 +375,7 @@ def _age_tables(layout: Layout) -> list[str]:
     for index in layout.ages:
         node = layout.machine.truths[index].node
         assert isinstance(node, ir.AgeReaches), "the layout lists ages"
-        limits.append((duration(node.age_ns), _remark(layout, index)))
+        limits.append((duration(node.age_ns), layout.remark(index)))
         inputs.append(layout.input_names[node.input])
         unknown.append("LOST" if layout.has_timeout(node.input) else "UNKNOWN")
     leaves = [layout.truth_names[index] for index in layout.ages]

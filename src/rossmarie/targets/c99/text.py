@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Iterable, Mapping, Sequence
+from itertools import accumulate
 
 from rossmarie.targets import comments
 
@@ -47,13 +48,21 @@ def enumeration(rows: Sequence[tuple[str, str]]) -> str:
     return f"enum {{\n{indented(listed)}\n}};\n" if listed else ""
 
 
+def boolean(value: bool) -> str:
+    """True or false as C's `bool`."""
+    return "true" if value else "false"
+
+
+def starts_of(counts: Iterable[int]) -> list[int]:
+    """Where lists of such lengths begin if they stand one after another; the end of the last."""
+    return list(accumulate(counts, initial=0))
+
+
 def lists(starts: str, entries: str, rows: Sequence[tuple[str, Sequence[object]]]) -> str:
     """Lists of indexes of different lengths, each with its name: the entries of list i stand in
     [starts[i], starts[i + 1]).
     """
-    places = [0]
-    for _, row in rows:
-        places.append(places[-1] + len(row))
+    places = starts_of([len(row) for _, row in rows])
     filled = [_listed(name, row) for name, row in rows if row]
     if not filled:
         return f"{table('index_t', starts, places)}\n{table('index_t', entries, ())}"

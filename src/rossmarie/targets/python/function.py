@@ -25,10 +25,6 @@ class Function:
         self._shared[variable] = None
         self.line(f"{variable} = {value}", depth)
 
-    def shares(self, variables: Iterable[str]) -> None:
-        """The function assigns these, too."""
-        self._shared.update(dict.fromkeys(variables))
-
     def take(self, other: Function) -> None:
         """All that is in the other function is in this one, too."""
         self._lines += other._lines
