@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from random import Random
 
 from rossmarie import ir
@@ -33,6 +33,9 @@ _ORIENTATIONS = (
 )
 
 
+Make = Callable[[ir.Machine, Random, int], ChannelValues]
+
+
 class _Recorder:
     """An engine that notes what it is told."""
 
@@ -59,8 +62,10 @@ def scripted(machine: ir.Machine, script: Script) -> Sequence[Step]:
     return recorder.steps
 
 
-def random_trace(machine: ir.Machine, steps: int) -> list[Step]:
-    """One long trace with silence, equal instants and jumps back."""
+def random_trace(machine: ir.Machine, steps: int, make: Make | None = None) -> list[Step]:
+    """One long trace with silence, equal instants and jumps back. `make` makes a message on a
+    channel, by its index; else they are those of `rules.ross`.
+    """
     random = Random(1)
     at_ns = 0
     latest: dict[int, ChannelValues] = {}
@@ -69,7 +74,7 @@ def random_trace(machine: ir.Machine, steps: int) -> list[Step]:
         at_ns = _later(random, at_ns)
         for channel in range(len(machine.channels)):
             if channel not in latest or random.random() < 0.3:
-                latest[channel] = _message(machine, random, channel)
+                latest[channel] = (make or _message)(machine, random, channel)
         found.append(_step(machine, random, at_ns, latest))
     return found
 
