@@ -7,12 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from rossmarie import ir
 from rossmarie.guard import Guard, GuardBatch
+from rossmarie.guard.mapping import ArrayMapping
+from rossmarie.ir import reactions
 from support.c_compiler import needs_c
 from support.depth import examples, phases_of_compiled
+from support.node_core import NodeCore
 from support.policies import PolicyCase, Step, policy_cases, run_policy
 
 pytestmark = needs_c
@@ -137,3 +141,33 @@ def test_observations_and_actions_in_two_calls_give_the_same(
                 for steps in case.episodes
             ]
             assert in_two_calls(batch, steps, which) == row_by_row(alone, steps)
+
+
+def publishes_commands(machine: ir.Machine) -> bool:
+    effects = (task.effect for task in machine.reactions.tasks)
+    return any(isinstance(each, reactions.Publish) and each.command is not None for each in effects)
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@given(policy_cases())
+def test_a_generated_node_lets_pass_what_a_guard_executes(case: PolicyCase) -> None:
+    machine = ir.without_margins(case.machine)
+    assume(machine.reactions.commands and not publishes_commands(machine))
+    node, guard = NodeCore(machine), case.guard()
+    first = case.episodes[0][0]
+    mapping = ArrayMapping(machine, case.observe, case.act)
+    wiring = mapping.wiring(first.observation.size, first.action.size)
+    for steps in case.episodes:
+        node.restart()
+        guard.restart()
+        for number, step in enumerate(steps):
+            if number and step.report is not None:
+                task, success = step.report
+                guard.report(task, success=success)
+                node.report(steps[number - 1].at_ns, task, success=success)
+            action = step.action.astype(np.float64)
+            decision = guard.step(step.at_ns, step.observation, action)
+            node.take(step.at_ns, wiring, step.observation)
+            passed = node.passed(step.at_ns, wiring, action)
+            assert [rule in decision.active for rule in guard.rules] == node.active
+            np.testing.assert_array_equal(decision.action, passed)

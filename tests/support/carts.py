@@ -52,7 +52,7 @@ class Cart(Env[Any, Any]):
         self._steps = steps
         self.executed: list[float] = []
         self.dips: list[float] = []
-        self.on_substep: Callable[[Any], None] = lambda _: None
+        self.on_substep: Callable[[Any], None] | None = None
         self._distance = start
         self._taken = 0
 
@@ -78,6 +78,7 @@ class Cart(Env[Any, Any]):
                 speed = float(action[0])
         self.executed.append(speed)
         for dip in self.dips:
+            assert self.on_substep is not None
             self.on_substep(np.array([1000.0 * dip, 0.0]))
         self._distance -= 0.1 * speed
         self._taken += 1

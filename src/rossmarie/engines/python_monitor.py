@@ -77,6 +77,13 @@ class PythonMonitor:
         """An operator resets one latched rule, or all: those with a false condition clear."""
         return self._events_of(at_ns, self._generated.reset, rule)
 
+    def __deepcopy__(self, memo: object) -> PythonMonitor:
+        """Another one that knows the same: functions would be shared, with what they remember."""
+        another = self.fresh()
+        another.load(self.save())
+        another._waiting = list(self._waiting)  # noqa: SLF001 - of this class
+        return another
+
     # --- its memory --------------------------------------------------------------------------
 
     def save(self) -> object:
