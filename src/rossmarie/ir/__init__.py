@@ -6,6 +6,7 @@ from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
+from rossmarie.ir.filing import SUBJECTS, TASKS, Category, Hazard, LeftOut, is_selected
 from rossmarie.ir.limits import (
     EARLIEST_NS,
     LATEST_NS,
@@ -32,7 +33,6 @@ from rossmarie.ir.model import (
     Flag,
     Fold,
     Folding,
-    Hazard,
     Held,
     Input,
     Kind,
@@ -96,6 +96,8 @@ __all__ = [
     "MOST_EVALUATIONS",
     "NEVER_NS",
     "NO_REACTIONS",
+    "SUBJECTS",
+    "TASKS",
     "AgeReaches",
     "And",
     "Apply",
@@ -103,6 +105,7 @@ __all__ = [
     "Batch",
     "Between",
     "ByName",
+    "Category",
     "Cause",
     "Change",
     "Channel",
@@ -129,6 +132,7 @@ __all__ = [
     "Input",
     "InputState",
     "Kind",
+    "LeftOut",
     "List",
     "Listed",
     "Literal",
@@ -186,6 +190,7 @@ __all__ = [
     "held_of",
     "is_leaf",
     "is_of_list",
+    "is_selected",
     "kind_of",
     "known_count",
     "leaf_truths",

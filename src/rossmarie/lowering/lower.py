@@ -46,6 +46,7 @@ def lower(program: CheckedProgram) -> ir.Machine:
             ir.Hazard(name, item.text.value, item.documentation, item.name.span)
             for name, item in program.hazards.items()
         ),
+        left_out=program.left_out,
     )
     return _with_rules(machine, program, contracts)
 
@@ -114,9 +115,10 @@ def _with_rules(
             head=rule.head,
             hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
             feedback=feedback,
+            categories=categories,
         )
-        for name, rule, contract, feedback in zip(
-            names, program.rules, contracts, program.feedback, strict=True
+        for name, rule, contract, feedback, categories in zip(
+            names, program.rules, contracts, program.feedback, program.categories, strict=True
         )
     )
     return dataclasses.replace(machine, rules=rules)

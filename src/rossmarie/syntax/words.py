@@ -56,7 +56,17 @@ MEMBER_WORDS = {
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
     | {"names"}
-    | {"unless", "feedback", "per", "activation", "mitigates", "publishes", "subscribes"}
+    | {
+        "unless",
+        "category",
+        "task",
+        "feedback",
+        "per",
+        "activation",
+        "mitigates",
+        "publishes",
+        "subscribes",
+    }
     | {"since", "once", "after"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
@@ -126,6 +136,10 @@ FORMS = {
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
+    "category": "the category of a rule is written behind its contract: "
+    "`category operation`, `category human` or `category environment`",
+    "task": "the task of a rule is written behind its category: "
+    "`task dependent` or `task independent`",
     "feedback": "what a learner is told is written behind the contract of a rule: "
     "`feedback 1.0 per activation, 0.5 per sec`",
     "mitigates": "what a rule is for is written behind its contract: `mitigates HAZARD, HAZARD`",
