@@ -1,4 +1,4 @@
-"""The example of graded reactions: it is without findings, its tests pass, categories select in it."""
+"""The example of graded reactions: nothing is found, its tests pass, categories select in it."""
 
 from __future__ import annotations
 
