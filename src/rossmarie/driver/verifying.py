@@ -60,9 +60,11 @@ def questions_of(
 
 
 def _programs(machine: ir.Machine) -> Iterator[Harness]:
-    """One about the monitor and, if rules do anything, one about the reactor."""
+    """One about the monitor and, if rules do anything, one about the reactor; none about a reactor
+    that retraces, as nothing is stated of memories of poses.
+    """
     yield harness(machine)
-    if machine.reactions.tasks:
+    if machine.reactions.tasks and not machine.reactions.memories:
         yield reactor_harness(machine)
 
 

@@ -27,6 +27,7 @@ class PythonMonitor:
         self._arrays = [ir.arrays_of(machine, channel) for channel in channels]
         self._is_column = [array.list is not None for array in machine.arrays]
         self._has_watches = bool(machine.watches)
+        self._has_readings = bool(machine.readings)
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
         self._jump = module["TimeJump"]
@@ -54,6 +55,11 @@ class PythonMonitor:
     def watches(self) -> tuple[TruthValue, ...]:
         """The values of the watched truths, by index."""
         return tuple(map(TruthValue, self._generated.watches())) if self._has_watches else ()
+
+    @property
+    def readings(self) -> tuple[float, ...]:
+        """The values of the signals that memories of poses ask, by index; NaN is unknown."""
+        return tuple(self._generated.readings()) if self._has_readings else ()
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """The messages that arrive at one instant, by channel index."""

@@ -375,6 +375,7 @@ class Rule:
 class Machine:
     """A whole rules file. `watches` are the truths that the confirmations in `reactions` ask.
     `left_out` are the rules that a selection does not hold, None if nobody selected.
+    `readings` are the signals that memories of poses ask.
     """
 
     name: str
@@ -391,3 +392,4 @@ class Machine:
     hazards: tuple[Hazard, ...] = ()
     lists: tuple[List, ...] = ()
     left_out: LeftOut | None = None
+    readings: tuple[int, ...] = ()

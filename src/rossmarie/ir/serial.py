@@ -117,7 +117,7 @@ def _decode_instance(kind: type, data: typing.Any, files: list[SourceFile]) -> o
     return kind(**{name: _decode(hints[name], data[name], files) for name in names})
 
 
-def _choose(hints: tuple[type, ...], data: object) -> object:
+def _choose(hints: tuple[type, ...], data: typing.Any) -> object:
     is_node = isinstance(data, dict) and "class" in data
     kind = _NODES[data["class"]] if is_node else _plain(hints, data)
     chosen = tuple if kind is list else kind

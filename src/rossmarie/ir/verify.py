@@ -50,6 +50,7 @@ def verify(machine: ir.Machine) -> None:
     _verify_kinds(machine)
     _verify_rules(machine, arrays)
     _verify_watches(machine, arrays)
+    _verify_readings(machine, arrays)
     verify_reactions(machine)
 
 
@@ -322,6 +323,13 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
             require_index(hazard, len(machine.hazards), where, "hazard")
     for name, times in Counter(rule.name for rule in machine.rules).items():
         require(times == 1, f"rule {name}", f"there are {times} of this name")
+
+
+def _verify_readings(machine: ir.Machine, arrays: ElementArrays) -> None:
+    for index, signal in enumerate(machine.readings):
+        where = f"reading {index}"
+        require_index(signal, len(machine.signals), where, "signal")
+        require(arrays.signals[signal] is None, where, f"signal {signal} is elementwise")
 
 
 def _verify_watches(machine: ir.Machine, arrays: ElementArrays) -> None:

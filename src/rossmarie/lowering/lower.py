@@ -41,6 +41,7 @@ def lower(program: CheckedProgram) -> ir.Machine:
         truths=tuple(nodes.truths),
         rules=(),
         watches=tuple(plans.watches),
+        readings=tuple(plans.readings),
         reactions=reactions,
         hazards=tuple(
             ir.Hazard(name, item.text.value, item.documentation, item.name.span)

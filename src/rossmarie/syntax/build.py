@@ -143,9 +143,9 @@ class Builder(TestBuilder):
         feedback = contracts.pop().amounts if is_taught else ()
         sorts = [part for part in contracts if isinstance(part, Categorized)]
         del contracts[len(contracts) - len(sorts) :]
-        ends = feedback, mitigates, self._documentation(parts), self._span(parts)
         filed = _word(sorts, is_task=False), _word(sorts, is_task=True)
-        return ast.Rule(name, condition, unless, steps.steps, tuple(contracts), *filed, *ends)
+        ends = *filed, feedback, mitigates, self._documentation(parts), self._span(parts)
+        return ast.Rule(name, condition, unless, steps.steps, tuple(contracts), *ends)
 
     def unless(self, parts: list[Any]) -> Unless:
         """`unless RULE, RULE`."""

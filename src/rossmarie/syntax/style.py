@@ -109,7 +109,7 @@ class Style:
                 self._fields(bounds)
             case ast.Scale(target=target) | ast.Block(target=target):
                 self._word(target.name, target.type)
-            case ast.Publish() | ast.CallService() | ast.SendGoal():
+            case ast.Publish() | ast.Retrace() | ast.CallService() | ast.SendGoal():
                 self._word(effect.target.name, effect.target.type)
                 self._fields(effect.assignments)
             case ast.SetParameter(node=name, unit=unit):

@@ -30,6 +30,7 @@ EFFECT_WORDS = {
     "scale": "scale",
     "block": "block",
     "publish": "publish",
+    "retrace": "retrace",
     "call": "call_service",
     "set": "set_parameter",
     "switch": "switch_controllers",
@@ -67,6 +68,7 @@ PART_WORDS = frozenset(
         "publishes",
         "subscribes",
     }
+    | {"on", "apart"}
     | {"since", "once", "after"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
@@ -159,6 +161,8 @@ FORMS = {
     "block": "a command is held at zero by `block /TOPIC;`",
     "publish": "a message is published by "
     "`publish /TOPIC : PACKAGE/TYPE { FIELD = VALUE; } at 2 Hz;`",
+    "retrace": "poses are sent back by "
+    "`retrace INPUT on /TOPIC : PACKAGE/TYPE up to 100 apart 1 cm at 5 Hz;`",
     "call_service": "a service is called by "
     "`call /SERVICE : PACKAGE/TYPE { FIELD = VALUE; } within 1 sec else ACTION;`",
     "set_parameter": "a parameter is set by `set /NODE.PARAMETER to VALUE;`",

@@ -152,6 +152,10 @@ _WATCHES = """\
     watches: Callable[[], tuple[int, ...]]  # what confirms that tasks have succeeded
 """
 
+_READINGS = """\
+    readings: Callable[[], tuple[float, ...]]  # what memories of poses ask; NaN is unknown
+"""
+
 _MEMBERS = """\
     update: Callable[[int, Mapping[int, Sequence[object]]], int]
     advance: Callable[[int], int]  # time passes without a message
@@ -179,7 +183,8 @@ def _monitor(machine: ir.Machine) -> Iterator[str]:
         if any(array.list is not None for array in arrays):
             yield f"{INDENT}# Behind []: columns of a list, of one length; None if it is not known."
         yield f"{INDENT}{update_name}: Callable[..., int]"
-    yield (_WATCHES if machine.watches else "") + _MEMBERS
+    asked = (_WATCHES if machine.watches else "") + (_READINGS if machine.readings else "")
+    yield asked + _MEMBERS
 
 
 def _described(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
@@ -262,9 +267,12 @@ def _questions(layout: Layout) -> Iterator[str]:
     updates = [f"update_{channel}" for channel in range(len(machine.channels))]
     if machine.watches:
         yield from _watches(layout)
+    if machine.readings:
+        yield from _readings(layout)
     members = [
         *updates,
         *(["watches"] if machine.watches else []),
+        *(["readings"] if machine.readings else []),
         "update",
         "advance",
         "reset",
@@ -274,6 +282,12 @@ def _questions(layout: Layout) -> Iterator[str]:
         "take_events",
     ]
     yield f"{INDENT}return Monitor({', '.join(members)})"
+
+
+def _readings(layout: Layout) -> list[str]:
+    function = Function("readings()")
+    function.line(f"return {names.tuple_of(map(layout.value, layout.machine.readings))}")
+    return function.text()
 
 
 def _watches(layout: Layout) -> list[str]:
