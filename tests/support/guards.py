@@ -19,7 +19,7 @@ from rossmarie.ir import reactions
 from rossmarie.native.signatures import fields_of
 from support.growing import TICK
 from support.machines import NAN, Advance, Reset, Step, Update, exactly, machines, traces
-from support.reacting import Sprouting, reacting_machines
+from support.reacting import READINGS, Sprouting, reacting_machines
 
 LATER = (0, 1, TICK // 3, 3 * TICK, -TICK)
 """When bounds are asked for, counted from a step."""
@@ -39,10 +39,15 @@ def guarded_machines(draw: st.DrawFn) -> ir.Machine:
 def _grown(draw: st.DrawFn) -> ir.Machine:
     """A machine of every kind of node, at times without any task."""
     machine = draw(machines())
-    sprouting = Sprouting(draw, watches=len(machine.watches))
+    shown = {signal for rule in machine.rules for signal in rule.signals}
+    read = sorted(each for each in shown if isinstance(machine.signals[each].node, ir.Read))
+    sprouting = Sprouting(draw, watches=len(machine.watches), retraces=bool(read))
     for _ in machine.rules:
         sprouting.rule()
-    return replace(machine, reactions=sprouting.made()) if sprouting.tasks else machine
+    if not sprouting.tasks:
+        return machine
+    readings = tuple(draw(st.sampled_from(read)) for _ in range(READINGS if read else 0))
+    return replace(machine, reactions=sprouting.made(), readings=readings)
 
 
 @st.composite

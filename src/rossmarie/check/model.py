@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile
 from rossmarie.check.effects import CheckedEffect
+from rossmarie.ir.filing import Category, LeftOut
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
@@ -85,7 +86,8 @@ class CheckedProgram:
     files first; `order` are their numbers, the most important first, `priorities` the pairs that
     were put in an order, `unless` of each rule those that it gives way to. `effects` are those of
     each action, `commands` the topics that may pass through the safety filter; `gaps` are those of
-    topics whose rate is declared; `feedback` is that of each rule. `message_files` are the
+    topics whose rate is declared; `feedback` and `categories` are
+    those of each rule, `left_out` what a selection does not hold. `message_files` are the
     definitions of messages that were read, those that come with this program left out.
     """
 
@@ -102,5 +104,7 @@ class CheckedProgram:
     hazards: Mapping[str, ast.Hazard]
     gaps: Mapping[str, Gaps]
     feedback: tuple[CheckedFeedback, ...] = ()
+    categories: tuple[tuple[Category, ...], ...] = ()
+    left_out: LeftOut | None = None
     message_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

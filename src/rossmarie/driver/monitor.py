@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from copy import copy
 from operator import index as as_index
 from os import PathLike
@@ -13,11 +13,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rossmarie.check.rules.errors import LeftOutRule
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
 from rossmarie.engines import NamedValues, Value, start_monitor
 from rossmarie.guard import Declared, Guard
-from rossmarie.ir import Event, Machine, event_line, without_margins
+from rossmarie.ir import Category, Event, Machine, event_line, without_margins
 from rossmarie.native import NativeMonitor, fit
 
 
@@ -188,12 +189,24 @@ def load(
     *,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    only: Collection[str] = (),
 ) -> Monitor:
     """The monitor of a rules file. Raises `RulesError`, which holds all that is wrong with it.
 
-    Gives a `RuntimeWarning` with the reason if the monitor is not native.
+    `only` are categories: the monitor has the rules that fit, such as `only=["human"]`. Raises
+    `ValueError` for a category that does not exist, `RulesError` if no rule fits. Gives a
+    `RuntimeWarning` for each order that names a rule that is left out, and with the reason if the
+    monitor is not native.
     """
-    compiled = compile_file(Path(rules), systems=systems, message_folders=message_folders)
+    compiled = compile_file(
+        Path(rules),
+        systems=systems,
+        message_folders=message_folders,
+        only=[Category(each) for each in only],
+    )
+    for found in compiled.warnings:
+        if found.code == LeftOutRule.code:
+            warnings.warn(f"{found.primary.span}: {found.title}", RuntimeWarning, stacklevel=2)
     monitor = Monitor(compiled.with_margins)
     if monitor.reason is not None:
         warnings.warn(monitor.reason, RuntimeWarning, stacklevel=2)

@@ -223,7 +223,9 @@ class PythonGuard:
     def _follow(self, at_ns: int) -> None:
         """Let the reactor look, and do the resets of all latched rules that it orders."""
         self.now_ns = at_ns
-        while self._ordered(self._reactor.react(at_ns, self.active, self._monitor.watches)):
+        while self._ordered(
+            self._reactor.react(at_ns, self.active, self._monitor.watches, self._monitor.readings)
+        ):
             self._events += self._monitor.reset(at_ns)
 
     def _ordered(self, orders: list[Order]) -> bool:

@@ -28,6 +28,7 @@ class PythonMonitor:
         self._is_column = [array.list is not None for array in machine.arrays]
         self._has_watches = bool(machine.watches)
         self._has_margins = bool(ir.margins_of(machine))
+        self._has_readings = bool(machine.readings)
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
         self._jump = module["TimeJump"]
@@ -63,6 +64,11 @@ class PythonMonitor:
             return ()
         margins: tuple[float, ...] = self._generated.margins()
         return margins
+
+    @property
+    def readings(self) -> tuple[float, ...]:
+        """The values of the signals that memories of poses ask, by index; NaN is unknown."""
+        return tuple(self._generated.readings()) if self._has_readings else ()
 
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """The messages that arrive at one instant, by channel index."""

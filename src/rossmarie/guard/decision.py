@@ -35,6 +35,7 @@ from rossmarie.ir.reactions import (
     Log,
     Publish,
     Reset,
+    Retrace,
     Scale,
     SendGoal,
     SetParameter,
@@ -74,7 +75,8 @@ def feedback_between(
 class Request:
     """Something that rules want done outside of the action: `kind` says whether its `effect` is to
     start or to stop, or is given up because another rule overrules it or it has failed. `task` is
-    its number; whoever starts it says how it ended with `Guard.report`.
+    its number; whoever starts it says how it ended with `Guard.report`. With `OrderKind.RETRACE`
+    `pose` is to be sent: x, y and z in m, and with an orientation its quaternion (x, y, z, w).
     """
 
     kind: OrderKind
@@ -82,6 +84,7 @@ class Request:
     action: str
     effect: Effect
     task: int
+    pose: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -232,8 +235,9 @@ class Decision:
                 begun = self._state(task) is State.DONE and self._since_ns(task) == self._at_ns
                 return begun or self._state(task) is State.HOLDING
             case (
-                Limit() | Scale() | Publish() | Call() | SetParameter() | SwitchControllers()
-                | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook() | Reset()
+                Limit() | Scale() | Publish() | Retrace() | Call() | SetParameter()
+                | SwitchControllers() | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
+                | Reset()
             ):  # fmt: skip
                 return False
 

@@ -49,6 +49,7 @@ from rossmarie.ir.reactions import (
     Log,
     Publish,
     Reset,
+    Retrace,
     Scale,
     SendGoal,
     SetParameter,
@@ -383,12 +384,12 @@ class Guard:
                 case Publish(command=int() as command) if command in self._acted:
                     continue
                 case (
-                    Publish() | Call() | SetParameter() | SwitchControllers() | SendGoal()
-                    | CancelGoal() | Log() | Diagnose() | Hook()
+                    Publish() | Retrace() | Call() | SetParameter() | SwitchControllers()
+                    | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
                 ):  # fmt: skip
                     rule = self.machine.rules[self._rules[order.task]].name
                     action = reactions.actions[task.action].name
-                    yield Request(order.kind, rule, action, task.effect, order.task)
+                    yield Request(order.kind, rule, action, task.effect, order.task, order.pose)
 
 
 def _again(machine: Machine, observe: Declared, act: Declared, state: GuardState) -> Guard:

@@ -8,6 +8,7 @@ from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
 from rossmarie.ir.feedback import Feedback, Margin
 from rossmarie.ir.learning import below_margins, margins_of, without_margins
+from rossmarie.ir.filing import SUBJECTS, TASKS, Category, Hazard, LeftOut, is_selected
 from rossmarie.ir.limits import (
     EARLIEST_NS,
     LATEST_NS,
@@ -33,7 +34,6 @@ from rossmarie.ir.model import (
     Flag,
     Fold,
     Folding,
-    Hazard,
     Held,
     Input,
     Kind,
@@ -111,6 +111,8 @@ __all__ = [
     "NEVER_NS",
     "NO_REACTIONS",
     "POINTS",
+    "SUBJECTS",
+    "TASKS",
     "AgeReaches",
     "And",
     "Apply",
@@ -118,6 +120,7 @@ __all__ = [
     "Batch",
     "Between",
     "ByName",
+    "Category",
     "Cause",
     "Change",
     "Channel",
@@ -144,6 +147,7 @@ __all__ = [
     "Input",
     "InputState",
     "Kind",
+    "LeftOut",
     "List",
     "Listed",
     "Literal",
@@ -205,6 +209,7 @@ __all__ = [
     "held_of",
     "is_leaf",
     "is_of_list",
+    "is_selected",
     "kind_of",
     "known_count",
     "leaf_truths",

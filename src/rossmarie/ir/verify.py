@@ -51,6 +51,7 @@ def verify(machine: ir.Machine) -> None:
     _verify_kinds(machine)
     _verify_rules(machine, arrays)
     _verify_watches(machine, arrays)
+    _verify_readings(machine, arrays)
     verify_reactions(machine)
 
 
@@ -333,6 +334,13 @@ def _verify_margin(machine: ir.Machine, margin: Margin, arrays: ElementArrays, w
     require(kind_of(machine, margin.signal) is ir.Kind.REAL, where, "a margin that is no number")
     require_finite((margin.scale,), where)
     require(margin.scale > 0.0, where, f"a margin times {margin.scale}")
+
+
+def _verify_readings(machine: ir.Machine, arrays: ElementArrays) -> None:
+    for index, signal in enumerate(machine.readings):
+        where = f"reading {index}"
+        require_index(signal, len(machine.signals), where, "signal")
+        require(arrays.signals[signal] is None, where, f"signal {signal} is elementwise")
 
 
 def _verify_watches(machine: ir.Machine, arrays: ElementArrays) -> None:

@@ -49,11 +49,13 @@ def lower(program: CheckedProgram) -> ir.Machine:
         truths=tuple(nodes.truths),
         rules=(),
         watches=tuple(plans.watches),
+        readings=tuple(plans.readings),
         reactions=reactions,
         hazards=tuple(
             ir.Hazard(name, item.text.value, item.documentation, item.name.span)
             for name, item in program.hazards.items()
         ),
+        left_out=program.left_out,
     )
     return _with_rules(machine, program, contracts, feedback)
 
@@ -134,9 +136,10 @@ def _with_rules(
             head=rule.head,
             hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
             feedback=taught,
+            categories=categories,
         )
-        for name, rule, contract, taught in zip(
-            names, program.rules, contracts, feedback, strict=True
+        for name, rule, contract, taught, categories in zip(
+            names, program.rules, contracts, feedback, program.categories, strict=True
         )
     )
     return dataclasses.replace(machine, rules=rules)

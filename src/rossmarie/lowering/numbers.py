@@ -121,6 +121,18 @@ class Numbers:
         """The type that the checker found."""
         return self._program.types[node]
 
+    def pose(self, node: ast.Expression) -> Components:
+        """The signals of a position, or of a position and an orientation."""
+        type_, place, shown = self.type_of(node), self.place(node), self.shown(node)
+        if not isinstance(type_, Message) or place is None:
+            return self.components(node)
+        found: Components = ()
+        for name in ("position", "orientation"):
+            part = type_.fields[name]
+            words_of_it = replace(shown, text=f"{shown.text}.{name}")
+            found += self._read(place.field(name, part), part, words_of_it)
+        return found
+
     # --- parts of messages -------------------------------------------------------------------
 
     def place(self, node: ast.Expression) -> Place | None:

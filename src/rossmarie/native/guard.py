@@ -43,7 +43,6 @@ from rossmarie.native.steps import (
 )
 
 _MAINS = Mains("guarding.c", "fastguard.c")
-_ORDER = struct.Struct("@3i")
 _KINDS = tuple(OrderKind)
 _STATES = tuple(State)
 _NEVER = 2**63 - 1
@@ -95,6 +94,7 @@ class NativeGuard:
         self._next_wake = library.function("guard_next_wake")
         self._fields = [len(command.fields) for command in machine.reactions.commands]
         self._events: list[Event] = []
+        self._order = _order(machine)
 
     def fresh(self) -> NativeGuard:
         """Another guard of the same machine, that has seen nothing."""
@@ -253,7 +253,7 @@ class NativeGuard:
         """Know what another guard of the same rules has known. Raises `ValueError` if that was one
         of another program.
         """
-        count, left = divmod(len(saved) - self._size, _ORDER.size)
+        count, left = divmod(len(saved) - self._size, self._order.size)
         if count < 0 or left:
             raise ValueError("it was saved by another program")
         memory = self.library.pointer(_BYTES, saved)
@@ -295,11 +295,22 @@ class NativeGuard:
         log = self._order_log()
         self.library.function("guard_forget_orders")(self.host)
         return [
-            Order(_KINDS[kind], task, None if by < 0 else by)
-            for kind, task, by in _ORDER.iter_unpack(log)
+            Order(
+                _KINDS[kind],
+                task,
+                None if by < 0 else by,
+                tuple(pose[1 : 1 + pose[0]] if pose else ()),
+            )
+            for kind, task, by, *pose in self._order.iter_unpack(log)
         ]
 
     def _order_log(self) -> bytes:
         count = self.library.function("guard_order_count")(self.host)
         found = self.library.function("guard_orders")(self.host)
-        return self.library.bytes_at(found, count * _ORDER.size)
+        return self.library.bytes_at(found, count * self._order.size)
+
+
+def _order(machine: ir.Machine) -> struct.Struct:
+    """An order as `guard.c` has it: kind, task, rule, and a pose where the rules retrace any."""
+    most = max((len(each.readings) for each in machine.reactions.memories), default=0)
+    return struct.Struct(f"@4i{most}d" if most else "@3i")

@@ -105,6 +105,9 @@ def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
             found = ramps
         case ast.Publish(assignments=assignments, rate=last):
             found = (*(each.value for each in assignments), last)
+        case ast.Retrace(assignments=assignments, rate=last):
+            values = (each.value for each in assignments)
+            found = (effect.pose, *values, *effect.apart, last)
         case ast.CallService(assignments=assignments, timeout=last):
             found = (*(each.value for each in assignments), last)
         case ast.SendGoal(assignments=assignments, timeout=last):

@@ -55,6 +55,39 @@ class UndeclaredHazard(Error, code="ROSS143", name="undeclared-hazard"):
     identifier: str
 
 
+class UnknownCategory(Error, code="ROSS250", name="unknown-category"):
+    """A word behind `category` or `task` that is none of those that there are."""
+
+    title = "there is no {said} `{identifier}`"
+    label = "not one of {known}"
+    help = "write one of {known}, or leave it out"
+    identifier: str
+    said: str
+    known: str
+
+
+class NothingSelected(Error, code="ROSS251", name="nothing-selected"):
+    """A selection of categories that no rule fits."""
+
+    title = "no rule is {only}"
+    label = "{known}"
+    note = "a monitor without rules would look as if it watched"
+    help = "select what rules have, or write it behind them: `category human task dependent`"
+    only: str
+    known: str
+
+
+class LeftOutRule(Warning, code="ROSS252", name="left-out-rule"):
+    """A rule that is left out of a selection, and that an order of rules in it names."""
+
+    title = "rule `{identifier}` is left out, and an order names it"
+    label = "{effect}"
+    note = "the rules were written to act together; this selection has only some of them"
+    help = "select the categories of this rule as well, or write the order without it"
+    identifier: str
+    effect: str
+
+
 class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
     """An input that a rule rests on and that may fall silent unnoticed."""
 
@@ -195,6 +228,9 @@ ALL: tuple[type[Template], ...] = (
     CircularPriority,
     CircularUnless,
     UndeclaredHazard,
+    UnknownCategory,
+    NothingSelected,
+    LeftOutRule,
     MissingTimeout,
     NoRules,
     LatchConflict,

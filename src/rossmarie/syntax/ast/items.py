@@ -242,8 +242,8 @@ class Margin:
 
 @dataclass(frozen=True)
 class Rule:
-    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT feedback AMOUNT mitigates HAZARD`
-    -- name, other rules, contracts, feedback and hazards are optional.
+    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT category WORD task WORD
+    feedback AMOUNT mitigates HAZARD` -- all but the condition and the steps is optional.
 
     More than one contract is reported by the checker.
     """
@@ -253,6 +253,8 @@ class Rule:
     unless: tuple[Name, ...]
     steps: tuple[Step, ...]
     contracts: tuple[ResumeContract, ...]
+    category: Name | None
+    task: Name | None
     feedback: tuple[Feedback | Margin, ...]
     mitigates: tuple[Name, ...]
     documentation: str | None

@@ -93,6 +93,8 @@ class _Writer:
             tasks=len(found.tasks),
             commands=len(found.commands) if found.tasks else 0,
             confirmed=any(reactions.confirmation(task.effect) is not None for task in found.tasks),
+            poses=bool(found.memories),
+            most_numbers=max((len(each.readings) for each in found.memories), default=0),
             resets=table("unsigned char", "task_resets", list(map(int, resets))),
             margins=len(margins),
             margin_signals=table("int", "guard_margin_signals", margins),
@@ -130,6 +132,7 @@ class _Writer:
             declarations=self._messages.declarations(),
             input_count=len(layout.machine.inputs),
             watch=self._fill("watch.h.j2") if layout.machine.watches else "",
+            reading=self._fill("reading.h.j2") if layout.machine.readings else "",
         )
 
     def _source(self) -> str:

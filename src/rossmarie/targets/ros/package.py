@@ -146,6 +146,7 @@ class PackageWriter:
         return {
             "arrays": messages.arrays(self._layout),
             "has_commands": has_commands,
+            "retraces": bool(self._machine.reactions.memories),
             "has_lists": bool(self._machine.lists),
             "functions": (*_FUNCTIONS, *(_BOUNDING if has_commands else ())),
         }
