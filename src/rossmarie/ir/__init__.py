@@ -7,8 +7,8 @@ from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
 from rossmarie.ir.feedback import Feedback, Margin
-from rossmarie.ir.learning import below_margins, margins_of, without_margins
 from rossmarie.ir.filing import SUBJECTS, TASKS, Category, Hazard, LeftOut, is_selected
+from rossmarie.ir.learning import below_margins, margins_of, without_margins
 from rossmarie.ir.limits import (
     EARLIEST_NS,
     LATEST_NS,

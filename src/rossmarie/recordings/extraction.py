@@ -202,11 +202,7 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
                 value = getattr(value, normalize_fieldname(part))
                 continue
             assert isinstance(part, int | Named), "a single element has a place or a name"
-            place = (
-                part
-                if isinstance(part, int)
-                else find(part, _names(message, part), len(value))
-            )
+            place = part if isinstance(part, int) else find(part, _names(message, part), len(value))
             if place is None or place >= len(value):
                 return None
             value = value[place]
