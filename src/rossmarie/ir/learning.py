@@ -39,6 +39,7 @@ def without_margins(machine: ir.Machine) -> ir.Machine:
         for rule in machine.rules
     )
     needed = {signal for truth in machine.truths for signal in compared_signals(truth.node)}
+    needed |= set(machine.readings)
     needed |= {signal for rule in rules for signal in rule.signals}
     signals = list(machine.signals)
     while signals and len(signals) - 1 not in needed:

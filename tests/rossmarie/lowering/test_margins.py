@@ -92,6 +92,13 @@ def test_a_number_of_the_rules_may_be_a_margin_as_well(tmp_path: Path) -> None:
     ir.verify(operating)
 
 
+def test_a_number_of_a_memory_of_poses_stays(tmp_path: Path) -> None:
+    machine = machine_of(tmp_path, "if wall < 1 m then { stop; } feedback margin in m;")
+    (margin,) = ir.margins_of(machine)
+    machine = dataclasses.replace(machine, readings=(margin.signal,))
+    assert ir.without_margins(machine).signals == machine.signals
+
+
 @pytest.mark.parametrize(
     ("margin", "words"),
     [
