@@ -26,6 +26,8 @@ def leaves(draw: st.DrawFn) -> str:
                 f"any(p in path: p.pose.position.x {sign} {number} m and p.pose.position.z < 1 m)",
                 f"count(p in path: p.pose.position.y {sign} {number} m) > 1",
                 f"min(p in path: p.pose.position.x) {sign} {number} m",
+                f"any(q in cloud: norm(q) {sign} {number} m and q.intensity < 1)",
+                f"count(q in cloud: true) {sign} {number}",
                 f"rate(speed) {sign} {number} m/s^2",
                 "not ok",
                 'state == "stuck"',
