@@ -62,8 +62,9 @@ class Draft:
         self.arrays.append(ir.Array(used, path, scale, offset, "", limits))
         return len(self.arrays) - 1
 
-    def list_of(self, used: int, most: int) -> int:
-        self.lists.append(ir.List(used, (f"list_{len(self.lists)}",), most))
+    def list_of(self, used: int, most: int, *, of_points: bool = False) -> int:
+        path: ir.Path = (f"list_{len(self.lists)}",)
+        self.lists.append(ir.List(used, (*path, ir.POINTS) if of_points else path, most))
         return len(self.lists) - 1
 
     def column(

@@ -66,9 +66,11 @@ class Growing:
 
     def _list(self, used: int) -> None:
         """A list of one or more columns; the first one has numbers."""
-        its_list = self.draft.list_of(used, self.draw(st.integers(1, 3)))
+        of_points = self.draw(st.booleans())
+        its_list = self.draft.list_of(used, self.draw(st.integers(1, 3)), of_points=of_points)
         first: int | None = None
-        for is_text in (False, *self.draw(st.lists(st.booleans(), max_size=2))):
+        kinds = st.just(False) if of_points else st.booleans()
+        for is_text in (False, *self.draw(st.lists(kinds, max_size=2))):
             scale, offset = self.draw(scales)
             settings = () if is_text else (scale, offset, self.draw(whole_limits))
             kind = ir.Kind.TEXT if is_text else ir.Kind.REAL

@@ -39,6 +39,8 @@ def leaves(draw: st.DrawFn) -> str:
                 f"max(p in path: norm(p.pose.position)) {sign} {number} m",
                 f'abs(joints["elbow"].velocity) {sign} {number} rad/s',
                 f'efforts["wrist"] {sign} {number} Nm',
+                f"any(q in cloud: norm(q) {sign} {number} m and q.intensity < 1)",
+                f"count(q in cloud: true) {sign} {number}",
                 f"rate(speed) {sign} {number} m/s^2",
                 f"{draw(filters)}(speed, {draw(durations)}) {sign} {number} m/s",
                 f"rate(low_pass(speed, {draw(durations)})) {sign} {number} m/s^2",

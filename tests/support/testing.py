@@ -15,6 +15,7 @@ input acceleration = topic /imu/data : sensor_msgs/Imu .linear_acceleration time
 input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
 input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.5 sec;
 input path = topic /plan : nav_msgs/Path .poses up to 8 timeout 1 sec;
+input cloud = topic /points : sensor_msgs/PointCloud2 .points up to 8 timeout 1 sec;
 input fix = topic /fix : sensor_msgs/NavSatFix timeout 30 sec;
 input state = topic /state : std_msgs/String timeout 1 sec;
 input ok = topic /ok : std_msgs/Bool timeout 1 sec;
