@@ -342,13 +342,17 @@ class MessageChecks:
         """S18."""
         for k, signal in enumerate(self._layout.sampled):
             if channel in self._layout.support_of_signal(signal).channels:
-                before = f"old.latest_ns[{k}] == t_ns ? old.before[{k}] : old.latest[{k}]"
+                text = self._machine.signals[signal].text
+                kept = f"old.latest_ns[{k}] == t_ns ? old.before"
                 taken = (
                     f"m->latest_ns[{k}] == t_ns && "
                     f"spec_same(m->latest[{k}], {self._definitions.number(signal)}) && "
-                    f"spec_same(m->before[{k}], {before})"
+                    f"spec_same(m->before[{k}], {kept}[{k}] : old.latest[{k}])"
                 )
-                yield claim(taken, f"the samples of `{self._machine.signals[signal].text}`")
+                yield claim(taken, f"the samples of `{text}`")
+                instant = f"m->before_ns[{k}] == ({kept}_ns[{k}] : old.latest_ns[{k}])"
+                about = f"the instant of the sample of `{text}` before"
+                yield claim(f"isnan(m->before[{k}]) || {instant}", about)
 
     def _turning_points(self, channel: int) -> Iterator[str]:
         for k in followed_on(self._layout, channel):

@@ -49,6 +49,13 @@ rule recent: if once told within 2 sec then { stop; };
 rule late: if not after told, ready within 2 sec then { stop; };
 """
 
+PREVIOUS = """\
+input turning = topic /spin : std_msgs/Float64 .data timeout 0.2 sec;
+action stop;
+rule turned: if previous(turning) > 1 then { stop; };
+"""
+"""A sample before, without a quotient: to find one that refutes something takes solvers minutes."""
+
 NO_CHANGE = ("", "")
 
 WIDE = """\
@@ -152,6 +159,15 @@ def test_a_fault_about_what_looks_back_is_refuted(
     prover: Prover, over_time: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert expected in outcomes(prover, over_time, change, part)
+
+
+def test_a_fault_about_the_instant_of_the_sample_before_is_refuted(
+    prover: Prover, tmp_path_factory: pytest.TempPathFactory
+) -> None:
+    change = ("        m->before_ns[k] = m->latest_ns[k];\n", "")
+    expected = {"the instant of the sample of `turning` before"}
+    machine = compiled(PREVIOUS, tmp_path_factory)
+    assert outcomes(prover, machine, change, "numbers_spin") == expected
 
 
 @pytest.mark.deep
