@@ -121,7 +121,7 @@ def _place(message: Message, element: int | ByName | Listed, length: int) -> int
         case int():
             return element
         case ByName(names=names):
-            return element.place(attrgetter(".".join(names))(message))
+            return element.place(attrgetter(".".join(names))(message), length)
         case Listed():
             return element.place_among(length)
 
