@@ -51,6 +51,9 @@ def lines(folder: Path) -> Iterator[str]:
     yield ""
     questions = "[what questions cost](performance-questions.md)"
     yield f"What `rossmarie check` asks beyond that: {questions}."
+    yield ""
+    operators = "[what an operator costs](performance-operators.md)"
+    yield f"A rule with each operator by itself: {operators}."
 
 
 def _median(program: str, *arguments: str) -> float:

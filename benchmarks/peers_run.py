@@ -64,16 +64,25 @@ def rtamt(workload: Workload) -> Measured:
 
 def rtlola(workload: Workload) -> Measured:
     """The interpreter, in process."""
-    specification = _lola_specification(workload.bench, workload.copies)
+    rules = lola_rules(workload.copies)
+    specification = _lola_specification(workload.bench, f"{3 * workload.copies}", rules)
     program = workload.bench / "cargo" / "release" / "rtlola"
     return _measure([program, workload.trace, specification, workload.samples, workload.rounds])
 
 
 def rtlola_in_rust(workload: Workload) -> Measured:
     """The same specification, compiled to Rust and then to a program."""
-    program, seconds = _compiled_rtlola(workload.bench, workload.copies)
+    copies = workload.copies
+    rules = tuple((rule, f"r{rule + 1}_{copy}") for copy in range(copies) for rule in range(3))
+    program, seconds = _compiled_rtlola(workload.bench, f"{3 * copies}", lola_rules(copies), rules)
     measured = _measure([program, workload.trace, workload.samples, workload.rounds])
     return replace(measured, note=f"compiled in {seconds:,.0f} s")
+
+
+def rtlola_operator(workload: Workload, name: str, specification: str) -> Measured:
+    """A specification of a single rule, the output `r1_0`, compiled to Rust."""
+    program, _ = _compiled_rtlola(workload.bench, name, specification, ((0, "r1_0"),))
+    return _measure([program, workload.trace, workload.samples, workload.rounds])
 
 
 def r2u2(workload: Workload) -> Measured:
@@ -95,15 +104,18 @@ def r2u2(workload: Workload) -> Measured:
 
 
 @cache
-def _compiled_rtlola(bench: Path, copies: int) -> tuple[Path, float]:
-    """The program, and the seconds that both compilers took."""
-    folder = bench / f"rtlola_in_rust_{3 * copies}"
+def _compiled_rtlola(
+    bench: Path, name: str, text: str, rules: tuple[tuple[int, str], ...]
+) -> tuple[Path, float]:
+    """The program, and the seconds that both compilers took. `rules` are the outputs, each with the
+    number of the rule that it counts for.
+    """
+    folder = bench / f"rtlola_in_rust_{name}"
     folder.mkdir(exist_ok=True)
-    specification = _lola_specification(bench, copies)
-    rules = [(rule, f"r{rule + 1}_{copy}") for copy in range(copies) for rule in range(3)]
+    specification = _lola_specification(bench, name, text)
     counts = (f"    counts[{rule}] += (v.{name} == Some(true)) as u64;" for rule, name in rules)
-    text = "\n".join(["fn count(v: &Verdict, counts: &mut [u64; 3]) {", *counts, "}", ""])
-    (folder / "count.rs").write_text(text, encoding="utf-8")
+    counting = ["fn count(v: &Verdict, counts: &mut [u64; 3]) {", *counts, "}", ""]
+    (folder / "count.rs").write_text("\n".join(counting), encoding="utf-8")
     shutil.copy(HERE / "peers" / "rust" / "compiled.rs", folder)
     release = bench / "cargo" / "release"
     start = time.monotonic()
@@ -125,9 +137,9 @@ def _compiled_rtlola(bench: Path, copies: int) -> tuple[Path, float]:
     return program, time.monotonic() - start
 
 
-def _lola_specification(bench: Path, copies: int) -> Path:
-    specification = bench / f"rules_{3 * copies}.lola"
-    specification.write_text(lola_rules(copies), encoding="utf-8")
+def _lola_specification(bench: Path, name: str, text: str) -> Path:
+    specification = bench / f"rules_{name}.lola"
+    specification.write_text(text, encoding="utf-8")
     return specification
 
 

@@ -202,13 +202,18 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
                 value = getattr(value, normalize_fieldname(part))
                 continue
             assert isinstance(part, int | Named), "a single element has a place or a name"
-            place = part if isinstance(part, int) else find(part, _names(message, part), len(value))
+            place = _place(message, part, find, len(value))
             if place is None or place >= len(value):
                 return None
             value = value[place]
         return value
 
     return read
+
+
+def _place(message: Message, element: int | Named, find: Find, length: int) -> int | None:
+    """The place of an element in an array of a length."""
+    return element if isinstance(element, int) else find(element, _names(message, element), length)
 
 
 def _names(message: Message, element: Named) -> Sequence[str]:

@@ -67,3 +67,8 @@ def test_s7_a_name_that_is_missing_or_there_twice_has_no_place(
     names: list[str], place: int | None
 ) -> None:
     assert ELBOW.place(names, len(names)) == place
+
+
+@pytest.mark.parametrize("length", [0, 1, 3])
+def test_s7_a_name_has_no_place_where_names_and_elements_are_not_as_many(length: int) -> None:
+    assert ELBOW.place(["wrist", "elbow"], length) is None

@@ -1,0 +1,294 @@
+"""Measure each operator that looks at the past or at a list, in a rule of its own, and write the
+table as a page.
+"""
+
+from __future__ import annotations
+
+import statistics
+import tempfile
+import time
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from datetime import datetime, timezone
+from pathlib import Path
+from typing import Any
+
+import cffi
+import numpy as np
+from generated import Generated, from_python_steps, python_steps
+from in_process import Round, compile_shared
+from machine import processor
+from peers_run import NotMeasuredError, Workload, rtlola_operator
+from workload import REALS, Columns, typical_trace, worst_trace, write_trace
+from written_page import written_page
+
+from rossmarie.driver import compile_file
+from rossmarie.ir import Machine
+from rossmarie.targets.c99 import generate
+
+BENCH = Path(__file__).parents[1] / "build" / "bench"
+SAMPLES = 50_000
+OF_PYTHON = 5_000
+ROUNDS = 5
+ELEMENTS = 16
+
+
+@dataclass(frozen=True)
+class Operator:
+    """An operator, in a condition of ours, and in lines of RTLola of which the last is the rule.
+    `code` is a name for files.
+    """
+
+    code: str
+    condition: str
+    lola: tuple[str, ...]
+
+
+OPERATORS = (
+    Operator("comparison", "speed > 0.5", ("speed > 0.5",)),
+    Operator(
+        "for",
+        "speed > 0.5 for 2 sec",
+        (
+            "output n: UInt64 := if speed > 0.5 then n.offset(by: -1).defaults(to: 0) + 1 else 0",
+            "n > 200",
+        ),
+    ),
+    Operator(
+        "since",
+        "speed > 0.5 since contact",
+        ("contact || (speed > 0.5 && r1_0.offset(by: -1).defaults(to: false))",),
+    ),
+    Operator(
+        "once",
+        "once speed > 0.9 within 2 sec",
+        (
+            "output n: UInt64 := if speed > 0.9 then 0 "
+            "else n.offset(by: -1).defaults(to: 1000000) + 1",
+            "n < 200",
+        ),
+    ),
+    Operator(
+        "after",
+        "not (after contact, speed < 0.5 within 1 sec)",
+        (
+            "output p: UInt64 := if speed < 0.5 then 0 "
+            "else if contact || p.offset(by: -1).defaults(to: 0) > 0 "
+            "then p.offset(by: -1).defaults(to: 0) + 1 else 0",
+            "p > 100",
+        ),
+    ),
+    Operator(
+        "edges",
+        "count(edges of speed > 0.5 within 2 sec) > 3",
+        (
+            "output up := speed > 0.5",
+            "output e: UInt64 := if up && !up.offset(by: -1).defaults(to: false) then 1 else 0",
+            "e.aggregate(over_discrete: 200, using: sum) > 3",
+        ),
+    ),
+    Operator(
+        "changed",
+        "changed(contact)",
+        ("contact != contact.offset(by: -1).defaults(to: contact)",),
+    ),
+    Operator(
+        "mean",
+        "mean(speed, 0.5 sec) > 0.5",
+        ("speed.aggregate(over_discrete: 50, using: avg).defaults(to: 0.0) > 0.5",),
+    ),
+    Operator(
+        "median",
+        "median(speed, 0.5 sec) > 0.5",
+        ("speed.aggregate(over_discrete: 50, using: median).defaults(to: 0.0) > 0.5",),
+    ),
+    Operator(
+        "low_pass",
+        "low_pass(speed, 0.2 sec) > 0.5",
+        (
+            "output y: Float64 := y.offset(by: -1).defaults(to: speed) + "
+            "0.01 / 0.21 * (speed - y.offset(by: -1).defaults(to: speed))",
+            "y > 0.5",
+        ),
+    ),
+)
+
+OF_A_LIST = "any(p in path: p.pose.position.x > 0.5 m)"
+
+
+def specification(operator: Operator) -> str:
+    """The rule in RTLola."""
+    *streams, rule = operator.lola
+    inputs = [f"input {name}: Float64" for name in REALS] + ["input contact: Bool"]
+    return "\n".join([*inputs, *streams, f"output r1_0: Bool := {rule}", ""])
+
+
+def machine(folder: Path, code: str, text: str) -> Machine:
+    """A rule on a condition, compiled."""
+    rules = folder / f"of_{code}.ross"
+    rules.write_text(text, encoding="utf-8")
+    return compile_file(rules, message_folders=[Path(__file__).parent / "msg"]).machine
+
+
+def of_samples(operator: Operator) -> str:
+    """A rule on the numbers of the workload."""
+    used = [name for name in (*REALS, "contact") if name in operator.condition]
+    inputs = [f"input {name} = topic /reading : bench_msgs/Sample .{name};" for name in used]
+    rule = f"rule r: if {operator.condition} then {{ react; }};"
+    return "\n".join(["action react;", *inputs, rule, ""])
+
+
+# --- a list ----------------------------------------------------------------------------------
+
+LIST_RULES = f"""
+action react;
+input path = topic /plan : nav_msgs/Path .poses up to {ELEMENTS};
+rule r: if {OF_A_LIST} then {{ react; }};
+"""
+LIST_HARNESS = f"""
+#include <stdlib.h>
+#include "of_list_monitor.h"
+
+void lists(size_t n, const int64_t *t, const double *x)
+{{
+    static of_list_monitor m;
+    if (of_list_init(&m, NULL, NULL))
+        abort();
+    for (size_t i = 0; i < n; i++)
+        of_list_update_plan(&m, t[i], x + {ELEMENTS} * i, {ELEMENTS});
+}}
+"""
+
+
+def over_lists(folder: Path, columns: Columns) -> Round:
+    """The generated update with a list of as many elements as it may have: the last samples."""
+    compiled = machine(folder, "list", LIST_RULES)
+    for file, text in generate(compiled).items():
+        path = folder / file
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    (folder / "of_list_steps.c").write_text(LIST_HARNESS, encoding="utf-8")
+    output = folder / "of_list.so"
+    sources = [folder / "of_list_steps.c", folder / "of_list_monitor.c"]
+    compile_shared(sources, output, ["-O2"])
+    ffi = cffi.FFI()
+    ffi.cdef("void lists(size_t, int64_t *, double *);")
+    library: Any = ffi.dlopen(str(output))
+    speed = columns["speed"]
+    elements = np.stack([np.roll(speed, shift) for shift in range(ELEMENTS)], axis=1).copy()
+    times, numbers = (ffi.from_buffer(kind, values) for kind, values in (
+        ("int64_t[]", columns["t_ns"]), ("double[]", elements.reshape(-1))
+    ))  # fmt: skip
+
+    def run() -> tuple[float, list[int]]:
+        start = time.process_time()
+        library.lists(len(speed), times, numbers)
+        return time.process_time() - start, []
+
+    return run
+
+
+# --- the page --------------------------------------------------------------------------------
+
+
+def first(columns: Columns, samples: int) -> Columns:
+    """The first samples of a trace."""
+    return {name: column[:samples].copy() for name, column in columns.items()}
+
+
+def nanoseconds(rounds: Mapping[str, tuple[Round, int]]) -> dict[str, float]:
+    """The median of each contender, in turn."""
+    took: dict[str, list[float]] = {name: [] for name in rounds}
+    for _ in range(ROUNDS):
+        for name, (run, samples) in rounds.items():
+            took[name].append(run()[0] / samples * 1e9)
+    return {name: statistics.median(found) for name, found in took.items()}
+
+
+def of_rtlola(operator: Operator, trace: Path, counted: int) -> str:
+    """What RTLola compiled to Rust takes, and whether it counts the same; or why it is left out."""
+    workload = Workload(BENCH, trace, SAMPLES, 1, 3)
+    try:
+        measured = rtlola_operator(workload, f"of_{operator.code}", specification(operator))
+    except NotMeasuredError as error:
+        return f"left out: {error}"
+    off = measured.counts[0] - counted
+    return f"{measured.nanoseconds:.1f}" + (f" ({off:+} samples)" if off else "")
+
+
+def rows(folder: Path) -> Iterator[str]:
+    """A row for each operator."""
+    typical, worst = (first(trace, SAMPLES) for trace in (typical_trace(), worst_trace()))
+    write_trace(folder / "trace", typical)
+    yardstick: float | None = None
+    for operator in OPERATORS:
+        compiled = machine(folder, operator.code, of_samples(operator))
+        built = Generated(compiled, folder, ["-O2"])
+        short = first(typical, OF_PYTHON)
+        calm = built.over_columns(typical)
+        found = nanoseconds(
+            {
+                "typical": (calm, SAMPLES),
+                "worst": (built.over_columns(worst), SAMPLES),
+                "python": (from_python_steps(compiled, short), OF_PYTHON),
+                "without": (python_steps(compiled, short), OF_PYTHON),
+            }
+        )
+        yardstick = yardstick or found["typical"]
+        peer = of_rtlola(operator, folder / "trace", calm()[1][0])
+        yield (
+            f"| `{operator.condition}` | {found['typical']:.1f} "
+            f"| {found['typical'] / yardstick:.1f} | {found['worst']:.1f} "
+            f"| {found['python']:.0f} | {found['without']:.0f} | {peer} |"
+        )
+    lists = {
+        name: (over_lists(folder, columns), SAMPLES)
+        for name, columns in (("typical", typical), ("worst", worst))
+    }
+    found = nanoseconds(lists)
+    assert yardstick is not None, "operators come first"
+    yield (
+        f"| `{OF_A_LIST}` of {ELEMENTS} | {found['typical']:.1f} "
+        f"| {found['typical'] / yardstick:.1f} | {found['worst']:.1f} | | | has no lists |"
+    )
+
+
+def page() -> str:
+    """The table, and how it came about."""
+    BENCH.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        found = list(rows(Path(folder)))
+    day = datetime.now(timezone.utc).date()
+    return "\n".join(
+        [
+            "# What an operator costs",
+            "",
+            "Written by `benchmarks/operators.py`; do not edit. Each condition is the only one of",
+            "a rule, on inputs without a timeout. CPU time of the process, everything in one run",
+            f"on one machine, contenders in turn, medians of {ROUNDS} rounds over",
+            f"{SAMPLES:,} samples at 100 Hz (from Python {OF_PYTHON:,}),",
+            f"on {processor()}, {day}. Absolute figures are those of this machine;",
+            "ratios carry over. The traces are those of [the benchmark of rules](performance.md):",
+            "in the worst one, every comparison changes with every sample. A list has all its",
+            "elements in each message.",
+            "",
+            "RTLola, compiled to Rust, gets a specification that says the same by counting",
+            "samples, or by a window of so many samples: at a steady rate that is the same. Where",
+            "it counts another number of active samples, the difference is given.",
+            "",
+            "| condition | C99: ns a sample | to a comparison | worst: ns a sample "
+            "| from Python, one call a sample | without a C compiler | RTLola in Rust |",
+            "|---|---|---|---|---|---|---|",
+            *found,
+            "",
+        ]
+    )
+
+
+def main() -> None:
+    """Measure, and write the page."""
+    written_page(__doc__).write_text(page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
