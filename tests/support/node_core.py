@@ -156,7 +156,7 @@ class NodeCore:
 
     def passed(self, at_ns: int, wiring: ir.Wiring, action: Floats) -> Floats:
         """An action whose numbers are fields of commands, as it passes the filters."""
-        executed = action.copy()
+        executed: Floats = action.copy()
         for index, command in enumerate(self._machine.reactions.commands):
             parts = [each for each in wiring.commands if each.command == index]
             numbers = [0.0] * len(command.fields)

@@ -70,7 +70,7 @@ def _with_margins(draw: st.DrawFn, machine: ir.Machine) -> ir.Machine:
     ]
     rules = []
     for rule in machine.rules:
-        if numbers and draw(st.booleans()):
+        if draw(st.booleans()) and numbers:
             margin = ir.Margin(draw(st.sampled_from(numbers)), "mm", 1000.0)
             rule = replace(rule, feedback=ir.Feedback(margin=margin))
         rules.append(rule)

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 
 from rossmarie.ir import model as ir
 from rossmarie.ir.duration_text import duration_text
+from rossmarie.ir.feedback import NO_FEEDBACK
 from rossmarie.ir.path import Path, path_text
 from rossmarie.ir.reactions_text import reaction_sections
 
@@ -162,7 +163,7 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     yield f"  terms {_names('t', rule.terms)}; signals {_names('s', rule.signals)}"
     if rule.categories:
         yield f"  categories {', '.join(each.value for each in rule.categories)}"
-    if rule.feedback != ir.Feedback():
+    if rule.feedback != NO_FEEDBACK:
         once, lasting = rule.feedback.per_activation, rule.feedback.per_second
         margin = rule.feedback.margin
         told = "" if margin is None else f", margin s{margin.signal}{_in_unit(margin.unit)}"

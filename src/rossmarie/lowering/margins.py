@@ -63,8 +63,8 @@ class Margins:
         shown = self._shown(truth, negated)
         below = [self._known[key] for key in self._operands(truth, negated)]
         match self._nodes.truths[truth].node:
-            case ir.Compare() as compared:
-                return self._of_comparison(compared, negated, shown)
+            case ir.Compare() as comparison:
+                return self._of_comparison(comparison, negated, shown)
             case ir.Between(signal=signal, low=low, high=high):
                 if negated:
                     inside = self._gap(signal, low, shown), self._gap(high, signal, shown)

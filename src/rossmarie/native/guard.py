@@ -123,7 +123,7 @@ class NativeGuard:
         count = len(ir.margins_of(self._machine))
         room = self.library.new("double[]", count + 1)
         self.library.function("guards_margins")(self.host, 1, room)
-        return tuple(room[:count])
+        return tuple(room[0:count])
 
     def open(self) -> None:
         """Commands may pass (R12)."""

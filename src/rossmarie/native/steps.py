@@ -147,12 +147,12 @@ def _publications(wiring: Wiring) -> list[tuple[int, ...]]:
 
 def plain_step(library: Library, host: Pointer, table: WiringTable, note: NoteCall) -> StepCall:
     """A step without the headers of Python."""
-    wiring = table.pointer
     call = library.function("guard_step")
 
     def step(
         at_ns: int, observation: NDArray[Any] | None, action: NDArray[Any] | None
     ) -> bytes | None:
+        wiring = table.pointer  # the table keeps its memory alive
         if not (fits(observation, wiring.observed) and fits(action, wiring.acted)):
             return None
         require_instant(as_index(at_ns))

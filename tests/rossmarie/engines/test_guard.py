@@ -189,6 +189,10 @@ def test_rules_that_do_nothing_need_no_reactor(kind: str) -> None:
     assert guard.next_wake() == SECOND
 
 
+def verdicts(guard: GuardEngine) -> list[ir.Verdict]:
+    return [event for event in guard.take().events if isinstance(event, ir.Verdict)]
+
+
 ARRAYS = """
 action slow { limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.1, 0.1] m/s; }; }
 input scan = topic /scan : sensor_msgs/LaserScan timeout 1 sec;
@@ -209,10 +213,10 @@ def test_a_message_is_watched_in_one_call(kind: str) -> None:
     assert watch(1, 9.0, wide) == 1 + SECOND, "no rule has changed"
     assert watch(2, 9.0, narrow) is None
     assert guard.active == (True, False)
-    assert [event.at_ns for event in guard.take().events] == [2]
+    assert [event.at_ns for event in verdicts(guard)] == [2]
     assert watch(3, 9.0, np.zeros(0)) is None
     assert guard.active == (True, True), "of no elements nothing is known"
-    assert [event.at_ns for event in guard.take().events] == [3]
+    assert [event.at_ns for event in verdicts(guard)] == [3]
     with pytest.raises(ValueError, match="out of range"):
         watch(LATEST_NS, 9.0, wide)
     for wrong in ((9.0,), (9.0, wide, wide), ("x", wide)):
@@ -229,3 +233,25 @@ def test_only_arrays_of_floats_are_watched() -> None:
         with pytest.raises((TypeError, ValueError, BufferError)):
             watch(1, 9.0, wrong)
     assert watch(1, 9.0, np.array([2.0])) == 1 + SECOND
+
+
+@pytest.mark.parametrize("kind", ENGINES)
+def test_margins_follow_messages_that_change_no_rule(kind: str) -> None:
+    text = """
+    input x = topic /x : std_msgs/Float64 .data in m;
+    input y = topic /y : std_msgs/Float64 .data in m;
+    rule near: if x < 1 m or y - 1 m < 1 m then { } feedback margin in m;
+    """
+    machine = machine_of(text)
+    if kind == "native":
+        guard: GuardEngine = load_native_guard(machine, generate_guard(machine))
+    else:
+        guard = PythonGuard(machine, source(machine))
+    watches = [guard.watch_call(channel) for channel in range(2)]
+    assert np.isnan(guard.margins[0])
+    for at_ns, (channel, value, wanted) in enumerate(
+        [(0, 5.0, np.nan), (1, 9.0, 4.0), (0, 3.0, 2.0), (1, 3.5, 1.5), (0, 2.25, 1.25)]
+    ):
+        watches[channel](at_ns, value)
+        np.testing.assert_array_equal(guard.margins, [wanted])
+    assert guard.active == (False,)

@@ -10,8 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from rossmarie.engines import start_guard
 from rossmarie.guard import Decision, Guard, MappingError
 from rossmarie.ir import OrderKind, reactions
+from rossmarie.native import monitor as native_monitor
 from support.c_compiler import needs_c
 from support.drafts import SECOND
 from support.policy_rules import guard_of
@@ -369,3 +371,23 @@ def test_a_margin_is_unknown_where_a_number_is(make: Make) -> None:
     assert np.isnan(step(guard, 1, (0.0, 0.0, np.nan, 0.3)).margin[1])
     guard.observe(2, np.array(CALM))
     assert not np.isnan(guard.margin).any()
+
+
+@needs_c
+def test_without_the_headers_of_python_everything_is_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    quick = guard_of("native", tmp_path)
+    monkeypatch.setattr(native_monitor, "_HEADERS", Path("/nowhere"))
+    plain = guard_of("native", tmp_path)
+    for at_ns, seen in enumerate((CALM, FAST, NEAR, FAR, HELD, CALM)):
+        wanted, found = step(quick, at_ns, seen), step(plain, at_ns, seen)
+        assert found.action.tobytes() == wanted.action.tobytes()
+        assert found.margin.tobytes() == wanted.margin.tobytes()
+        assert (found.active, found.why()) == (wanted.active, wanted.why())
+    scan = plain.machine.inputs[[each.name for each in plain.machine.inputs].index("scan")].channel
+    engines = [start_guard(plain.machine).engine, quick._engine.fresh()]
+    for at_ns, ranges in enumerate(([2.0, 3.0], [0.25, 3.0], [2.0])):
+        plainly, quickly = (each.watch_call(scan)(at_ns, np.array(ranges)) for each in engines)
+        assert plainly == quickly
+        assert engines[0].take() == engines[1].take()

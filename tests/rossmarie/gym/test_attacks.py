@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+import time
 from concurrent.futures import ThreadPoolExecutor
 from copy import copy, deepcopy
 from functools import partial
@@ -116,13 +117,44 @@ def test_threads_wait_for_each_other(kind: str, tmp_path: Path) -> None:
         assert all(pool.map(work, range(4)))
 
 
-@needs_c
-def test_threads_of_a_row_wait_for_each_other(tmp_path: Path) -> None:
-    batch = guard_of("native", tmp_path).batch(500)
-    seen, wanted = np.tile(FAST, (500, 1)), np.tile(WANTED, (500, 1))
+class Watched:
+    """A row of guards that only one thread may be in."""
 
-    def work(_: int) -> bool:
-        return all((batch.step(0, seen, wanted).actions[:, 0] == 0.2).all() for _ in range(20))
+    def __init__(self, row: Any) -> None:
+        self._row = row
+        self._inside = 0
+
+    def __getattr__(self, name: str) -> Any:
+        call = getattr(self._row, name)
+
+        def alone(*given: Any) -> Any:
+            self._inside += 1
+            assert self._inside == 1
+            time.sleep(0.001)
+            found = call(*given)
+            self._inside -= 1
+            return found
+
+        return alone
+
+
+@needs_c
+def test_threads_of_a_row_wait_for_each_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    batch = guard_of("native", tmp_path).batch(3)
+    seen, wanted = np.tile(FAST, (3, 1)), np.tile(WANTED, (3, 1))
+    batch.step(0, seen, wanted)
+    monkeypatch.setattr(batch, "_row", Watched(batch._row))
+
+    def work(number: int) -> bool:
+        for _ in range(10):
+            if number % 2:
+                batch.allows(wanted)
+                assert batch.margin.shape == (3, 2)
+            elif (batch.step(0, seen, wanted).actions[:, 0] != 0.2).any():
+                return False
+        return True
 
     with ThreadPoolExecutor(4) as pool:
         assert all(pool.map(work, range(4)))
@@ -244,7 +276,7 @@ def test_actions_that_are_not_numbers_become_zero_in_their_row_only(
     batch = guard_of(kind, tmp_path).batch(3)
     wanted = np.array([[0.5, 0.1], [np.nan, 0.1], [np.inf, np.nan]], np.float32)
     found = batch.step(0, np.tile(CALM, (3, 1)), wanted)
-    np.testing.assert_array_equal(found.actions, np.float32([[0.5, 0.1], [0, 0], [0, 0]]))
+    np.testing.assert_array_equal(found.actions, np.array([[0.5, 0.1], [0, 0], [0, 0]], np.float32))
     assert found.changed.tolist() == [False, True, True]
     assert batch.allows(wanted).tolist() == [[True, False, False]] * 3
 

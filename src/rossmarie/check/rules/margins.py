@@ -168,8 +168,10 @@ def _fits(compared: Sequence[Operand], unit: Unit, margin: ast.Margin, context: 
         if _unit(other).dimension != _unit(first).dimension:
             finding = MarginUnit(one=_words(_unit(other)), other=_words(_unit(first)))
             help = finding.Apart()
-            labels = (finding.First(one=_words(_unit(first))).at(first.node.span),)
-            labels += (finding.Asked().at(margin.span),)
+            labels = (
+                finding.First(one=_words(_unit(first))).at(first.node.span),
+                finding.Asked().at(margin.span),
+            )
             context.collector.add(finding.at(other.node.span, *labels, help=help))
             return False
     wanted = _unit(first)
