@@ -18,7 +18,7 @@ _SLOW_MACHINE = (HealthCheck.too_slow,)
 
 settings.register_profile(
     "usual",
-    max_examples=15,
+    max_examples=10,
     deadline=None,
     derandomize="CI" in os.environ,
     print_blob=True,

@@ -14,9 +14,11 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
+from random import Random
 
 from rosbags import rosbag1
 from rosbags.rosbag2 import CompressionMode, StoragePlugin
+from rosbags.typesys.store import Typestore
 
 import ezskiros.catalog
 import rossmarie.catalog
@@ -31,12 +33,23 @@ from ezskiros.migrate.files import migrate_paths
 from ezskiros.ontology import Ontology, load
 from fuzz.engine import trying
 from rossmarie.driver import check_file
-from rossmarie.ir import Array
+from rossmarie.ir import EACH, POINTS, Array, List
 from rossmarie.lowering import lower
 from rossmarie.recordings import RecordingError, open_recording
 from rossmarie.recordings.system_model import write_model
+from support.clouds import MOST, READ, message, random_cloud
 from support.ontologies import HALL
-from support.recordings import ROS1, ROS2, machine, readings, slot, write_ros1, write_ros2
+from support.recordings import (
+    ROS1,
+    ROS2,
+    START_NS,
+    Reading,
+    machine,
+    readings,
+    slot,
+    write_ros1,
+    write_ros2,
+)
 
 ENGINE = "engine"
 ROOT = Path(__file__).parents[2]
@@ -104,11 +117,28 @@ def _check_rules(content: bytes, folder: Path) -> None:
 
 
 SCANNED = machine(
-    [("/battery", "std_msgs/Float32"), ("/scan", "sensor_msgs/LaserScan")],
-    [("battery", 0), ("scan", 1)],
+    [
+        ("/battery", "std_msgs/Float32"),
+        ("/scan", "sensor_msgs/LaserScan"),
+        ("/points", "sensor_msgs/PointCloud2"),
+    ],
+    [("battery", 0), ("scan", 1), ("mode", 2)],
     [slot(0, "data"), slot(1, "angle_min")],
-    [Array(1, ("ranges",), 1.0, 0.0, "")],
+    [
+        Array(1, ("ranges",), 1.0, 0.0, ""),
+        *(Array(2, (POINTS, EACH, name), 1.0, 0.0, "", list=0) for name in READ),
+    ],
+    lists=[List(2, (POINTS,), MOST)],
 )
+
+
+def _sent(ros: Typestore) -> list[Reading]:
+    """Numbers, scans, and clouds of several layouts."""
+    name = "sensor_msgs/msg/PointCloud2"
+    clouds = [random_cloud(Random(seed)).cloud for seed in range(4)]
+    sent = [message(ros, index, each) for index, each in enumerate(clouds)]
+    found = [("/points", START_NS + index, name, each) for index, each in enumerate(sent)]
+    return [*readings(ros), *found]
 
 
 _BAG_COMPRESSIONS = tuple(rosbag1.Writer.CompressionFormat)
@@ -118,14 +148,14 @@ def _bags() -> list[bytes]:
     with tempfile.TemporaryDirectory() as folder:
         paths = {Path(folder) / f"{kind}.bag": kind for kind in (None, *_BAG_COMPRESSIONS)}
         for path, kind in paths.items():
-            write_ros1(path, readings(ROS1), compression=kind)
+            write_ros1(path, _sent(ROS1), compression=kind)
         return [path.read_bytes() for path in paths]
 
 
 def _ros2(plugin: StoragePlugin, *modes: CompressionMode) -> list[bytes]:
     with tempfile.TemporaryDirectory() as folder:
         written = [
-            write_ros2(Path(folder) / mode.name, readings(ROS2), plugin, mode) for mode in modes
+            write_ros2(Path(folder) / mode.name, _sent(ROS2), plugin, mode) for mode in modes
         ]
         files = [path for each in written for path in each.iterdir() if path.suffix != ".yaml"]
         return [path.read_bytes() for path in files]

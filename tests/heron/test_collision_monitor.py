@@ -164,6 +164,7 @@ def test_a_range_scan_tells_nothing_of_bumps_and_torque() -> None:
     assert found.interventions == 0
 
 
+@pytest.mark.deep
 def test_on_level_ground_it_is_slow_without_need() -> None:
     found = drive(Arm.COLLISION_MONITOR, Terrain.FLAT).measures
     assert found.is_completed

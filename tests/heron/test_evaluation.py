@@ -253,9 +253,14 @@ def test_the_page_in_the_documentation_is_made_of_the_rows_beside_it() -> None:
     "key",
     [
         "place/high/rossmarie/1",
-        "nav/gentle/none/1",
-        "human/inside/collision_monitor/1",
-        *deep(["nav/gentle/collision_monitor/1", "human/inside/deros/1"]),
+        *deep(
+            [
+                "human/inside/collision_monitor/1",
+                "human/inside/deros/1",
+                "nav/gentle/collision_monitor/1",
+                "nav/gentle/none/1",
+            ]
+        ),
     ],
 )
 def test_an_episode_that_is_run_again_is_the_one_in_the_documentation(key: str) -> None:

@@ -117,6 +117,7 @@ def test_close_is_as_near_as_the_rules_say(beyond: float, is_close: bool) -> Non
     assert "slow_when_entered" in guard.active
 
 
+@pytest.mark.deep
 def test_it_reacts_as_soon_as_a_scan_shows_it() -> None:
     for arm in (Arm.DEROS, Arm.ROSSMARIE):
         found = episode(arm, Person.INSIDE).measures.reactions

@@ -85,6 +85,7 @@ def test_on_level_ground_nothing_is_restricted() -> None:
     assert found.measures.time_restricted == 0.0
 
 
+@pytest.mark.deep
 def test_the_first_axle_hits_the_bump_and_the_others_are_spared() -> None:
     without = episode(Arm.NONE, Terrain.GENTLE).measures.peaks
     guarded = episode(Arm.ROSSMARIE, Terrain.GENTLE).measures.peaks
@@ -116,6 +117,7 @@ def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
     assert found.duration > recovered.duration + 60
 
 
+@pytest.mark.deep
 def test_from_a_steep_ramp_it_backs_off_and_takes_the_other_way() -> None:
     found = episode(Arm.ROSSMARIE, Terrain.STEEP)
     assert found.measures.is_completed

@@ -68,6 +68,7 @@ def test_the_second_attempt_is_gentle_because_the_arm_is_soft() -> None:
     assert found.trace.columns["force"][retried].max() < 0.26 * found.measures.peak_force
 
 
+@pytest.mark.deep
 def test_with_rules_that_stop_it_waits_for_its_operator() -> None:
     found = episode(Arm.DEROS, Table.HIGH).measures
     assert found.is_completed

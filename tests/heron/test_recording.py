@@ -56,6 +56,7 @@ def test_a_recording_is_replayed_with_the_verdicts_of_the_episode(tmp_path: Path
     assert replayed("human.ross", path, tmp_path / "report") == told
 
 
+@pytest.mark.deep
 def test_a_drive_is_recorded_until_the_block_is_picked_up(tmp_path: Path) -> None:
     path = tmp_path / "drive.mcap"
     recorded("nav", path)

@@ -277,8 +277,10 @@ def test_a_cache_from_elsewhere_is_not_used_and_no_reason_to_warn(
     ("harm", "reason"),
     [
         (lambda key: key.chmod(0o644), "other users can read or write the file"),
-        (lambda key: os.truncate(key, 0), "the file is no key"),
-        (lambda key: (key.rename(key.with_name("k")), key.symlink_to("k")), "a symbolic link"),
+        *deep([
+            (lambda key: os.truncate(key, 0), "the file is no key"),
+            (lambda key: (key.rename(key.with_name("k")), key.symlink_to("k")), "a symbolic link"),
+        ]),
         pytest.param(
             lambda key: os.chown(key, NOBODY, NOBODY), "another user", marks=needs(ROOT)
         ),

@@ -62,6 +62,7 @@ def asked_for(package: GuardPackage) -> str:
     return "\n".join(lines)
 
 
+@pytest.mark.deep
 def test_a_build_tells_the_dependencies_that_are_missing_and_then_makes_all_guards(
     package: GuardPackage,
 ) -> None:

@@ -23,6 +23,11 @@ def test_a_joint_is_found_wherever_it_stands(robot: Robot, start: Start) -> None
     becomes(False, [("elbow", 3)])
     becomes(True, [("wrist", 3), ("elbow", 31)])
     becomes(False, [("wrist", 90), ("elbow", 3)])
+    # Of names and torques of other numbers nobody knows which belong together.
+    robot.set(efforts=[("elbow", 31), ("wrist", None)])
+    robot.set(torques=[0, 31, 0])
+    until(lambda: "driven" in robot.state().get("active", ()), "what was sent later has arrived")
+    assert "heavy" not in robot.state()["active"]
 
 
 def test_s55_a_joint_is_found_by_its_declared_name_where_the_length_fits(

@@ -88,13 +88,13 @@ class Bench:
         ]
 
     def _see_monitor(self, files: Mapping[str, str]) -> Seen:
-        tests, traces = _outputs(files, c_replay.program(self.machine), self._given)
+        tests, traces = outputs(files, c_replay.program(self.machine), self._given)
         verdicts = [line for line in tests if not line.startswith(_BESIDE)]
         return Seen({GENERATED_TESTS: verdicts, TRACES: traces})
 
     def _see_reactor(self, files: Mapping[str, str]) -> Seen:
         given = [c_reacting.event_bytes(self._case)]
-        (lines,) = _outputs(files, c_reacting.program(self.machine), given)
+        (lines,) = outputs(files, c_reacting.program(self.machine), given)
         return Seen({TRACES: lines})
 
     # --- without damage ----------------------------------------------------------------------
@@ -123,7 +123,7 @@ _BROKEN = "crashed, or did not end"
 _BESIDE = ("step ", "known ", "jump ")
 
 
-def _outputs(files: Mapping[str, str], main: str, given: Sequence[bytes]) -> list[list[str]]:
+def outputs(files: Mapping[str, str], main: str, given: Sequence[bytes]) -> list[list[str]]:
     """What a program prints for each of its inputs."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)

@@ -44,8 +44,8 @@ _LIMITS = (
     Fault("`<` is taken for `<=`", "{0.39999999999999997, ", "{0.4, "),
     Fault(
         "a comparison is turned round below its limit",
-        "leaf_below[14] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE, TRUE,",
-        "leaf_below[14] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE, FALSE,",
+        "leaf_below[18] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE, TRUE,",
+        "leaf_below[18] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE, FALSE,",
     ),
     Fault(
         "both ends of an interval are crossed and the truth flips once",
@@ -69,8 +69,8 @@ _DURATIONS = (
     ),
     Fault(
         "a duration of another condition",
-        "INT64_C(1000000000), /* rules.ross:55",
-        "INT64_C(1100000000), /* rules.ross:55",
+        "INT64_C(1000000000), /* rules.ross:60",
+        "INT64_C(1100000000), /* rules.ross:60",
     ),
     Fault("a duration is not begun anew", "operand == TRUE ? due_ns : NEVER", "due_ns"),
     Fault(

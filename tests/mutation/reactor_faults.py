@@ -28,7 +28,9 @@ REACTOR = (
         "/* parameter /planner.speed */ 1, 0,",
         "/* parameter /planner.speed */ 0, 1,",
     ),
-    _reactor("rules begin in the wrong order", "rule_order[9] = {1, 0,", "rule_order[9] = {0, 1,"),
+    _reactor(
+        "rules begin in the wrong order", "rule_order[10] = {1, 0,", "rule_order[10] = {0, 1,"
+    ),
     _reactor("an overruled task is not given up", "            give_up(r, task);\n", ""),
     _reactor(
         "a waiting task never begins again",
@@ -108,4 +110,25 @@ REACTOR = (
         "            (void)(age",
     ),
     _reactor("the next wake forgets a task", "due_ns < wake_ns ? due_ns : wake_ns", "wake_ns"),
+    _reactor("the oldest pose comes first", "i) % memories[k]", "0) % memories[k]"),
+    _reactor("poses are recorded on the way back", "if (is_used || ", "if ("),
+    _reactor("poses that are not known are recorded", "!r->poses_known[k] || !is_new", "!is_new"),
+    _reactor(
+        "the robot is sent while nobody knows where it is",
+        "r->poses_kept[k] == 0 || !r->poses_known[k]",
+        "r->poses_kept[k] == 0",
+    ),
+    _reactor("a distance along one axis", "axis != 3", "axis != 1"),
+    _reactor("the time between poses is not kept", ">= memories[k].pose_gap_ns", ">= 0"),
+    _reactor(
+        "a full memory takes nothing more", "r->poses_kept[k]--;\n        }", "continue;\n        }"
+    ),
+    _reactor("a period is over at once", "+ retraces[i].pose_period_ns", ""),
+    _reactor(
+        "a task that starts again waits",
+        "            r->pose_sent_ns[i] = NEVER;\n}",
+        "            (void)i;\n}",
+    ),
+    _reactor("a jump back forgets when a pose was sent", "pose_set_back(r, t_ns);", ";"),
+    _reactor("poses wake nobody", "wake_ns = pose_wake(r, wake_ns);", ""),
 )

@@ -11,10 +11,12 @@ from mutation.bench import GENERATED_TESTS, TRACES, Bench
 from mutation.faults import EQUIVALENT, MONITOR, Equivalent, Fault
 from mutation.reactor_faults import REACTOR
 from support.c_compiler import needs_c
+from support.depth import deep, is_deep
 
 pytestmark = needs_c
 
 FAULTS = (*MONITOR, *REACTOR)
+IN_EACH_RUN = FAULTS[::3]
 Noticed = Mapping[Fault, frozenset[str]]
 
 
@@ -26,7 +28,8 @@ def bench() -> Bench:
 @pytest.fixture(scope="module")
 def noticed(bench: Bench) -> Iterator[Noticed]:
     with ThreadPoolExecutor(2) as pool:
-        yield dict(zip(FAULTS, pool.map(bench.noticed, FAULTS), strict=True))
+        faults = FAULTS if is_deep() else IN_EACH_RUN
+        yield dict(zip(faults, pool.map(bench.noticed, faults), strict=True))
 
 
 def test_undamaged_c_is_the_interpreter(bench: Bench) -> None:
@@ -36,7 +39,11 @@ def test_undamaged_c_is_the_interpreter(bench: Bench) -> None:
     assert found == wanted
 
 
-@pytest.mark.parametrize("fault", FAULTS, ids=lambda fault: fault.name)
+@pytest.mark.parametrize(
+    "fault",
+    [*IN_EACH_RUN, *deep(fault for fault in FAULTS if fault not in IN_EACH_RUN)],
+    ids=lambda fault: fault.name,
+)
 def test_a_fault_is_noticed(noticed: Noticed, fault: Fault) -> None:
     assert noticed[fault]
 
@@ -46,6 +53,7 @@ def test_what_changes_nothing_is_not_noticed(bench: Bench, equivalent: Equivalen
     assert not bench.noticed(equivalent.fault), equivalent.reason
 
 
+@pytest.mark.deep
 def test_the_rates_are_told(
     noticed: Noticed, record_property: Callable[[str, object], None]
 ) -> None:

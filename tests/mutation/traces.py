@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from random import Random
 
 from rossmarie import ir
@@ -15,11 +15,12 @@ from support.machines import Advance, Reset, Step, Update
 from support.reacting import Look, ReactingCase, look
 
 _TICK = 2 * 10**7
-_LIMITS = {"/imu": (0.2,), "/odom": (0.01, 0.5, 1.0), "/slope": (5.0,)}
+_LIMITS = {"/imu": (0.2,), "/odom": (0.01, 0.5, 1.0), "/slope": (5.0,), "/spot": (2.0,)}
 """What numbers of a topic are compared with, in its unit; those of arrays are below."""
 
 _ELEMENTS = (0.4, 0.6, 0.8, 1.0, 1.2)
 _ODD = (math.nan, math.nan, math.inf, -math.inf)
+_PLACES = (*map(float, range(8)), 0.3, 0.4, math.nan)
 _ORIENTATIONS = (
     *((0.0, math.sin(half), 0.0, math.cos(half)) for half in map(math.radians, (0, 4.9, 5.1, 40))),
     (
@@ -31,6 +32,9 @@ _ORIENTATIONS = (
     (0.0, 0.0, 0.0, 0.0),
     (0.0, math.nan, 0.0, 1.0),
 )
+
+
+Make = Callable[[ir.Machine, Random, int], ChannelValues]
 
 
 class _Recorder:
@@ -59,8 +63,10 @@ def scripted(machine: ir.Machine, script: Script) -> Sequence[Step]:
     return recorder.steps
 
 
-def random_trace(machine: ir.Machine, steps: int) -> list[Step]:
-    """One long trace with silence, equal instants and jumps back."""
+def random_trace(machine: ir.Machine, steps: int, make: Make | None = None) -> list[Step]:
+    """One long trace with silence, equal instants and jumps back. `make` makes a message on a
+    channel, by its index; else they are those of `rules.ross`.
+    """
     random = Random(1)
     at_ns = 0
     latest: dict[int, ChannelValues] = {}
@@ -69,7 +75,7 @@ def random_trace(machine: ir.Machine, steps: int) -> list[Step]:
         at_ns = _later(random, at_ns)
         for channel in range(len(machine.channels)):
             if channel not in latest or random.random() < 0.3:
-                latest[channel] = _message(machine, random, channel)
+                latest[channel] = (make or _message)(machine, random, channel)
         found.append(_step(machine, random, at_ns, latest))
     return found
 
@@ -179,6 +185,7 @@ def random_events(machine: ir.Machine, events: int) -> ReactingCase:
             for rule in random.sample(range(len(engaged)), random.choice((1, 1, 2, 3))):
                 engaged[rule] = not engaged[rule]
         watches = tuple(random.choice((TruthValue.TRUE, *TruthValue)) for _ in machine.watches)
-        found.append(Look(at_ns, tuple(engaged), watches, report))
+        poses = tuple(random.choice(_PLACES) for _ in machine.readings)
+        found.append(Look(at_ns, tuple(engaged), watches, report, poses))
         look(reactor, found[-1])
     return ReactingCase(machine, found, opens_before=5)

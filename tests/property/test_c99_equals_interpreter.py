@@ -95,7 +95,7 @@ def restored(machine: ir.Machine, latched: Sequence[int]) -> Interpreter:
     return interpreter
 
 
-@settings(phases=phases_of_compiled())
+@settings(phases=phases_of_compiled(), max_examples=examples(0.5))
 @given(whole_cases(), st.lists(st.integers(-1, 3), max_size=3))
 def test_same_under_sanitizers(case: Case, latched: list[int]) -> None:
     """The program says more than the loaded monitor: it restores rules, and tells of inputs and

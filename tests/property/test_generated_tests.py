@@ -13,8 +13,8 @@ from hypothesis import HealthCheck, example, given, settings
 
 from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import Outcome, run_test_file
-from support.depth import is_deep
-from support.rule_texts import rules
+from support.depth import examples, is_deep
+from support.rule_texts import NAMED, rules
 from support.testing import INPUTS
 
 _SLOW = (HealthCheck.too_slow, HealthCheck.data_too_large)
@@ -50,8 +50,8 @@ def is_failed(found: Outcome) -> bool:
     return any(ran.found for ran in found.ran)
 
 
-@settings(max_examples=8, deadline=None, suppress_health_check=_SLOW, derandomize=True)
-@given(rules())
+@settings(max_examples=examples(0.5), deadline=None, suppress_health_check=_SLOW, derandomize=True)
+@given(rules().map(NAMED.__add__))
 @example(MUTATED)
 @example(DECLARED)
 def test_generated_tests_pass_on_the_interpreter_and_in_c(text: str) -> None:

@@ -7,12 +7,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
+from rossmarie import ir
 from rossmarie.guard import Guard, GuardBatch
+from rossmarie.guard.mapping import ArrayMapping
+from rossmarie.ir import reactions
 from support.c_compiler import needs_c
 from support.depth import examples, phases_of_compiled
+from support.node_core import NodeCore
 from support.policies import PolicyCase, Step, policy_cases, run_policy
 
 pytestmark = needs_c
@@ -44,7 +48,7 @@ def test_same_decisions_in_c_and_in_python(case: PolicyCase) -> None:
         python.restart()
 
 
-@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@settings(phases=phases_of_compiled(), max_examples=examples(0.2))
 @given(policy_cases(), st.integers(0, 8))
 def test_a_guard_that_is_restored_goes_on_as_the_one_that_was_saved(
     case: PolicyCase, place: int
@@ -60,7 +64,7 @@ def test_a_guard_that_is_restored_goes_on_as_the_one_that_was_saved(
                 assert run_policy(restored, steps[place:], is_begun=place > 0) == wanted
 
 
-Found = tuple[bytes, list[list[bool]], list[bool]]
+Found = tuple[bytes, list[list[bool]], list[bool], bytes]
 
 
 def row_by_row(guards: list[Guard], steps: list[Step]) -> Found:
@@ -71,7 +75,8 @@ def row_by_row(guards: list[Guard], steps: list[Step]) -> Found:
     ]
     active = [[rule in decision.active for rule in guards[0].rules] for decision in found]
     actions = np.array([decision.action for decision in found])
-    return actions.tobytes(), active, [decision.changed for decision in found]
+    margins = np.array([decision.margin for decision in found])
+    return actions.tobytes(), active, [decision.changed for decision in found], margins.tobytes()
 
 
 def in_a_row(batch: GuardBatch, steps: list[Step]) -> Found:
@@ -81,10 +86,15 @@ def in_a_row(batch: GuardBatch, steps: list[Step]) -> Found:
         np.array([step.observation for step in steps]),
         np.array([step.action for step in steps]),
     )
-    return decided.actions.tobytes(), decided.active.tolist(), decided.changed.tolist()
+    return (
+        decided.actions.tobytes(),
+        decided.active.tolist(),
+        decided.changed.tolist(),
+        batch.margin.tobytes(),
+    )
 
 
-@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@settings(phases=phases_of_compiled(), max_examples=examples(0.2))
 @given(policy_cases(), st.lists(st.integers(0, 3), max_size=4))
 def test_guards_in_a_row_decide_as_each_by_itself(case: PolicyCase, restarts: list[int]) -> None:
     shortest = min(map(len, case.episodes))
@@ -115,10 +125,10 @@ def in_two_calls(batch: GuardBatch, steps: list[Step], which: list[bool]) -> Fou
         changed |= decided.changed
         if passing is not None:
             assert (passing.diagonal() <= ~changed).all()
-    return actions.tobytes(), active.tolist(), changed.tolist()
+    return actions.tobytes(), active.tolist(), changed.tolist(), batch.margin.tobytes()
 
 
-@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@settings(phases=phases_of_compiled(), max_examples=examples(0.2))
 @given(policy_cases(), st.lists(st.booleans(), min_size=4, max_size=4))
 def test_observations_and_actions_in_two_calls_give_the_same(
     case: PolicyCase, which: list[bool]
@@ -131,3 +141,33 @@ def test_observations_and_actions_in_two_calls_give_the_same(
                 for steps in case.episodes
             ]
             assert in_two_calls(batch, steps, which) == row_by_row(alone, steps)
+
+
+def publishes_commands(machine: ir.Machine) -> bool:
+    effects = (task.effect for task in machine.reactions.tasks)
+    return any(isinstance(each, reactions.Publish) and each.command is not None for each in effects)
+
+
+@settings(phases=phases_of_compiled(), max_examples=examples(0.3))
+@given(policy_cases())
+def test_a_generated_node_lets_pass_what_a_guard_executes(case: PolicyCase) -> None:
+    machine = ir.without_margins(case.machine)
+    assume(machine.reactions.commands and not publishes_commands(machine))
+    node, guard = NodeCore(machine), case.guard()
+    first = case.episodes[0][0]
+    mapping = ArrayMapping(machine, case.observe, case.act)
+    wiring = mapping.wiring(first.observation.size, first.action.size)
+    for steps in case.episodes:
+        node.restart()
+        guard.restart()
+        for number, step in enumerate(steps):
+            if number and step.report is not None:
+                task, success = step.report
+                guard.report(task, success=success)
+                node.report(steps[number - 1].at_ns, task, success=success)
+            action = step.action.astype(np.float64)
+            decision = guard.step(step.at_ns, step.observation, action)
+            node.take(step.at_ns, wiring, step.observation)
+            passed = node.passed(step.at_ns, wiring, action)
+            assert [rule in decision.active for rule in guard.rules] == node.active
+            np.testing.assert_array_equal(decision.action, passed)

@@ -86,6 +86,9 @@ def test_orders_fit_what_is_in_force(case: ReactingCase) -> None:
                 case OrderKind.FAILED:
                     assert scene.after[order.task] in HAS_FAILED
                     in_force.discard(order.task)
+                case OrderKind.RETRACE:
+                    assert scene.after[order.task] is State.HOLDING
+                    assert order.task in in_force
             assert (order.by is not None) == (order.kind is OrderKind.OVERRULED)
         left = {task for task, state in enumerate(scene.after) if state in IN_FORCE}
         assert left == in_force - _done(scene)

@@ -31,16 +31,13 @@ PROGRAM = """\
 static unsigned char active[NAME_RULES];
 static unsigned char exempted[NAME_RULES];
 static unsigned char watched[WATCHED_COUNT + 1];
+static double readings[READING_COUNT + 1];
 
 bool NAME_is_active(const NAME_monitor *m, int rule) { (void)m; return active[rule] != 0; }
 
 WATCH
 
-static void print_order(void *user, int task, enum NAME_order order, int by_rule)
-{
-    (void)user;
-    printf("order %d %d %d\\n", (int)order, task, by_rule);
-}
+READING
 
 static void read_into(void *to, size_t size)
 {
@@ -62,13 +59,15 @@ static void print_bits(double x)
     printf(" %" PRIx64, bits);
 }
 
+PRINT_ORDER
+
 BOUNDS
 
 int main(void)
 {
     NAME_reactor *r = (NAME_reactor *)malloc(sizeof *r);
     NAME_monitor *m = NULL;
-    if (NAME_reactor_init(r, print_order, NULL))
+    if (NAME_reactor_init(r, print_order, r))
         return EXIT_FAILURE;
     for (int64_t left = read_integer(); left > 0; left--) {
         const int64_t opens = read_integer(), t_ns = read_integer(), task = read_integer();
@@ -76,6 +75,7 @@ int main(void)
         read_into(active, sizeof active);
         read_into(exempted, sizeof exempted);
         read_into(watched, WATCHED_COUNT);
+        read_into(readings, READING_COUNT * sizeof *readings);
         if (opens)
             NAME_reactor_open(r);
         /* Out of range: nothing happens. */
@@ -104,6 +104,33 @@ enum NAME_truth NAME_watch(const NAME_monitor *m, int watch)
     (void)m;
     return (enum NAME_truth)watched[watch];
 }
+"""
+
+_READING = """\
+double NAME_reading(const NAME_monitor *m, int reading)
+{
+    (void)m;
+    return readings[reading];
+}
+"""
+
+_ORDER = """\
+static void print_order(void *user, int task, enum NAME_order order, int by_rule)
+{
+    (void)user;
+    printf("order %d %d %d", (int)order, task, by_rule);
+    POSE
+    printf("\\n");
+}
+"""
+
+_POSE = """\
+if (order == NAME_RETRACE) {
+        double pose[7];
+        const int numbers = NAME_retraced((const NAME_reactor *)user, task, pose);
+        for (int i = 0; i < numbers; i++)
+            print_bits(pose[i]);
+    }
 """
 
 _BOUNDS = """\
@@ -138,6 +165,10 @@ def program(machine: ir.Machine) -> str:
     most = max((len(command.fields) for command in found.commands), default=0)
     bounds = _BOUNDS.replace("MOST_FIELDS", str(most)).replace("FIELDS", fields)
     text = text.replace("BOUNDS", bounds if found.commands else "")
+    pose = _POSE.strip() if found.memories else ""
+    text = text.replace("PRINT_ORDER", _ORDER.replace("POSE", pose))
+    text = text.replace("READING_COUNT", str(len(machine.readings)))
+    text = text.replace("READING", _READING if found.memories else "", 1)
     text = text.replace("WATCHED_COUNT", str(len(machine.watches)))
     text = text.replace("WATCH", _WATCH if machine.watches else "", 1)
     return text.replace("NAME", machine.name)
@@ -155,6 +186,7 @@ def event_bytes(case: ReactingCase) -> bytes:
         parts.append(bytes(one or other for one, other in pairs))
         parts.append(bytes(is_exempted))
         parts.append(bytes(event.watches))
+        parts.append(struct.pack(f"<{len(event.readings)}d", *event.readings))
     return b"".join(parts)
 
 
@@ -175,10 +207,11 @@ def wanted(case: ReactingCase) -> list[str]:
 
 
 def _order(order: ir.Order) -> str:
-    return f"order {_KINDS.index(order.kind)} {order.task} {-1 if order.by is None else order.by}"
+    words = f"order {_KINDS.index(order.kind)} {order.task} {-1 if order.by is None else order.by}"
+    return _bits(words, order.pose)
 
 
-_KINDS = (OrderKind.START, OrderKind.STOP, OrderKind.OVERRULED, OrderKind.FAILED)
+_KINDS = tuple(OrderKind)
 
 
 def _bounds(found: ir.Reactions, reactor: Reactor, at_ns: int) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,8 @@ system cell {
 input wall = topic /range : sensor_msgs/Range .range timeout 0.5 sec;
 action creep { limit /cart/speed { linear.x in [-0.3, 0.05] m/s; }; }
 action stop { block /cart/speed; } latched until reset;
-rule close: if wall < 0.6 m then { creep; } feedback 1 per activation, 5 per sec;
+rule close: if wall < 0.6 m then { creep; } feedback 1 per activation, 5 per sec,
+    margin in mm;
 rule at_wall: if wall < 0.3 m then { stop; };
 """
 PERIOD_NS = 100_000_000
@@ -26,7 +28,8 @@ ACT = {"linear.x": 0}
 
 class Cart(Env[Any, Any]):
     """Drives to a wall, and sees its distance in mm and its place in m: for `steps` steps, or until
-    it hits the wall. Its actions are, by `kind`, a speed in m/s, a choice of speeds, or a place.
+    it hits the wall. Its actions are, by `kind`, a speed in m/s, a choice of speeds, or a place. In
+    the midst of each step something comes as close as `dips` say, one after the other.
     """
 
     def __init__(
@@ -48,6 +51,8 @@ class Cart(Env[Any, Any]):
         self._start = start
         self._steps = steps
         self.executed: list[float] = []
+        self.dips: list[float] = []
+        self.on_substep: Callable[[Any], None] | None = None
         self._distance = start
         self._taken = 0
 
@@ -72,6 +77,9 @@ class Cart(Env[Any, Any]):
             case _:
                 speed = float(action[0])
         self.executed.append(speed)
+        for dip in self.dips:
+            assert self.on_substep is not None
+            self.on_substep(np.array([1000.0 * dip, 0.0]))
         self._distance -= 0.1 * speed
         self._taken += 1
         hit = self._distance <= 0.0

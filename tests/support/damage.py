@@ -7,7 +7,7 @@ from typing import Literal
 
 Part = Literal["monitor", "reactor"]
 
-_OF_REACTORS = ("_reactor.c", "/commands.h", "/plans.h", "/reactor.h")
+_OF_REACTORS = ("_reactor.c", "/commands.h", "/plans.h", "/reactor.h", "/retraces.h")
 
 
 def sources(files: Mapping[str, str], part: Part) -> dict[str, str]:

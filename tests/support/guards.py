@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+import numpy as np
 from hypothesis import strategies as st
 
 from rossmarie import ir
@@ -18,7 +19,7 @@ from rossmarie.ir import reactions
 from rossmarie.native.signatures import fields_of
 from support.growing import TICK
 from support.machines import NAN, Advance, Reset, Step, Update, exactly, machines, traces
-from support.reacting import Sprouting, reacting_machines
+from support.reacting import READINGS, Sprouting, reacting_machines
 
 LATER = (0, 1, TICK // 3, 3 * TICK, -TICK)
 """When bounds are asked for, counted from a step."""
@@ -38,10 +39,15 @@ def guarded_machines(draw: st.DrawFn) -> ir.Machine:
 def _grown(draw: st.DrawFn) -> ir.Machine:
     """A machine of every kind of node, at times without any task."""
     machine = draw(machines())
-    sprouting = Sprouting(draw, watches=len(machine.watches))
+    shown = {signal for rule in machine.rules for signal in rule.signals}
+    read = sorted(each for each in shown if isinstance(machine.signals[each].node, ir.Read))
+    sprouting = Sprouting(draw, watches=len(machine.watches), retraces=bool(read))
     for _ in machine.rules:
         sprouting.rule()
-    return replace(machine, reactions=sprouting.made()) if sprouting.tasks else machine
+    if not sprouting.tasks:
+        return machine
+    readings = tuple(draw(st.sampled_from(read)) for _ in range(READINGS if read else 0))
+    return replace(machine, reactions=sprouting.made(), readings=readings)
 
 
 @st.composite
@@ -125,11 +131,14 @@ def take(guard: GuardEngine, machine: ir.Machine, step: Step) -> None:
         case Update(at_ns, messages):
             (channel, *others) = messages
             fields = fields_of(machine)[channel]
-            if others or fields.arrays:
+            if others or fields.lists:
                 guard.update(at_ns, messages)
-            else:
-                numbers = (messages[channel].slots.get(slot, NAN) for slot in fields.slots)
-                assert guard.update_call(channel)(at_ns, *numbers) >= 0
+                return
+            values = messages[channel]
+            numbers = [values.slots.get(slot, NAN) for slot in fields.slots]
+            arrays = [np.array(values.arrays.get(each, ()), np.float64) for each in fields.arrays]
+            wake_ns = guard.watch_call(channel)(at_ns, *numbers, *arrays)
+            assert wake_ns in (None, guard.next_wake() or ir.NEVER_NS)
         case Advance(at_ns):
             guard.advance(at_ns)
         case Reset(at_ns, rule):

@@ -61,6 +61,7 @@ input effort = topic /joint_states : sensor_msgs/JointState .effort in Nm;
 input torques = topic /effort_states : std_msgs/Float64MultiArray .data
     names ["shoulder", "elbow", "wrist"] in Nm;
 input parts = topic /parts : diagnostic_msgs/DiagnosticArray .status up to 3;
+input cloud = topic /cloud : sensor_msgs/PointCloud2 .points up to 9;
 input mode = topic /mode : std_msgs/String;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
 rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until reset;
@@ -69,6 +70,7 @@ rule heavy: if effort["elbow"] > 30 Nm then { alarm; };
 rule driven: if torques["elbow"] > 30 Nm then { alarm; };
 rule failing: if any(part in parts: part.level >= DiagnosticStatus.ERROR and part.name == "motor")
     then { alarm; };
+rule crowded: if any(p in cloud: norm(p) < 1 m and p.intensity > 100) then { alarm; };
 rule near: if any(ranges < 0.3 m) and mode != "docking" then { back; };
 rule touched: if mode == "touched" or mode == "both" then { retract; };
 rule paused: if mode == "paused" or mode == "both" or mode == "seized" then { freeze; };

@@ -36,6 +36,12 @@ def publish(period_ns: int | None = None, number: float = 0) -> reactions.Publis
     return reactions.Publish("/light", "std_msgs/Float64", message, period_ns, None)
 
 
+def retrace(period_ns: int = SECOND, topic: str = "/target", memory: int = 0) -> reactions.Retrace:
+    """Positions on a topic."""
+    numbers = (("x",), ("y",), ("z",))
+    return reactions.Retrace(topic, "geometry_msgs/Point", (), numbers, period_ns, memory)
+
+
 def call(timeout_ns: int = 2 * SECOND) -> reactions.Call:
     """A service."""
     return reactions.Call("/call", "std_srvs/Trigger", (), timeout_ns)
@@ -105,7 +111,12 @@ class Plans:
         self.plans.append(plan)
         return len(self.plans) - 1
 
-    def machine(self, order: Sequence[int] | None = None, watches: int = 0) -> ir.Machine:
+    def machine(
+        self,
+        order: Sequence[int] | None = None,
+        watches: int = 0,
+        memories: Sequence[reactions.Memory] = (),
+    ) -> ir.Machine:
         """A machine with these reactions: each rule and each watch rests on a flag of its own."""
         first = tuple(range(len(self.plans)))
         found = ir.Reactions(
@@ -115,6 +126,7 @@ class Plans:
             tasks=tuple(self.tasks),
             plans=tuple(self.plans),
             order=first if order is None else tuple(order),
+            memories=tuple(memories),
         )
         return reacting(found, watches)
 
@@ -127,7 +139,9 @@ def command(fields: int, number: int = 0) -> reactions.CommandTopic:
 
 
 def reacting(found: ir.Reactions, watches: int) -> ir.Machine:
-    """A machine whose rules do this: a flag for each rule, then one for each watch."""
+    """A machine whose rules do this: a flag for each rule, then one for each watch. Memories read
+    the flags of the rules.
+    """
     draft = Draft()
     used = draft.input(draft.channel())
     flags = []
@@ -137,7 +151,10 @@ def reacting(found: ir.Reactions, watches: int) -> ir.Machine:
     for flag in flags[: len(found.plans)]:
         draft.rule(flag)
     watched = tuple(flags[len(found.plans) :])
-    machine = replace(draft.machine("reacting"), watches=watched, reactions=found)
+    count = max((max(each.readings) + 1 for each in found.memories), default=0)
+    readings = tuple(number % len(found.plans) for number in range(count))
+    named = draft.machine("reacting")
+    machine = replace(named, watches=watched, reactions=found, readings=readings)
     verify(machine)
     return machine
 

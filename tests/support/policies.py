@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -50,11 +50,33 @@ def policy_cases(
     draw: st.DrawFn, episodes: int = 4, sizes: st.SearchStrategy[int] | None = None
 ) -> PolicyCase:
     """Random guards, with some fields that the arrays do not have."""
-    machine = draw(guarded_machines())
+    machine = draw(_with_margins(draw(guarded_machines())))
     observe, observed = _observed(draw, machine)
     act, acted = _acted(draw, machine)
     steps = [draw(_steps(machine, observed, acted)) for _ in range(episodes)]
     return PolicyCase(machine, observe, act, steps)
+
+
+@st.composite
+def _with_margins(draw: st.DrawFn, machine: ir.Machine) -> ir.Machine:
+    """The same machine, where some rules tell a number of theirs as a margin."""
+    arrays = ir.element_arrays(machine).signals
+    numbers = [
+        index
+        for index, signal in enumerate(machine.signals)
+        if arrays[index] is None
+        and ir.kind_of(machine, index) is Kind.REAL
+        and not isinstance(signal.node, ir.Constant)
+    ]
+    rules = []
+    for rule in machine.rules:
+        if numbers and draw(st.booleans()):
+            margin = ir.Margin(draw(st.sampled_from(numbers)), "mm", 1000.0)
+            rule = replace(rule, feedback=ir.Feedback(margin=margin))
+        rules.append(rule)
+    machine = replace(machine, rules=tuple(rules))
+    ir.verify(machine)
+    return machine
 
 
 def _observed(draw: st.DrawFn, machine: ir.Machine) -> tuple[dict[str, Place], int]:
@@ -112,6 +134,7 @@ def decided(decision: Decision) -> tuple[object, ...]:
         decision.changed_by,
         decision.requests,
         decision.why(),
+        decision.margin.tobytes(),
     )
 
 

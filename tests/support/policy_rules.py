@@ -22,8 +22,9 @@ action back { publish /cmd_vel { linear.x = -0.1 m/s; } at 10 Hz; }
 action nudge { publish /cmd_vel { angular.z = 0.5 rad/s; }; }
 action tell { log warning "it is fast"; }
 action stop { block /cmd_vel; } latched until reset;
-rule fast: if speed > 1 m/s then { slow; tell; } feedback 2 per activation, 30 per min;
-rule near: if any(scan.ranges < 0.5 m) then { back; } feedback 4 per sec;
+rule fast: if speed > 1 m/s then { slow; tell; } feedback 2 per activation, 30 per min,
+    margin in km/h;
+rule near: if any(scan.ranges < 0.5 m) then { back; } feedback 4 per sec, margin in mm;
 rule far: if any(scan.ranges > 5 m) then { nudge; };
 rule held_up: if held then { stop; };
 """
@@ -45,7 +46,7 @@ def guard_of(
     with pytest.MonkeyPatch.context() as patch:
         if kind == "python":
             patch.setenv("CC", "no-such-compiler")
-        machine = compile_file(path).machine
+        machine = compile_file(path).with_margins
         guard = Guard(machine, observe, act)
     assert guard.kind == kind
     return guard

@@ -10,7 +10,7 @@ are few resources, so that rules often want the same.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from hypothesis import strategies as st
 
@@ -26,11 +26,20 @@ from support.plans import command, reacting
 KINDS = (
     "repeat", "set", "cancel", "repeat", "switch", "send", "call", "publish", "diagnose", "log",
 )  # fmt: skip
+RETRACING = ("retrace", "retrace", "retrace")
 COMMANDING = ("limit", "limit", "scale")
 
 timeouts = st.sampled_from((1, 2, 4, 9, 40)).map(lambda ticks: ticks * TICK)
 ramps = st.sampled_from((None, None, 0.1, 0.5, 1 / 3, 5e-324, 1e308))
 lows = st.sampled_from((0.0, -0.0, -0.1, -0.5, -1 / 3, -2.0, -1.7e308))
+READINGS = 7
+memories = st.builds(
+    lambda pose, *rest: reactions.Memory(tuple(range(pose)), *rest),
+    st.sampled_from(reactions.POSES),
+    st.sampled_from((1, 2, 3, 5)),
+    st.sampled_from((0.5, 1.0, 1e-300)),
+    st.sampled_from((0, TICK, 3 * TICK)),
+)
 factors = st.sampled_from((0.0, 0.1, 0.5, 1 / 3, 1.0))
 
 
@@ -40,10 +49,13 @@ factors = st.sampled_from((0.0, 0.1, 0.5, 1 / 3, 1.0))
 class Sprouting:
     """Adds one random rule at a time to reactions in the making."""
 
-    def __init__(self, draw: st.DrawFn, watches: int | None = None) -> None:
+    def __init__(
+        self, draw: st.DrawFn, watches: int | None = None, *, retraces: bool = True
+    ) -> None:
         self.draw = draw
         self.fields = draw(st.lists(st.integers(1, 3), max_size=2))
         self.watches = draw(st.integers(0, 2)) if watches is None else watches
+        self.memories = draw(st.lists(memories, max_size=2)) if retraces else []
         self.tasks: list[reactions.Task | None] = []
         self.plans: list[reactions.Plan] = []
 
@@ -57,13 +69,16 @@ class Sprouting:
 
     def made(self) -> ir.Reactions:
         """All that has grown so far."""
+        used = [each.effect for each in self.tasks if each is not None]
+        kept = sorted({each.memory for each in used if isinstance(each, reactions.Retrace)})
         return ir.Reactions(
             commands=tuple(command(count, n) for n, count in enumerate(self.fields)),
             actions=(reactions.Action("act", None, NOWHERE),),
             resources=tuple(f"resource {number}" for number in range(2)),
-            tasks=tuple(task for task in self.tasks if task is not None),
+            tasks=tuple(_renumbered(task, kept) for task in self.tasks if task is not None),
             plans=tuple(self.plans),
             order=tuple(self.draw(st.permutations(range(len(self.plans))))),
+            memories=tuple(self.memories[memory] for memory in kept),
         )
 
     def _tasks(self, most: int, depth: int) -> tuple[int, ...]:
@@ -84,7 +99,8 @@ class Sprouting:
     def _effect(self) -> reactions.Effect:
         draw, timeout_ns = self.draw, self.draw(timeouts)
         interrupted = draw(st.sampled_from(reactions.Interrupted))
-        match draw(st.sampled_from(KINDS + COMMANDING if self.fields else KINDS)):
+        kinds = KINDS + (COMMANDING if self.fields else ())
+        match draw(st.sampled_from(kinds + (RETRACING if self.memories else ()))):
             case "limit":
                 return self._limit()
             case "scale":
@@ -94,6 +110,11 @@ class Sprouting:
                 return reactions.Publish("/topic", "std_msgs/Bool", (), None, None)
             case "repeat":
                 return reactions.Publish("/topic", "std_msgs/Bool", (), timeout_ns, None)
+            case "retrace":
+                memory = draw(st.integers(0, len(self.memories) - 1))
+                numbers = tuple((f"n{n}",) for n in self.memories[memory].readings)
+                kind = "geometry_msgs/Pose"
+                return reactions.Retrace("/pose", kind, (), numbers, timeout_ns, memory)
             case "call":
                 return reactions.Call("/call", "std_srvs/Trigger", (), timeout_ns)
             case "set":
@@ -131,6 +152,13 @@ def reacting_machines(draw: st.DrawFn) -> ir.Machine:
     return reacting(sprouting.made(), sprouting.watches)
 
 
+def _renumbered(task: reactions.Task, kept: Sequence[int]) -> reactions.Task:
+    """The memories that nothing retraces are left out."""
+    if not isinstance(task.effect, reactions.Retrace):
+        return task
+    return replace(task, effect=replace(task.effect, memory=kept.index(task.effect.memory)))
+
+
 # --- events ----------------------------------------------------------------------------------
 
 
@@ -144,6 +172,7 @@ class Look:
     engaged: tuple[bool, ...]
     watches: tuple[TruthValue, ...]
     report: tuple[int, bool] | None
+    readings: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -179,7 +208,10 @@ def reacting_cases(
         else:
             rule = draw(st.integers(0, len(engaged) - 1))
             engaged[rule] = not engaged[rule]
-        events.append(Look(at_ns, tuple(engaged), watches, report))
+        poses = [draw(st.sampled_from(_NUMBERS)) for _ in machine.readings]
+        if poses and draw(st.integers(0, 5)) == 0:
+            poses[draw(st.integers(0, len(poses) - 1))] = float("nan")
+        events.append(Look(at_ns, tuple(engaged), watches, report, tuple(poses)))
         look(reactor, events[-1])
     return ReactingCase(machine, events, draw(st.sampled_from((0, 0, 0, 3, max_events))))
 
@@ -191,12 +223,13 @@ def _reports(reactor: Reactor) -> st.SearchStrategy[tuple[int, bool]]:
     return st.tuples(st.one_of(which, which, st.sampled_from(tasks)), st.sampled_from(_SUCCESSES))
 
 
+_NUMBERS = (0.0, 0.0, 0.5, 1.0, -1.0, 1 / 3, 1e200, -0.0)
 _SUCCESSES = (True, True, False)
 
 
 def look(reactor: Reactor, event: Look) -> Sequence[ir.Order]:
     """Let an event happen."""
     if event.report is None:
-        return reactor.react(event.at_ns, event.engaged, event.watches)
+        return reactor.react(event.at_ns, event.engaged, event.watches, event.readings)
     task, success = event.report
     return reactor.report(event.at_ns, task, success, event.watches)

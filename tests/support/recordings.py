@@ -17,7 +17,7 @@ from rosbags.typesys.store import Typestore
 
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Channel, Input, Kind, Machine, Slot, Step
+from rossmarie.ir import Array, Channel, Input, Kind, List, Machine, Slot, Step
 from rossmarie.recordings import Update, open_recording, updates_in
 
 START_NS = 1_700_000_000_000_000_000
@@ -47,6 +47,7 @@ def machine(
     slots: Sequence[Slot] = (),
     arrays: Sequence[Array] = (),
     texts: Sequence[str] = (),
+    lists: Sequence[List] = (),
 ) -> Machine:
     """A machine that only reads; `inputs` are names (in `RULES`) and channels."""
     return Machine(
@@ -58,6 +59,7 @@ def machine(
         slots=tuple(slots),
         arrays=tuple(arrays),
         texts=tuple(texts),
+        lists=tuple(lists),
         signals=(),
         truths=(),
         rules=(),

@@ -13,7 +13,7 @@ from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from ears import Client, Ears, Server
 from geometry_msgs.msg import Twist, TwistStamped
 from rosgraph_msgs.msg import Clock
-from sensor_msgs.msg import Imu, JointState, LaserScan
+from sensor_msgs.msg import Imu, JointState, LaserScan, PointCloud2, PointField
 from std_msgs.msg import Bool, Float64MultiArray, String
 from std_srvs.srv import SetBool
 from vehicle_safety.msg import State, Verdict
@@ -38,8 +38,9 @@ class Robot(Ears):
         self.arm_speed = None  # m/s; None: nobody commands the arm
         self.near = None  # whether something is near; None: the scanner is silent
         self.torques = None  # of all joints, without their names
-        self.efforts = None  # pairs of a joint and its torque in Nm; None: the joints are silent
+        self.efforts = None  # pairs of a joint and its torque in Nm, or None; None: all are silent
         self.parts = None  # pairs of a part and its level, "OK" or "ERROR"; None: all are silent
+        self.cloud = None  # the fields of a cloud, its data in hexadecimals; None: it is silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
         self.moving = False  # whether the arm moves, goal or not
@@ -57,6 +58,7 @@ class Robot(Ears):
         self._joints = None
         self._torques = None
         self._parts = None
+        self._cloud = None
         self._clock = None
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
@@ -90,7 +92,7 @@ class Robot(Ears):
         if self.efforts is not None:
             self._joints = self._joints or self.sensor("/joint_states", JointState)
             names = [name for name, _ in self.efforts]
-            torques = [float(torque) for _, torque in self.efforts]
+            torques = [float(torque) for _, torque in self.efforts if torque is not None]
             self._joints.publish(JointState(name=names, effort=torques))
         if self.torques is not None:
             self._torques = self._torques or self.sensor("/effort_states", Float64MultiArray)
@@ -100,6 +102,11 @@ class Robot(Ears):
             levels = [(name, getattr(DiagnosticStatus, level)) for name, level in self.parts]
             statuses = [DiagnosticStatus(name=name, level=level) for name, level in levels]
             self._parts.publish(DiagnosticArray(status=statuses))
+        if self.cloud is not None:
+            self._cloud = self._cloud or self.sensor("/cloud", PointCloud2)
+            fields = [PointField(**each) for each in self.cloud["fields"]]
+            data = bytes.fromhex(self.cloud["data"])
+            self._cloud.publish(PointCloud2(**{**self.cloud, "fields": fields, "data": data}))
         self._arm_moving.publish(Bool(data=self.moving))
         self._mode.publish(String(data=self.mode))
 

@@ -7,6 +7,15 @@ from hypothesis import strategies as st
 numbers = st.sampled_from(("0.3", "0.5", "1", "1.5", "2", "5"))
 durations = st.sampled_from(("0.3 sec", "0.5 sec", "1 sec"))
 signs = st.sampled_from(("<", "<=", ">", ">="))
+filters = st.sampled_from(("mean", "median", "low_pass"))
+
+NAMED = """\
+system arm { unit sensor_msgs/JointState.velocity = rad/s; }
+input joints = topic /joint_states : sensor_msgs/JointState timeout 1 sec;
+input efforts = topic /effort_states : std_msgs/Float64MultiArray .data
+    names ["shoulder", "elbow", "wrist"] in Nm timeout 1 sec;
+"""
+"""Inputs of the elements by name, beside those of `support.testing`."""
 
 
 @st.composite
@@ -26,7 +35,14 @@ def leaves(draw: st.DrawFn) -> str:
                 f"any(p in path: p.pose.position.x {sign} {number} m and p.pose.position.z < 1 m)",
                 f"count(p in path: p.pose.position.y {sign} {number} m) > 1",
                 f"min(p in path: p.pose.position.x) {sign} {number} m",
+                f"all(p in path: p.pose.position.x {sign} {number} m)",
+                f"max(p in path: norm(p.pose.position)) {sign} {number} m",
+                f'abs(joints["elbow"].velocity) {sign} {number} rad/s',
+                f'efforts["wrist"] {sign} {number} Nm',
                 f"rate(speed) {sign} {number} m/s^2",
+                f"{draw(filters)}(speed, {draw(durations)}) {sign} {number} m/s",
+                f"rate(low_pass(speed, {draw(durations)})) {sign} {number} m/s^2",
+                f"changed({draw(st.sampled_from(('ok', 'speed', 'acceleration')))})",
                 "not ok",
                 'state == "stuck"',
                 "age(fix) > 0.7 sec",
@@ -37,8 +53,8 @@ def leaves(draw: st.DrawFn) -> str:
 
 @st.composite
 def over_time(draw: st.DrawFn, leaf: str) -> str:
-    """A leaf for a while, since another, once, or answered by another."""
-    other, duration = draw(leaves()), draw(durations)
+    """A leaf for a while, since another, once, answered by another, or as often as that."""
+    other, duration, sign = draw(leaves()), draw(durations), draw(signs)
     return draw(
         st.sampled_from(
             (
@@ -47,6 +63,7 @@ def over_time(draw: st.DrawFn, leaf: str) -> str:
                 f"{leaf} since {other}",
                 f"once {leaf} within {duration}",
                 f"after {leaf}, {other} within {duration}",
+                f"count(edges of {leaf} within {duration}) {sign} {draw(st.integers(1, 3))}",
             )
         )
     )

@@ -21,6 +21,7 @@ import typer
 import ezskiros.cli.main
 import rossmarie.cli.main
 from support.command_line import run
+from support.depth import deep
 from support.parts import PROC, needs
 from support.provers import is_running
 
@@ -257,8 +258,8 @@ COMMANDS = {
         "stubs --ontology ontology --out world.pyi",
     ],
     "rossmarie": [
-        "build drive.ross --target ros2",
         "check drive.ross",
+        "build drive.ross --target ros2",
         "coverage drive.ross drive.csv",
         "dump drive.ross --after generate",
         "explain unit-mismatch",
@@ -280,7 +281,10 @@ rule it: if on then { stop; };
 
 @pytest.mark.parametrize(
     ("program", "command"),
-    [(program, command) for program in COMMANDS for command in COMMANDS[program]],
+    [
+        *((program, commands[0]) for program, commands in COMMANDS.items()),
+        *deep((program, each) for program, commands in COMMANDS.items() for each in commands[1:]),
+    ],
 )
 def test_a_command_imports_what_it_needs(program: str, command: str, tmp_path: Path) -> None:
     """Started by itself, where nothing has been imported, it does the same."""

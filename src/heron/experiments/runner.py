@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 from heron.robot.physics import Physics
 
@@ -19,13 +19,23 @@ class Node(Protocol):
         """Its turn."""
 
 
+@runtime_checkable
+class Waiting(Protocol):
+    """A node that knows when its next turn is worth anything: not before `due_ns`."""
+
+    due_ns: int
+
+
 def run(
     physics: Physics, nodes: Sequence[Node], until_ns: int, is_over: Callable[[], bool]
 ) -> None:
     """Let time pass. Nodes of one instant have their turns in the order in which they stand."""
+    turns = [
+        (node.tick, node.period_ns, node if isinstance(node, Waiting) else None) for node in nodes
+    ]
     while physics.now_ns < until_ns and not is_over():
         now_ns = physics.now_ns
-        for node in nodes:
-            if now_ns % node.period_ns == 0:
-                node.tick(now_ns)
+        for tick, period_ns, waiting in turns:
+            if now_ns % period_ns == 0 and (waiting is None or now_ns >= waiting.due_ns):
+                tick(now_ns)
         physics.step()

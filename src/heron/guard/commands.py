@@ -6,6 +6,7 @@ import copy
 from collections.abc import Sequence
 
 from heron import messages
+from heron.guard.attributes import attributes_of
 from heron.messages import Message
 from rossmarie.ir.reactions import CommandTopic, FieldPath
 
@@ -16,6 +17,7 @@ class CommandMessages:
     def __init__(self, command: CommandTopic) -> None:
         self._type = command.message_type
         self._paths = [field.path for field in command.fields]
+        self._read = attributes_of([tuple(map(str, path)) for path in self._paths])
 
     def still(self) -> Message:
         """A command that is 0."""
@@ -23,7 +25,7 @@ class CommandMessages:
 
     def numbers(self, message: Message) -> Sequence[float]:
         """The numbers of a command."""
-        return [float(getattr(_parent(message, path), str(path[-1]))) for path in self._paths]
+        return self._read(message)
 
     def with_numbers(self, message: Message, numbers: Sequence[float]) -> Message:
         """Another command that has these numbers, and all else of this one."""

@@ -11,7 +11,7 @@ from collections.abc import Callable, Sequence, Set
 from functools import lru_cache, partial
 
 from heron.guard.commands import CommandMessages
-from heron.guard.intake import Intake, Take
+from heron.guard.intake import Intake, Readings
 from heron.guard.model import Guard, Occurrence, unfiltered, waiting
 from heron.guard.performing import NEVER, Workshop, require_scalar_fields, servers
 from heron.guard.relay import Relay
@@ -22,6 +22,8 @@ from rossmarie.ir import FieldBounds, Machine, Order, OrderKind, State, Told, Ve
 
 PERIOD_NS = 2_000_000  # what is due by itself is done so late at most
 PATIENCE_NS = 5_000_000_000
+_SOON_NS = 20_000_000
+"""A wake that is no closer is not put off with each message: planning costs more than a message."""
 _IN_FORCE = (State.RUNNING, State.HOLDING)
 
 
@@ -33,8 +35,9 @@ class InProcessGuard:
     def __init__(self, machine: Machine, carrier: Carrier, clock: Callable[[], int]) -> None:
         self._machine = machine
         self._clock = clock
-        self._core = _core_of(machine).fresh()
-        self._intake = Intake(self._core)
+        core, readings = _prepared(machine)
+        self._core = core.fresh()
+        self._intake = Intake(self._core, readings)
         self.is_acting = False
         """True while any task of a rule is in force."""
         self.verdicts: list[Verdict] = []
@@ -43,7 +46,9 @@ class InProcessGuard:
         self._first: dict[int, Message] = {}
         self._has_begun = self._is_open = False
         self._wake_ns = self._filters_due_ns = 0
-        self._due_ns = NEVER
+        self._deeds_ns = NEVER
+        self.due_ns = 0
+        """The instant from which on `tick` has something to do."""
         self._subscribe(carrier)
         self._filters = self._make_filters(carrier)
         self._relays = _make_relays(machine, carrier)
@@ -96,30 +101,37 @@ class InProcessGuard:
             if now_ns >= PATIENCE_NS:
                 self._begin(now_ns)
         elif now_ns >= self._wake_ns:
-            self._advance(now_ns)
+            self._wake(now_ns)
         if now_ns >= self._filters_due_ns:
             self._update_filters(now_ns)
+        turn_ns = self._wake_ns if self._has_begun else PATIENCE_NS
+        self.due_ns = min(turn_ns, self._filters_due_ns)
 
     # --- what comes in -----------------------------------------------------------------------
 
     def _subscribe(self, carrier: Carrier) -> None:
         for index, channel in enumerate(self._machine.channels):
             topic = Topic(channel.topic, channel.message_type)
-            carrier.subscribe(topic, self._listener(index, self._intake.take(index)))
+            carrier.subscribe(topic, self._listener(index))
 
-    def _listener(self, channel: int, take: Take) -> Callable[[Message], None]:
+    def _listener(self, channel: int) -> Callable[[Message], None]:
+        clock = self._clock
+        read, watch = self._intake.watch(channel)
+
         def listen(message: Message) -> None:
-            now_ns = self._clock()
             if not self._is_open:
                 self._first[channel] = message
                 self._open_when_ready()
             if not self._has_begun:
                 if self._is_open:
-                    self._begin(now_ns)
-            elif told := take(now_ns, message):
-                self._follow(now_ns, told)
-            else:
-                self._plan_wake()
+                    self._begin(clock())
+                return
+            now_ns = clock()
+            wake_ns = watch(now_ns, *read(message))
+            if wake_ns is None:
+                self._follow(now_ns, self._intake.take())
+            elif wake_ns < self._wake_ns or self._wake_ns < now_ns + _SOON_NS:
+                self._plan(wake_ns)
 
         return listen
 
@@ -137,16 +149,30 @@ class InProcessGuard:
         else:
             self._follow(now_ns, self._core.advance(now_ns))
 
+    def _wake(self, now_ns: int) -> None:
+        """Time has come for something, unless messages have put it off since it was planned."""
+        wake_ns = self._core_wake_ns()
+        if now_ns < min(wake_ns, self._deeds_ns):
+            self._plan(wake_ns)
+        else:
+            self._advance(now_ns)
+
+    def _core_wake_ns(self) -> int:
+        wake_ns = self._core.next_wake()
+        return NEVER if wake_ns is None else wake_ns
+
     def _advance(self, now_ns: int) -> None:
         told = self._core.advance(now_ns)
         for performer in self._performers:
             performer.tick(now_ns)
         self._follow(now_ns, told)
 
-    def _plan_wake(self) -> None:
-        """Plan the next wake, after a change that only the core knows of."""
-        wake_ns = self._core.next_wake()
-        self._wake_ns = self._due_ns if wake_ns is None else min(wake_ns, self._due_ns)
+    def _plan(self, wake_ns: int) -> None:
+        """Plan the next turn; the core has to wake at this instant."""
+        deeds_ns = self._deeds_ns
+        self._wake_ns = min(deeds_ns, wake_ns)
+        filters_ns = self._filters_due_ns
+        self.due_ns = min(filters_ns, self._wake_ns)
 
     # --- what follows ------------------------------------------------------------------------
 
@@ -162,8 +188,8 @@ class InProcessGuard:
         for command in self._filters.values():
             command.forget()
         self._update_filters(now_ns)
-        self._due_ns = min((each.due_ns for each in self._performers), default=NEVER)
-        self._plan_wake()
+        self._deeds_ns = min((each.due_ns for each in self._performers), default=NEVER)
+        self._plan(self._core_wake_ns())
 
     def _carry_out(self, now_ns: int, told: Told) -> None:
         self.verdicts += [event for event in told.events if isinstance(event, Verdict)]
@@ -208,15 +234,17 @@ class InProcessGuard:
         def receive(message: Message) -> None:
             now_ns = self._clock()
             if self._has_begun and now_ns >= self._wake_ns:
-                self._advance(now_ns)
+                self._wake(now_ns)
             command.receive(now_ns, message)
 
         return receive
 
     def _update_filters(self, now_ns: int) -> None:
+        is_idle = True
         for command in self._filters.values():
             command.update(now_ns)
-        self._filters_due_ns = now_ns + UPDATE_PERIOD_NS
+            is_idle = is_idle and command.is_idle
+        self._filters_due_ns = NEVER if is_idle else now_ns + UPDATE_PERIOD_NS
 
 
 def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
@@ -228,9 +256,9 @@ def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
 
 
 @lru_cache(maxsize=16)
-def _core_of(machine: Machine) -> Core:
+def _prepared(machine: Machine) -> tuple[Core, Readings]:
     """Built and loaded once for all episodes."""
-    return Core(machine)
+    return Core(machine), Readings(machine)
 
 
 class InProcessLink:

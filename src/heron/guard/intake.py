@@ -4,57 +4,64 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from operator import attrgetter
+from functools import partial
+from operator import attrgetter, itemgetter
 from typing import Any
 
 import numpy as np
 
 from heron import messages
+from heron.guard.attributes import Read, attributes_of
 from heron.messages import Message
 from rossmarie.guard import Core, Value
-from rossmarie.ir import Array, ByName, Each, Listed, Path, Slot, Told, arrival_names, field_names
+from rossmarie.ir import (
+    NEVER_NS,
+    Array,
+    ByName,
+    Each,
+    Listed,
+    Machine,
+    Path,
+    Points,
+    Slot,
+    Told,
+    arrival_names,
+    field_names,
+)
 
-Take = Callable[[int, Message], Told | None]
-"""An instant and a message; gives what the core has to tell, if there is anything."""
+Watch = Callable[..., "int | None"]
+"""An instant and these fields; gives when time is wanted next, or None if the core has to tell
+something.
+"""
 
 
-class Intake:
-    """All topics that the rules read."""
+class Readings:
+    """The fields that rules read of each topic, and how they are read: made once for all episodes.
 
-    def __init__(self, core: Core) -> None:
-        self._core = core
-        self._fields = [self._named_fields(index) for index in range(len(core.machine.channels))]
+    `readers` are the fastest ways; None where fields have to go by their names.
+    """
 
-    def take(self, channel: int) -> Take:
-        """The fastest way from a message on a channel into the core."""
-        core = self._core
-        described = core.machine.channels[channel]
-        paths = [slot.path for slot in self._on(channel, core.machine.slots)]
-        if self._on(channel, core.machine.arrays) or not _are_plain(paths, described.message_type):
-            return lambda at_ns, message: core.update(at_ns, self._values(channel, message))
-        call = core.update_call(described.topic)
-        read = _read_all(paths)
+    def __init__(self, machine: Machine) -> None:
+        self._machine = machine
+        channels = range(len(machine.channels))
+        self.fields = [self._named_fields(channel) for channel in channels]
+        self.readers = [self._reader(channel) for channel in channels]
 
-        def take(at_ns: int, message: Message) -> Told | None:
-            return core.take() if call(at_ns, *read(message)) else None
-
-        return take
-
-    def begin(self, at_ns: int, first: Mapping[int, Message]) -> Told:
-        """The first messages of several channels arrive together."""
-        values: dict[str, Value] = {}
-        for channel, message in first.items():
-            values |= self._values(channel, message)
-        return self._core.update(at_ns, values)
-
-    def _values(self, channel: int, message: Message) -> dict[str, Value]:
-        return {name: _value(message, path) for name, path in self._fields[channel].items()}
+    def _reader(self, channel: int) -> Read | None:
+        machine = self._machine
+        paths = [slot.path for slot in self._on(channel, machine.slots)]
+        arrays = [array.path for array in self._on(channel, machine.arrays)]
+        empty = messages.new_message(machine.channels[channel].message_type)
+        is_plain = all(_is_plain(empty, path) for path in paths)
+        if not is_plain or not all(_are_floats(empty, path) for path in arrays):
+            return None
+        return _reader(paths, arrays)
 
     def _named_fields(self, channel: int) -> dict[str, Path]:
         """The fields of a channel, as the core calls them; of an input of which only the age is
         read, the whole message.
         """
-        machine = self._core.machine
+        machine = self._machine
         slots, arrays = field_names(machine)
         named: list[tuple[frozenset[str], Slot | Array]]
         named = [*zip(slots, machine.slots, strict=True), *zip(arrays, machine.arrays, strict=True)]
@@ -67,36 +74,95 @@ class Intake:
         return fields | {name: () for name, arriving in ages if arriving == channel}
 
     def _on(self, channel: int, fields: Sequence[Slot] | Sequence[Array]) -> list[Slot | Array]:
-        inputs = self._core.machine.inputs
+        inputs = self._machine.inputs
         return [field for field in fields if inputs[field.input].channel == channel]
 
 
-def _are_plain(paths: Sequence[Path], message_type: str) -> bool:
-    """Say whether all fields are numbers or flags that stand for themselves."""
-    empty = messages.new_message(message_type)
-    return all(_is_plain(empty, path) for path in paths)
+class Intake:
+    """The way of messages on all topics into a core."""
+
+    def __init__(self, core: Core, readings: Readings) -> None:
+        self._core = core
+        self._readings = readings
+        self._told: Told | None = None
+
+    def watch(self, channel: int) -> tuple[Read, Watch]:
+        """The fastest way from a message on a channel into the core."""
+        read = self._readings.readers[channel]
+        if read is None:
+            return lambda message: (message,), partial(self._slowly, channel)
+        return read, self._core.watch_call(self._core.machine.channels[channel].topic)
+
+    def take(self) -> Told:
+        """The findings of the calls that `watch` gave, since the last time."""
+        told, self._told = self._told, None
+        return self._core.take() if told is None else told
+
+    def begin(self, at_ns: int, first: Mapping[int, Message]) -> Told:
+        """The first messages of several channels arrive together."""
+        values: dict[str, Value] = {}
+        for channel, message in first.items():
+            values |= self._values(channel, message)
+        return self._core.update(at_ns, values)
+
+    def _slowly(self, channel: int, at_ns: int, message: Message) -> int | None:
+        told = self._core.update(at_ns, self._values(channel, message))
+        if told:
+            self._told = told
+            return None
+        wake_ns = self._core.next_wake()
+        return NEVER_NS if wake_ns is None else wake_ns
+
+    def _values(self, channel: int, message: Message) -> dict[str, Value]:
+        fields = self._readings.fields[channel]
+        return {name: _value(message, path) for name, path in fields.items()}
 
 
 def _is_plain(empty: Message, path: Path) -> bool:
-    """Of elements, only those of arrays of numbers."""
+    """Say whether a field is a number or flag that stands for itself. Of elements, only those of
+    arrays of numbers.
+    """
     *parents, last = path
     if not all(isinstance(part, str) for part in parents):
         return False
     if not isinstance(last, str):
         return isinstance(_value(empty, tuple(parents)), np.ndarray)
-    return isinstance(_value(empty, path), int | float)
+    return isinstance(_field(empty, path), int | float)
 
 
-def _read_all(paths: Sequence[Path]) -> Callable[[Message], Sequence[float]]:
-    """Like `attrgetter`, but always of numbers, and always several."""
-    if any(not isinstance(path[-1], str) for path in paths):
-        return lambda message: [float(_field(message, path)) for path in paths]
-    attributes = [".".join(map(str, path)) for path in paths]
-    if len(paths) > 1:
-        read = attrgetter(*attributes)
-        return lambda message: list(map(float, read(message)))
-    read_one: Callable[[Message], Any] | None = attrgetter(*attributes) if attributes else None
-    return lambda message: () if read_one is None else (float(read_one(message)),)
+def _are_floats(empty: Message, path: Path) -> bool:
+    """Say whether a field is an array of floats, as the core takes it."""
+    if not all(isinstance(part, str) for part in path):
+        return False
+    found = _value(empty, path)
+    return isinstance(found, np.ndarray) and found.dtype in (np.float64, np.float32)
+
+
+def _reader(paths: Sequence[Path], arrays: Sequence[Path]) -> Read:
+    """A function that gives all fields at these paths, the arrays last."""
+    if all(isinstance(path[-1], str) for path in paths):
+        return attributes_of([tuple(map(str, path)) for path in (*paths, *arrays)])
+    if not arrays and len({path[:-1] for path in paths}) == 1:
+        places = [path[-1] for path in paths if isinstance(path[-1], int)]
+        if len(places) == len(paths):
+            return _elements(".".join(map(str, paths[0][:-1])), places)
+    every = (*paths, *arrays)
+    return lambda message: [_field(message, path) for path in every]
+
+
+def _elements(attribute: str, places: Sequence[int]) -> Callable[[Message], Sequence[float]]:
+    """A function that gives some elements of one array; NaN for those that are not there."""
+    get, least = attrgetter(attribute), max(places) + 1
+    pick = itemgetter(*places, 0)  # a tuple, also of a single one
+
+    def read(message: Message) -> Sequence[float]:
+        numbers = get(message).tolist()
+        if len(numbers) < least:
+            numbers += [math.nan] * (least - len(numbers))
+        found: tuple[float, ...] = pick(numbers)
+        return found[:-1]
+
+    return read
 
 
 def _field(message: Message, path: Path) -> Any:
@@ -108,6 +174,7 @@ def _field(message: Message, path: Path) -> Any:
             continue
         if isinstance(part, Each):
             return [_field(each, path[step + 1 :]) for each in value]
+        assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
         place = _place(message, part, len(value))
         if place is None or place >= len(value):
             return math.nan
@@ -121,7 +188,7 @@ def _place(message: Message, element: int | ByName | Listed, length: int) -> int
         case int():
             return element
         case ByName(names=names):
-            return element.place(attrgetter(".".join(names))(message))
+            return element.place(attrgetter(".".join(names))(message), length)
         case Listed():
             return element.place_among(length)
 

@@ -28,6 +28,7 @@ from rossmarie.ir.reactions import (
     Log,
     Publish,
     Reset,
+    Retrace,
     Scale,
     SendGoal,
     SetParameter,
@@ -218,7 +219,9 @@ class Workshop:
                 return Sending(self.relays[effect.server], None, _resends(effect), report)
             case Limit() | Scale() | Log() | Diagnose() | Reset():
                 return Nothing()
-            case SetParameter() | CancelGoal() | Call() | SwitchControllers() | Hook():
+            case (
+                SetParameter() | CancelGoal() | Call() | SwitchControllers() | Hook() | Retrace()
+            ):  # fmt: skip
                 kind = type(effect).__name__
                 raise UnsupportedEffectError(f"`{kind}` is not performed here")
 

@@ -16,6 +16,7 @@ from rossmarie import ir
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.formulas import Formulas, exactly
+from rossmarie.analysis.once import once_each
 from rossmarie.analysis.state import shape_facts
 from rossmarie.analysis.terms import (
     FALSE,
@@ -61,6 +62,7 @@ class Moment(Encoding):
         self._is_end = is_end
         self._elapsed: dict[int, z3.ArithRef] = {}
 
+    @once_each
     def slot(self, index: int) -> Number:
         """The value that the leg sends, else the one that was sent before, until it expires."""
         slot = self.machine.slots[index]
@@ -73,6 +75,7 @@ class Moment(Encoding):
         known = z3.And(fresh, z3.If(sends, sent.known, kept.known))
         return Number(known, z3.If(sends, sent.value, kept.value))
 
+    @once_each
     def cells(self, array: int) -> Sequence[Cell]:
         """The same for the elements of an array."""
         used = self.machine.arrays[array].input
@@ -99,11 +102,13 @@ class Moment(Encoding):
             self.facts.append(z3.Implies(is_same, same))
         return result
 
+    @once_each
     def has_arrived(self, channel: int) -> z3.BoolRef:
         """Say whether this leg or an earlier one sends."""
         earlier = NO if self._before is None else self._before.has_arrived(channel)
         return z3.Or(self.leg.sends[channel], earlier)
 
+    @once_each
     def age(self, channel: int) -> z3.ArithRef:
         """None at each message."""
         passed = z3.IntVal(0)
@@ -112,6 +117,7 @@ class Moment(Encoding):
             passed = self._before.age(channel) + gap
         return z3.If(self.leg.sends[channel], z3.IntVal(0), passed)
 
+    @once_each
     def _is_sampled(self, signal: int) -> z3.BoolRef:
         """Say whether this leg brings samples of a signal."""
         channels = self.asked.supports.signals[signal].channels

@@ -18,6 +18,7 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis import arithmetic, lists
+from rossmarie.analysis.once import once_each
 from rossmarie.analysis.terms import (
     NO,
     YES,
@@ -150,6 +151,7 @@ class Encoding(ABC):
 
     # --- inputs ------------------------------------------------------------------------------
 
+    @once_each
     def is_fresh(self, used: int) -> z3.BoolRef:
         """Say whether an input is there and has not expired (S10)."""
         declared = self.machine.inputs[used]

@@ -36,6 +36,7 @@ from rossmarie.ir.reactions import (
     Log,
     Publish,
     Reset,
+    Retrace,
     Scale,
     SendGoal,
     SetParameter,
@@ -102,6 +103,7 @@ def _kept(machine: Machine, task: int) -> list[Kept]:
             return list(_published(machine, task, effect))
         case (
             Call()
+            | Retrace()
             | SetParameter()
             | SwitchControllers()
             | SendGoal()

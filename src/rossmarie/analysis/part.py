@@ -45,6 +45,7 @@ def _cut(machine: ir.Machine, roots: Sequence[int], chosen: Sequence[ir.Rule]) -
         ),
         rules=tuple(_moved_rule(rule, numbers, places) for rule in chosen),
         watches=(),
+        readings=(),
         reactions=ir.NO_REACTIONS,
     )
 

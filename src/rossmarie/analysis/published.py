@@ -6,7 +6,19 @@ import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rossmarie.ir import Array, ByName, ChannelValues, Each, Kind, Listed, Machine, Path, Slot
+from rossmarie.ir import (
+    POINTS,
+    Array,
+    ByName,
+    ChannelValues,
+    Each,
+    Kind,
+    Listed,
+    Machine,
+    Path,
+    Points,
+    Slot,
+)
 from rossmarie.ir.reactions import Publish, Scalar
 
 
@@ -48,8 +60,8 @@ def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:
     arrays = {
         index: _numbers(array, given)
         for index, array in enumerate(machine.arrays)
-        if machine.inputs[array.input].channel == channel
-    }
+        if machine.inputs[array.input].channel == channel and POINTS not in array.path
+    }  # a cloud without fields has no points that could be known (S56)
     return ChannelValues(slots, arrays)
 
 
@@ -58,7 +70,7 @@ Given = dict[Path, Scalar | tuple[Scalar, ...]]
 
 def _number(machine: Machine, slot: Slot, given: Given) -> float:
     last = slot.path[-1] if slot.path else ""
-    if isinstance(last, str | Each):
+    if isinstance(last, str | Each | Points):
         value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
         return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
     elements = _elements(slot.path[:-1], given)
@@ -72,7 +84,7 @@ def _place(element: int | ByName | Listed, length: int, given: Given) -> int | N
         case int():
             return element
         case ByName(names=names):
-            return element.place(list(map(str, _elements(names, given))))
+            return element.place(list(map(str, _elements(names, given))), length)
         case Listed():
             return element.place_among(length)
 

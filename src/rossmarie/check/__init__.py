@@ -2,5 +2,6 @@
 
 from rossmarie.check.check import CheckOptions, check
 from rossmarie.check.model import CheckedInput, CheckedProgram, Symbols, Value
+from rossmarie.check.rules.selecting import select
 
-__all__ = ["CheckOptions", "CheckedInput", "CheckedProgram", "Symbols", "Value", "check"]
+__all__ = ["CheckOptions", "CheckedInput", "CheckedProgram", "Symbols", "Value", "check", "select"]

@@ -27,6 +27,7 @@ from rossmarie.check.model import (
 from rossmarie.check.names.references import use_actions
 from rossmarie.check.names.unused import warn_of_unused
 from rossmarie.check.operations.operands import duration_ns, require_condition, require_constant
+from rossmarie.check.rules.categories import check_categories
 from rossmarie.check.rules.errors import MissingTimeout
 from rossmarie.check.rules.feedback import check_feedback
 from rossmarie.check.rules.hazards import declared_hazards
@@ -95,6 +96,7 @@ def check(
     conditions = _check_conditions(context)
     resting = [_check_rule(rule, context) for rule in declarations.rules]
     feedback = tuple(check_feedback(rule, context) for rule in declarations.rules)
+    categories = tuple(check_categories(rule, context) for rule in declarations.rules)
     targets = Targets(model, context, was_parsed)
     actions = _check_actions(targets, context)
     _check_circles(conditions, context)
@@ -111,6 +113,7 @@ def check(
     return replace(
         _program(actions, hazards, gaps, tests, context),
         feedback=feedback,
+        categories=categories,
         message_files=model.messages.read_files,
     )
 

@@ -42,6 +42,21 @@ class CheckedPublish:
 
 
 @dataclass(frozen=True)
+class CheckedRetrace:
+    """Poses that are sent back; `numbers` are the fields of the message that these go into."""
+
+    pose: ast.Expression
+    topic: str
+    message_type: str
+    assignments: tuple[reactions.Assignment, ...]
+    numbers: tuple[reactions.FieldPath, ...]
+    period_ns: int
+    most: int
+    apart: float
+    apart_ns: int
+
+
+@dataclass(frozen=True)
 class CheckedCall:
     """A call of a service."""
 
@@ -95,7 +110,7 @@ class CheckedCancel:
 
 Awaited = CheckedCall | CheckedParameter | CheckedSwitch | CheckedGoal | CheckedCancel
 Checked = (
-    CheckedLimit | CheckedScale | CheckedPublish | Awaited
+    CheckedLimit | CheckedScale | CheckedPublish | CheckedRetrace | Awaited
     | ast.Log | ast.Diagnose | ast.Hook | ast.Reset
 )  # fmt: skip
 

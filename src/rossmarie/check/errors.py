@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Template
 from rossmarie.check.actions import errors as action_errors
+from rossmarie.check.actions import retrace_errors
 from rossmarie.check.expressions import errors as expression_errors
 from rossmarie.check.names import errors as name_errors
 from rossmarie.check.operations import errors as operation_errors
@@ -25,6 +26,7 @@ _DECLARED: tuple[type[Template], ...] = (
     *expression_errors.ALL,
     *system_errors.ALL,
     *action_errors.ALL,
+    *retrace_errors.ALL,
     *rule_errors.ALL,
     *test_errors.ALL,
 )

@@ -11,12 +11,13 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile
 from rossmarie.check.effects import CheckedEffect
-from rossmarie.ir.model import Feedback
+from rossmarie.ir.filing import Category, LeftOut
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.types import Type
+from rossmarie.units import Unit
 
 ConditionKey = tuple[str, str]
 """The names of an entity and of a condition in it."""
@@ -57,6 +58,15 @@ class CheckedInput:
 
 
 @dataclass(frozen=True)
+class CheckedFeedback:
+    """The amounts that a learner loses by a rule, and the unit of its margin if it declares one."""
+
+    per_activation: float
+    per_second: float
+    margin: Unit | None
+
+
+@dataclass(frozen=True)
 class Symbols:
     """The meaning of each name."""
 
@@ -76,7 +86,8 @@ class CheckedProgram:
     files first; `order` are their numbers, the most important first, `priorities` the pairs that
     were put in an order, `unless` of each rule those that it gives way to. `effects` are those of
     each action, `commands` the topics that may pass through the safety filter; `gaps` are those of
-    topics whose rate is declared; `feedback` is that of each rule. `message_files` are the
+    topics whose rate is declared; `feedback` and `categories` are
+    those of each rule, `left_out` what a selection does not hold. `message_files` are the
     definitions of messages that were read, those that come with this program left out.
     """
 
@@ -92,6 +103,8 @@ class CheckedProgram:
     unless: tuple[tuple[int, ...], ...]
     hazards: Mapping[str, ast.Hazard]
     gaps: Mapping[str, Gaps]
-    feedback: tuple[Feedback, ...] = ()
+    feedback: tuple[CheckedFeedback, ...] = ()
+    categories: tuple[tuple[Category, ...], ...] = ()
+    left_out: LeftOut | None = None
     message_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

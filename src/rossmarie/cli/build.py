@@ -17,6 +17,7 @@ from rossmarie.driver.build import TARGETS, Built, build_files
 from rossmarie.driver.manifest import Described, describe
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.package_xml import BadPackageXmlError
+from rossmarie.ir import Category
 from rossmarie.report.review import render_review
 from rossmarie.targets.manifest import OWN_PACKAGE, Person, Placement
 
@@ -49,6 +50,7 @@ def run_build(
     review: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
+    only: Sequence[Category],
 ) -> None:
     """Write the files of a target into `out`, and say what comes next."""
     output.try_folder(out)
@@ -68,6 +70,7 @@ def run_build(
                 out,
                 systems=systems,
                 message_folders=message_folders,
+                only=only,
                 name=name,
                 placement=placement,
             )
@@ -118,6 +121,8 @@ def _tell(built: Built, described: Described | None) -> None:
     output.print_diagnostics(built.warnings, Format.TEXT, file_count=1)
     for line in lines_of_written(built.written):
         typer.echo(line)
+    if built.left_out:
+        typer.echo(f"left out: {', '.join(built.left_out)}")
     if described is not None and described.missing:
         options = " and ".join(f"--{field}" for field in described.missing)
         typer.echo(

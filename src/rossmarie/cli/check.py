@@ -13,6 +13,7 @@ from dslkit.writing import write_whole
 from rossmarie.cli.output import each_once, output
 from rossmarie.cli.progress import told_steps
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
+from rossmarie.ir import Category
 
 
 def run_check(
@@ -24,6 +25,7 @@ def run_check(
     witnesses: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
+    only: Sequence[Category],
 ) -> None:
     """Print the findings, write the witnesses, and end with the exit code."""
     is_tests = witnesses is not None and witnesses.suffix == ".ross"
@@ -39,6 +41,7 @@ def run_check(
                 toggle_ns=round(toggle_s * 1e9),
                 systems=systems,
                 message_folders=message_folders,
+                only=only,
                 on_step=on_step,
             )
             for path in files
@@ -47,7 +50,7 @@ def run_check(
     for path, analysis in zip(files, analyses, strict=True):
         found += analysis.diagnostics
         if target is not None:
-            found += _for_target(path, target, systems, message_folders)
+            found += _for_target(path, target, systems, message_folders, only)
     told = each_once(found)
     output.print_diagnostics(told, form, file_count=len(files))
     if witnesses is not None and is_tests:
@@ -58,12 +61,16 @@ def run_check(
 
 
 def _for_target(
-    path: Path, target: str, systems: Sequence[Path], folders: Sequence[Path]
+    path: Path,
+    target: str,
+    systems: Sequence[Path],
+    folders: Sequence[Path],
+    only: Sequence[Category],
 ) -> Sequence[Diagnostic]:
     """Find what a target cannot do, and return all findings of the check once more."""
     from rossmarie.driver.build import check_for
 
-    return check_for(target, path, systems=systems, message_folders=folders)
+    return check_for(target, path, systems=systems, message_folders=folders, only=only)
 
 
 def _write(analyses: Sequence[Analysis], folder: Path, form: Format) -> None:

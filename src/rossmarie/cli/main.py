@@ -20,6 +20,7 @@ from rossmarie.cli.options import (
     ListOfSources,
     Maintainers,
     MessageFolders,
+    Only,
     Recordings,
     ReviewPage,
     Rules,
@@ -76,12 +77,15 @@ def check(
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    only: Only = None,
 ) -> None:
     """Check rules files: names, types, units, what cannot work, and what rules mean together."""
     from rossmarie.cli.check import run_check
 
     name = None if target is None else target.value
-    run_check(files, format, name, thorough, toggle, witnesses, system or (), messages or ())
+    run_check(
+        files, format, name, thorough, toggle, witnesses, system or (), messages or (), only or ()
+    )
 
 
 @app.command()
@@ -160,13 +164,23 @@ def build(
     review: ReviewPage = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    only: Only = None,
 ) -> None:
     """Generate the monitor of a rules file."""
     from rossmarie.cli.build import PackageOptions, run_build
 
     package = PackageOptions(tuple(license or ()), tuple(maintainer or ()), part_of)
     run_build(
-        rules, out, target.value, package, name, sources, review, system or (), messages or ()
+        rules,
+        out,
+        target.value,
+        package,
+        name,
+        sources,
+        review,
+        system or (),
+        messages or (),
+        only or (),
     )
 
 
@@ -223,11 +237,14 @@ def report(
     ] = False,
     system: Systems = None,
     messages: MessageFolders = None,
+    only: Only = None,
 ) -> None:
     """Write the safety file of rules: hazards, rules in sentences, what is proved, what is not."""
     from rossmarie.cli.report import run_report
 
-    run_report(rules, out, verification, coverage, date, thorough, system or [], messages or [])
+    run_report(
+        rules, out, verification, coverage, date, thorough, system or [], messages or [], only or []
+    )
 
 
 @app.command()
@@ -248,17 +265,18 @@ def replay(
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    only: Only = None,
 ) -> None:
     """Run the monitor of a rules file over a recording, or over many at the same time."""
     chosen = list(dict.fromkeys(recordings))
     if len(chosen) == 1:
         from rossmarie.cli.replay import run_replay
 
-        run_replay(rules, chosen[0], topic_map or [], out, system or [], messages or [])
+        run_replay(rules, chosen[0], topic_map or [], out, system or [], messages or [], only or [])
     else:
         from rossmarie.cli.replays import run_replays
 
-        run_replays(rules, chosen, topic_map or [], out, system or [], messages or [])
+        run_replays(rules, chosen, topic_map or [], out, system or [], messages or [], only or [])
 
 
 @app.command("test")
@@ -343,6 +361,7 @@ def verify(
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    only: Only = None,
 ) -> None:
     """Prove that the generated C is what the rules mean, for runs of any length (CBMC)."""
     from rossmarie.cli.verification import run_verify
@@ -354,6 +373,7 @@ def verify(
         kept=keep,
         systems=system or (),
         message_folders=messages or (),
+        only=only or (),
     )
 
 

@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
+from rossmarie.ir.filing import Category
 from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
 
 
@@ -31,6 +32,14 @@ def _license(text: str) -> str:
         return parse_license(text)
     except BadFieldError as error:
         raise typer.BadParameter(str(error)) from None
+
+
+def _category(text: str) -> Category:
+    try:
+        return Category(" ".join(text.lower().split()))
+    except ValueError:
+        known = ", ".join(f"`{each.value}`" for each in Category)
+        raise typer.BadParameter(f"`{text}` is none of {known}") from None
 
 
 def _maintainer(text: str) -> Person:
@@ -109,6 +118,16 @@ ReviewPage = Annotated[
         metavar="FILE",
         help="Also write a page of the rules beside their C.",
         parser=written,
+    ),
+]
+
+Only = Annotated[
+    list[Category] | None,
+    typer.Option(
+        "--only",
+        metavar="CATEGORY",
+        help="Of the rules only those of this category, such as human or 'task dependent'.",
+        parser=_category,
     ),
 ]
 

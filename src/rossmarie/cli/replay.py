@@ -16,6 +16,7 @@ from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import NATIVE
+from rossmarie.ir import Category
 from rossmarie.recordings import RecordingError, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
 
@@ -30,6 +31,7 @@ def run_replay(
     out: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
+    only: Sequence[Category],
 ) -> None:
     """Replay, print the findings and the table, and write the reports into `out`."""
     pairs = topic_pairs(topic_map)
@@ -42,6 +44,7 @@ def run_replay(
             topic_map=pairs,
             systems=systems,
             message_folders=message_folders,
+            only=only,
             on_progress=on_progress,
         )
     output.print_findings(found)

@@ -22,6 +22,7 @@ from rossmarie.cli.replay import refusing, topic_pairs, write_reports
 from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import start_monitor
+from rossmarie.ir import Category
 from rossmarie.recordings import RecordingError
 from rossmarie.report import Replay, write_table
 from rossmarie.report.spans import summarize
@@ -38,6 +39,7 @@ class Job:
     topic_map: Mapping[str, str]
     systems: Sequence[Path]
     message_folders: Sequence[Path]
+    only: Sequence[Category]
     folders: Mapping[str, Path]
     warnings: int
     width: int | None
@@ -50,6 +52,7 @@ def run_replays(
     out: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
+    only: Sequence[Category],
 ) -> None:
     """Replay all, and print what came of each in their order; write reports into folders of `out`
     that are called as the recordings.
@@ -58,7 +61,7 @@ def run_replays(
     if out is not None:
         output.try_folder(out)
     with refusing():
-        compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+        compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     output.print_findings(compiled.warnings)
     started = start_monitor(compiled.machine)  # built once, for all processes
     if started.reason:
@@ -68,7 +71,7 @@ def run_replays(
     console = Console()
     width = console.width if console.is_terminal else None
     warnings = len(compiled.warnings)
-    job = Job(rules, pairs, systems, message_folders, folders, warnings, width)
+    job = Job(rules, pairs, systems, message_folders, only, folders, warnings, width)
     found = _campaign(keys, job)
     _tell(keys, found)
     raise typer.Exit(_exit_code(found))
@@ -130,6 +133,7 @@ def replay_one(job: Job, key: str) -> Value:
             topic_map=job.topic_map,
             systems=job.systems,
             message_folders=job.message_folders,
+            only=job.only,
         )
     except RecordingError as error:
         output.print_findings([error.diagnostic], console)

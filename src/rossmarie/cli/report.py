@@ -13,6 +13,7 @@ import typer
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError
 from rossmarie.driver.report import safety_file
+from rossmarie.ir import Category
 from rossmarie.report.safety import open_points, render_safety_file
 from rossmarie.report.safety.errors import EvidenceError
 
@@ -28,6 +29,7 @@ def run_report(
     thorough: bool,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
+    only: Sequence[Category],
 ) -> None:
     """Write the page to `out`; a rules file is not written over."""
     if out.suffix == _RULES:
@@ -45,6 +47,7 @@ def run_report(
             thorough=thorough,
             systems=systems,
             message_folders=message_folders,
+            only=only,
         )
     except RulesError as error:
         output.reject(error.diagnostics)

@@ -25,6 +25,7 @@ from rossmarie.driver.verifying import (
     questions_of,
     verification_report,
 )
+from rossmarie.ir import Category
 from rossmarie.report.proofs import Proofs, refutations, write_proofs
 from rossmarie.report.safety.errors import at_file
 from rossmarie.verification.errors import NoProver, ProgramRefused
@@ -39,6 +40,7 @@ def run_verify(
     kept: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
+    only: Sequence[Category],
 ) -> None:
     """Prove, print what came of it, and end with 0 only if everything is proved; write a `report`
     as JSON, and what the prover gets into the folder `kept`.
@@ -48,7 +50,7 @@ def run_verify(
     if kept is not None:
         output.try_folder(kept)
     try:
-        questions = questions_of(rules, systems=systems, message_folders=message_folders)
+        questions = questions_of(rules, systems=systems, message_folders=message_folders, only=only)
     except RulesError as error:
         output.reject(error.diagnostics)
     output.print_findings(questions.compiled.warnings)

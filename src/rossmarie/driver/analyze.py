@@ -11,7 +11,7 @@ from dslkit.writing import write_whole
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.witness import Witness
 from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_checked
-from rossmarie.ir import Machine
+from rossmarie.ir import Category, Machine
 
 TOGGLE_NS = 1_000_000_000
 """The time within which a rule may not toggle, where nothing else is said, in nanoseconds."""
@@ -40,6 +40,7 @@ def analyze_file(
     toggle_ns: int = TOGGLE_NS,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    only: Sequence[Category] = (),
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
     """Check a rules file, and ask what its rules mean together: the quick questions, or all.
@@ -47,7 +48,7 @@ def analyze_file(
 
     Of a file with errors, or one that no target can run, nothing is asked.
     """
-    result = check_file(rules, systems=systems, message_folders=message_folders)
+    result = check_file(rules, systems=systems, message_folders=message_folders, only=only)
     without_answers = Analysis(tuple(map(Finding, result.diagnostics)), {})
     if result.program is None or not result.program.rules:
         return without_answers

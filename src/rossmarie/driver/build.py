@@ -13,7 +13,7 @@ from dslkit.writing import write_whole
 from rossmarie.driver.ownership import check_own
 from rossmarie.driver.package_folder import check_package_folder
 from rossmarie.driver.pipeline import RulesError, check_file, compile_checked, compile_file
-from rossmarie.ir import Machine
+from rossmarie.ir import Category, Machine
 from rossmarie.targets import c99, python, ros1, ros2
 from rossmarie.targets.base import Target
 from rossmarie.targets.copies import MARK
@@ -25,12 +25,17 @@ TARGETS: Mapping[str, Target] = {
 
 
 def check_for(
-    target: str, rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+    target: str,
+    rules: Path,
+    *,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+    only: Sequence[Category] = (),
 ) -> tuple[Diagnostic, ...]:
     """The findings on a rules file; if it has no errors, with those for what the target, or any
     target, cannot do.
     """
-    result = check_file(rules, systems=systems, message_folders=message_folders)
+    result = check_file(rules, systems=systems, message_folders=message_folders, only=only)
     if result.program is None:
         return result.diagnostics
     try:
@@ -51,7 +56,8 @@ def generate(
 
 class Built(NamedTuple):
     """The paths of what was generated, the warnings, what comes next, if anything, the files that
-    all of it rests on, and the texts of the rules' own part of the code in C and C++, by name.
+    all of it rests on, the texts of the rules' own part of the code in C and C++, by name, and the
+    rules that a selection left out.
     """
 
     written: Sequence[Path]
@@ -59,6 +65,7 @@ class Built(NamedTuple):
     next_step: str | None
     sources: Sequence[SourceFile]
     own_code: Mapping[str, str]
+    left_out: tuple[str, ...]
 
 
 def build_files(
@@ -68,10 +75,12 @@ def build_files(
     *,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    only: Sequence[Category] = (),
     name: str | None = None,
     placement: Placement = OWN_PACKAGE,
 ) -> Built:
-    """Generate `target` for a rules file into `folder`, with `name` instead of that of the file.
+    """Generate `target` for a rules file into `folder`, with `name` instead of that of the file,
+    and `only` rules of these categories.
 
     A file whose content would not change is not touched, so that a build system sees no change;
     one that belongs to the user is not touched once it is there.
@@ -79,7 +88,7 @@ def build_files(
     holds another package, `ForeignFileError` if a file in the way was not generated from these
     rules (in all these cases nothing is written), and `OSError` if the folder cannot be written.
     """
-    compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     machine = compiled.machine if name is None else replace(compiled.machine, name=name)
     files = generate(machine, target, placement)
     if found := check_package_folder(folder, files, rules):
@@ -90,7 +99,8 @@ def build_files(
     # In a part of a package the files of the user lie elsewhere, and these are only examples.
     written = write_generated(files, folder, rules, unnamed=of_user)
     next_step = TARGETS[target].next_step(machine) if placement.part_of is None else None
-    return Built(written, compiled.warnings, next_step, compiled.sources, own_code(files))
+    left_out = () if machine.left_out is None else machine.left_out.rules
+    return Built(written, compiled.warnings, next_step, compiled.sources, own_code(files), left_out)
 
 
 def own_code(files: Mapping[str, str]) -> dict[str, str]:

@@ -52,12 +52,13 @@ def dump(
         raise RulesError(result.diagnostics)
     if after is Stage.CHECK:
         return "\n".join(_symbols(result.program)) + "\n"
-    machine = compile_checked(result, message_folders).machine
+    compiled = compile_checked(result, message_folders)
     match after:
         case Stage.LOWER:
+            machine = compiled.with_margins
             return machine_to_json(machine) if as_json else dump_text(machine)
         case Stage.GENERATE:
-            return "\n".join(own_code(generate(machine, "c99")).values())
+            return "\n".join(own_code(generate(compiled.machine, "c99")).values())
 
 
 def _symbols(program: CheckedProgram) -> Iterator[str]:

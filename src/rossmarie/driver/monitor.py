@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from copy import copy
 from operator import index as as_index
 from os import PathLike
@@ -13,11 +13,12 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rossmarie.check.rules.errors import LeftOutRule
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
 from rossmarie.engines import NamedValues, Value, start_monitor
 from rossmarie.guard import Declared, Guard
-from rossmarie.ir import Event, Machine, event_line
+from rossmarie.ir import Category, Event, Machine, event_line, without_margins
 from rossmarie.native import NativeMonitor, fit
 
 
@@ -55,8 +56,10 @@ class Monitor:
     """
 
     def __init__(self, machine: Machine) -> None:
-        self.machine = machine
-        started = start_monitor(machine)
+        """Margins of the machine are for guards; a monitor runs without them."""
+        self._with_margins = machine
+        self.machine = without_margins(machine)
+        started = start_monitor(self.machine)
         self._engine = started.engine
         self.kind = started.kind
         self.reason = started.reason
@@ -77,7 +80,7 @@ class Monitor:
         Raises `MappingError` if they do not fit the rules. Gives a `RuntimeWarning` with the reason
         if the guard is not native.
         """
-        guard = Guard(self.machine, observe, act)
+        guard = Guard(self._with_margins, observe, act)
         if guard.reason is not None:
             warnings.warn(guard.reason, RuntimeWarning, stacklevel=2)
         return guard
@@ -186,13 +189,25 @@ def load(
     *,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    only: Collection[str] = (),
 ) -> Monitor:
     """The monitor of a rules file. Raises `RulesError`, which holds all that is wrong with it.
 
-    Gives a `RuntimeWarning` with the reason if the monitor is not native.
+    `only` are categories: the monitor has the rules that fit, such as `only=["human"]`. Raises
+    `ValueError` for a category that does not exist, `RulesError` if no rule fits. Gives a
+    `RuntimeWarning` for each order that names a rule that is left out, and with the reason if the
+    monitor is not native.
     """
-    compiled = compile_file(Path(rules), systems=systems, message_folders=message_folders)
-    monitor = Monitor(compiled.machine)
+    compiled = compile_file(
+        Path(rules),
+        systems=systems,
+        message_folders=message_folders,
+        only=[Category(each) for each in only],
+    )
+    for found in compiled.warnings:
+        if found.code == LeftOutRule.code:
+            warnings.warn(f"{found.primary.span}: {found.title}", RuntimeWarning, stacklevel=2)
+    monitor = Monitor(compiled.with_margins)
     if monitor.reason is not None:
         warnings.warn(monitor.reason, RuntimeWarning, stacklevel=2)
     return monitor

@@ -12,10 +12,10 @@ from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.source import SourceFile
-from rossmarie.check import CheckedProgram, CheckOptions, check
+from rossmarie.check import CheckedProgram, CheckOptions, check, select
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
-from rossmarie.ir import Machine, verify
+from rossmarie.ir import Category, Machine, verify, without_margins
 from rossmarie.ir.script import Script
 from rossmarie.lowering import lower
 from rossmarie.syntax import ast, parse
@@ -47,18 +47,22 @@ def check_file(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
     tests: SourceFile | None = None,
+    only: Sequence[Category] = (),
 ) -> CheckResult:
     """Parse and check a rules file and all that it imports.
 
     `systems` are further system models, `message_folders` hold .msg files; a file `system.ross`
     beside the rules is a system model without being named. `tests` is a file of tests that is
     not on the disk: it is checked as if it imported the rules.
+    Of the rules `only` those with these categories are kept (all if it is empty).
     """
     collector = Collector()
     modules = load_modules(rules, systems, collector)
     modules += [] if tests is None else [parse(tests, collector)]
     options = CheckOptions(message_folders=tuple(message_folders))
     program = check(modules, options, collector)
+    if program is not None:
+        program = select(program, modules, only, collector)
     return CheckResult(modules, program, shortened(collector.sorted()))
 
 
@@ -67,9 +71,11 @@ class Compiled:
     """A rules file without errors: its machine, the warnings on it, and where the definitions of
     its messages may lie, the tests in it, and of each input the path that its declaration chooses.
     `sources` are all files that the machine rests on, as they were read, the main one last.
+    `with_margins` is the machine for those that learn: with the margins that rules declare.
     """
 
     machine: Machine
+    with_margins: Machine
     warnings: tuple[Diagnostic, ...]
     message_folders: tuple[Path, ...]
     tests: tuple[Script, ...]
@@ -83,9 +89,12 @@ def compile_file(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
     tests: SourceFile | None = None,
+    only: Sequence[Category] = (),
 ) -> Compiled:
     """Check a rules file and lower it, as `check_file` does. Raises `RulesError`."""
-    result = check_file(rules, systems=systems, message_folders=message_folders, tests=tests)
+    result = check_file(
+        rules, systems=systems, message_folders=message_folders, tests=tests, only=only
+    )
     return compile_checked(result, message_folders)
 
 
@@ -103,7 +112,8 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     bases = {name: used.path for name, used in result.program.symbols.inputs.items()}
     files = (module.file for module in result.modules)
     return Compiled(
-        machine=machine,
+        machine=without_margins(machine),
+        with_margins=machine,
         warnings=result.diagnostics,
         message_folders=folders,
         tests=result.program.tests,

@@ -10,7 +10,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.sampler import Sampler
 from rossmarie.driver.taking import taking
 from rossmarie.engines import MonitorEngine, Started, start_monitor
-from rossmarie.ir import Batch, Event
+from rossmarie.ir import Batch, Category, Event
 from rossmarie.recordings import Recording, open_recording
 from rossmarie.report import Replay, rehearse
 
@@ -25,14 +25,15 @@ def replay_file(
     topic_map: Mapping[str, str],
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    only: Sequence[Category] = (),
     on_progress: Progress = lambda _: None,
 ) -> tuple[Replay, tuple[Diagnostic, ...]]:
     """The verdicts of a rules file on a recording, and the findings on both.
 
     `topic_map` leads from topics of the rules to recorded ones. Raises `RulesError` for errors in
-    the rules and `RecordingError` if nothing can be read.
+    the rules (`only` of these categories) and `RecordingError` if nothing can be read.
     """
-    compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     machine = compiled.machine
     collector = Collector()
     with open_recording(recording_path, compiled.message_folders) as recording:

@@ -10,6 +10,7 @@ from dslkit.writing import reason
 from rossmarie.driver.analyze import analyzed
 from rossmarie.driver.pipeline import CheckResult, check_file, compile_checked
 from rossmarie.driver.sources import name_of
+from rossmarie.ir import Category
 from rossmarie.report.safety import (
     Declared,
     Evidence,
@@ -38,6 +39,7 @@ def safety_file(
     thorough: bool = False,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
+    only: Sequence[Category] = (),
 ) -> tuple[SafetyFile, tuple[Diagnostic, ...]]:
     """The safety file, and the findings on the rules and the reports.
 
@@ -48,7 +50,7 @@ def safety_file(
     from rossmarie.analysis.failures import losses  # the solver takes its time to load
     from rossmarie.analysis.inquiry import Inquiry
 
-    result = check_file(rules, systems=systems, message_folders=message_folders)
+    result = check_file(rules, systems=systems, message_folders=message_folders, only=only)
     compiled = compile_checked(result, message_folders)
     reports = {
         kind: _evidence(kind, path)

@@ -39,10 +39,17 @@ class Questions:
 
 
 def questions_of(
-    rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+    rules: Path,
+    *,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+    only: Sequence[ir.Category] = (),
 ) -> Questions:
-    """The questions about a rules file. Raises `RulesError`."""
-    compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    """The questions about the rules of a file, or `only` about those of these categories.
+
+    Raises `RulesError`.
+    """
+    compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     files = generate(compiled.machine, c99.TARGET.name)
     origin = next(iter(files.values())).partition("\n")[0]
     programs = tuple(
@@ -53,9 +60,11 @@ def questions_of(
 
 
 def _programs(machine: ir.Machine) -> Iterator[Harness]:
-    """One about the monitor and, if rules do anything, one about the reactor."""
+    """One about the monitor and, if rules do anything, one about the reactor; none about a reactor
+    that retraces, as nothing is stated of memories of poses.
+    """
     yield harness(machine)
-    if machine.reactions.tasks:
+    if machine.reactions.tasks and not machine.reactions.memories:
         yield reactor_harness(machine)
 
 

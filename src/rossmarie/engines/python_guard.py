@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from copy import copy, deepcopy
+from typing import Any
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from rossmarie.engines.python_steps import PythonSteps
 from rossmarie.interpreter import Reactor
 from rossmarie.ir import (
     EARLIEST_NS,
+    NEVER_NS,
     ChannelValues,
     Event,
     FieldBounds,
@@ -79,6 +81,11 @@ class PythonGuard:
         """True once every input with a timeout has arrived."""
         return not self._missing
 
+    @property
+    def margins(self) -> tuple[float, ...]:
+        """The margins that rules declare, in SI units, in the order of the rules."""
+        return self._monitor.margins
+
     def open(self) -> None:
         """Commands may pass (R12)."""
         self._reactor.open()
@@ -135,6 +142,27 @@ class PythonGuard:
 
         return call
 
+    def watch_call(self, channel: int) -> Callable[..., int | None]:
+        """A function for one message on a channel, as that of `native`'s guard."""
+        inputs = self._machine.inputs
+        if any(inputs[each.input].channel == channel for each in self._machine.lists):
+            raise ValueError("a channel with lists has no fast call")
+        take = self._monitor.message_call(channel)
+        count = sum(inputs[slot.input].channel == channel for slot in self._machine.slots)
+
+        def watch(at_ns: int, *values: Any) -> int | None:
+            if take(at_ns, *map(float, values[:count]), *values[count:]) < 0:
+                raise ValueError(f"an instant of {at_ns} ns is out of range")
+            self._missing -= {channel}
+            self._events += self._monitor.take_events()
+            self._follow(at_ns)
+            if self.has_news:
+                return None
+            wake_ns = self.next_wake()
+            return NEVER_NS if wake_ns is None else wake_ns
+
+        return watch
+
     def row(self, count: int) -> PythonRow:
         """So many guards of the same machine, that have seen nothing."""
         return PythonRow([self.fresh() for _ in range(count)])
@@ -189,12 +217,15 @@ class PythonGuard:
         """The facts after a step in which this happened, as `native` has them."""
         bits = sum(1 << rule for rule, is_active in enumerate(self.active) if is_active)
         size = (max(1, len(self._machine.rules)) + 7) // 8
-        return packed_note(said, bits.to_bytes(size, "little"), self.states, self._reactor.since_ns)
+        active = bits.to_bytes(size, "little")
+        return packed_note(said, active, self.margins, self.states, self._reactor.since_ns)
 
     def _follow(self, at_ns: int) -> None:
         """Let the reactor look, and do the resets of all latched rules that it orders."""
         self.now_ns = at_ns
-        while self._ordered(self._reactor.react(at_ns, self.active, self._monitor.watches)):
+        while self._ordered(
+            self._reactor.react(at_ns, self.active, self._monitor.watches, self._monitor.readings)
+        ):
             self._events += self._monitor.reset(at_ns)
 
     def _ordered(self, orders: list[Order]) -> bool:

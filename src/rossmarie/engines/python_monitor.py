@@ -27,6 +27,8 @@ class PythonMonitor:
         self._arrays = [ir.arrays_of(machine, channel) for channel in channels]
         self._is_column = [array.list is not None for array in machine.arrays]
         self._has_watches = bool(machine.watches)
+        self._has_margins = bool(ir.margins_of(machine))
+        self._has_readings = bool(machine.readings)
         module: dict[str, Any] = {"__name__": "monitor"}
         exec(compile(source, "<generated monitor>", "exec"), module)
         self._jump = module["TimeJump"]
@@ -55,6 +57,19 @@ class PythonMonitor:
         """The values of the watched truths, by index."""
         return tuple(map(TruthValue, self._generated.watches())) if self._has_watches else ()
 
+    @property
+    def margins(self) -> tuple[float, ...]:
+        """The margins that rules declare, in SI units, in the order of the rules."""
+        if not self._has_margins:
+            return ()
+        margins: tuple[float, ...] = self._generated.margins()
+        return margins
+
+    @property
+    def readings(self) -> tuple[float, ...]:
+        """The values of the signals that memories of poses ask, by index; NaN is unknown."""
+        return tuple(self._generated.readings()) if self._has_readings else ()
+
     def update(self, at_ns: int, messages: Mapping[int, ChannelValues]) -> list[Event]:
         """The messages that arrive at one instant, by channel index."""
         fields = {channel: self._fields(channel, values) for channel, values in messages.items()}
@@ -67,6 +82,13 @@ class PythonMonitor:
     def reset(self, at_ns: int, rule: int | None = None) -> list[Event]:
         """An operator resets one latched rule, or all: those with a false condition clear."""
         return self._events_of(at_ns, self._generated.reset, rule)
+
+    def __deepcopy__(self, memo: object) -> PythonMonitor:
+        """Another one that knows the same: functions would be shared, with what they remember."""
+        another = self.fresh()
+        another.load(self.save())
+        another._waiting = list(self._waiting)  # noqa: SLF001 - of this class
+        return another
 
     # --- its memory --------------------------------------------------------------------------
 
@@ -111,6 +133,10 @@ class PythonMonitor:
         """
         if self._arrays[channel]:
             raise ValueError("a channel with arrays has no fast call")
+        return self.message_call(channel)
+
+    def message_call(self, channel: int) -> Callable[..., int]:
+        """The same for any channel: its arrays stand behind its slots."""
         call: Callable[..., int] = self._generated[channel]
         return call
 

@@ -24,6 +24,10 @@ class Steered(Protocol):
     def active(self) -> Sequence[bool]:
         """The rules that are active."""
 
+    @property
+    def margins(self) -> tuple[float, ...]:
+        """The margins that rules declare, in SI units."""
+
     def take(self) -> ir.Told:
         """All that was told since the last time."""
 
@@ -94,6 +98,11 @@ class PythonRow:
                 return row, allowed
             allowed[row] = [self._steps[row].allows(each) for each in actions]
         return len(self._guards), allowed
+
+    def margins(self) -> NDArray[np.float64]:
+        """As `NativeRow.margins`."""
+        found = [guard.margins for guard in self._guards]
+        return np.array(found, np.float64)
 
     def restart(self, which: NDArray[np.bool_]) -> None:
         """Let those that are marked forget everything."""

@@ -22,6 +22,7 @@ from rossmarie.ir import (
     State,
     Wiring,
 )
+from rossmarie.ir.clouds import leave_out
 from rossmarie.native import CHANGED, CLOSED, REFUSED, TOLD, fits, put_back
 
 
@@ -125,16 +126,21 @@ class PythonSteps:
 
     def _take(self, at_ns: int, observation: Sequence[float]) -> None:
         """Let an observation arrive."""
-        messages = {
-            channel: ChannelValues(
-                {index: _of(part, observation)[0] for index, part in self._slots[channel].items()},
-                {index: _of(part, observation) for index, part in self._arrays[channel].items()},
-            )
-            for channel in self._wiring.arriving
-        }
-        self._guard.update(at_ns, messages)
+        self._guard.update(
+            at_ns,
+            {channel: self._message(channel, observation) for channel in self._wiring.arriving},
+        )
         if self._guard.has_all_inputs:
             self._guard.open()
+
+    def _message(self, channel: int, observation: Sequence[float]) -> ChannelValues:
+        slots = {i: _of(part, observation)[0] for i, part in self._slots[channel].items()}
+        arrays: dict[int, Sequence[float]] = {
+            i: _of(part, observation) for i, part in self._arrays[channel].items()
+        }
+        for cloud in self._wiring.clouds:
+            leave_out(cloud, arrays)
+        return ChannelValues(slots, arrays)
 
     def _published(self, command: int, begun: set[int]) -> Iterator[float] | None:
         """The numbers that rules publish in the place of this action, if any do."""

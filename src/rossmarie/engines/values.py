@@ -9,7 +9,9 @@ from typing import TypeAlias
 import numpy as np
 
 from rossmarie.ir import (
+    AXES,
     EACH,
+    POINTS,
     ChannelValues,
     Kind,
     Machine,
@@ -19,12 +21,17 @@ from rossmarie.ir import (
     list_names,
     near_name,
     path_names,
+    point_columns,
 )
 from rossmarie.ir.carried import holds_flags
+from rossmarie.ir.clouds import Cloud, UnreadableCloudError, columns, is_cloud, leave_out
 
-Value: TypeAlias = float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | None
+Value: TypeAlias = (
+    float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud | None
+)
 """The content of a message field: a number, a flag, a string, the elements of an array, or those of
-a list of messages, as dictionaries or objects; None is a list of which nothing is known.
+a list of messages, as dictionaries or objects; None is a list of which nothing is known. The points
+of a cloud may also be given as the message that has them.
 """
 
 _WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
@@ -41,6 +48,7 @@ class NamedValues:
         self.slots, self.arrays = (_by_name(names) for names in field_names(machine))
         self.lists = _by_name(list_names(machine))
         self.arrivals = arrival_names(machine)
+        self._clouds = point_columns(machine)
 
     def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
         """One message on each channel of which a field is named, by channel.
@@ -67,6 +75,9 @@ class NamedValues:
                 slots.setdefault(self.arrivals[name], {})
             else:
                 raise KeyError(self.unknown(name))
+        for found in arrays.values():
+            for cloud in self._clouds:
+                leave_out(cloud, found)
         return {
             channel: ChannelValues(slots.get(channel, {}), arrays.get(channel, {}))
             for channel in slots.keys() | arrays.keys()
@@ -118,21 +129,48 @@ class NamedValues:
         return [self._number_of(Kind.TEXT, each) for each in value]
 
     def _columns(self, name: str, its_list: int, value: Value) -> dict[int, list[float]]:
-        """The columns of a list of dictionaries or of objects; none if it is not known."""
+        """The columns of a list of dictionaries or of objects, or of a cloud; none if it is not
+        known.
+        """
         if value is None:
             return {}
+        is_of_points = self._is_of_points(its_list)
+        if is_of_points and is_cloud(value):
+            return self._points(its_list, value)
         if isinstance(value, str) or not isinstance(value, Sequence):
             raise TypeError(f"`{name}` is a list of messages, not {value!r}")
+        if is_of_points:
+            value = [point for point in value if not any(_is_nan(point, axis) for axis in AXES)]
         found = {}
         for column in columns_of(self._machine, its_list):
             array = self._machine.arrays[column]
             kind = Kind.FLAG if holds_flags(array) else array.kind
             words = path_names(array.path[array.path.index(EACH) + 1 :])
             fields = [_field(name, element, words) for element in value]
+            if is_of_points and None in fields:
+                return {}  # all points of a cloud have the same fields
             found[column] = [
                 math.nan if each is None else self._number_of(kind, each) for each in fields
             ]
         return found
+
+    def _points(self, its_list: int, cloud: Cloud) -> dict[int, list[float]]:
+        """The columns of the points of a cloud; none if nothing is known of them (S56)."""
+        found = columns_of(self._machine, its_list)
+        names = [str(self._machine.arrays[column].path[-1]) for column in found]
+        try:
+            read = columns(cloud, names, self._machine.lists[its_list].most)
+        except UnreadableCloudError:
+            return {}
+        return {column: each.tolist() for column, each in zip(found, read, strict=True)}
+
+    def _is_of_points(self, its_list: int) -> bool:
+        return POINTS in self._machine.lists[its_list].path
+
+
+def _is_nan(point: object, axis: str) -> bool:
+    found = point.get(axis) if isinstance(point, Mapping) else getattr(point, axis, None)
+    return isinstance(found, float) and math.isnan(found)
 
 
 def _field(name: str, element: object, words: Sequence[str]) -> object:

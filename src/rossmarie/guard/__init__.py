@@ -6,8 +6,9 @@ from rossmarie.guard.commands import UPDATE_PERIOD_NS, CommandFilter, Commands
 from rossmarie.guard.core import Core
 from rossmarie.guard.decision import Decision, Request
 from rossmarie.guard.feedback import FeedbackMeter
-from rossmarie.guard.guard import Guard, GuardState
+from rossmarie.guard.guard import Guard
 from rossmarie.guard.mapping import Declared, MappingError, Place
+from rossmarie.guard.state import GuardState
 
 __all__ = [
     "UPDATE_PERIOD_NS",

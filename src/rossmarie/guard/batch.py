@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from threading import Lock
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.engines import GuardRow
+from rossmarie.guard.arrays import FLOATS
+from rossmarie.guard.feedback import FeedbackMeter, rules_with_margin
 from rossmarie.guard.mapping import MappingError
-from rossmarie.ir import Wiring, require_instant
+from rossmarie.ir import Machine, Wiring, require_instant
 from rossmarie.native import put_back
 
 Array = NDArray[Any]
-_FLOATS = (np.float64, np.float32)
 
 
 class BatchDecision(NamedTuple):
@@ -29,13 +31,14 @@ class BatchDecision(NamedTuple):
 
 class GuardBatch:
     """So many guards of the same rules, each for an environment of its own. What rules want done
-    beside the action is not told, and nobody reports how it ended.
+    beside the action is not told, and nobody reports how it ended. It cannot be copied; calls of
+    several threads wait for each other.
     """
 
     def __init__(
         self,
         count: int,
-        rules: tuple[str, ...],
+        machine: Machine,
         row_of: Callable[[int], GuardRow],
         wiring_of: Callable[[int, int | None], Wiring],
     ) -> None:
@@ -44,15 +47,26 @@ class GuardBatch:
         """
         if count < 1:
             raise ValueError(f"a batch has at least one guard, not {count}")
-        self.rules = rules
+        self.rules = tuple(rule.name for rule in machine.rules)
+        self.rules_with_margin = rules_with_margin(machine)
+        self._meter = FeedbackMeter(machine)
         self._count = count
         self._row = row_of(count)
         self._wiring_of = wiring_of
         self._sizes: tuple[int, int | None] | None = None
+        self._lock = Lock()
 
     def __len__(self) -> int:
         """The number of guards."""
         return self._count
+
+    @property
+    def margin(self) -> NDArray[np.float64]:
+        """The margins in each environment at its last observation, of shape (n, margins), as
+        `Decision.margin`; NaN where nothing was observed.
+        """
+        with self._lock:
+            return self._meter.margins(self._row.margins())
 
     def step(
         self, times_ns: int | NDArray[np.int64], observations: Array, actions: Array
@@ -96,8 +110,9 @@ class GuardBatch:
         """Say which of some actions, of shape (k, m), would pass as they are in each environment:
         of shape (n, k). Nothing happens. Raises what `decide` raises.
         """
-        self._connect(None, actions, "k")
-        done, allowed = self._row.allow(np.ascontiguousarray(actions, np.float64))
+        with self._lock:
+            self._connect(None, actions, "k")
+            done, allowed = self._row.allow(np.ascontiguousarray(actions, np.float64))
         self._require_observed(done)
         return allowed
 
@@ -109,7 +124,8 @@ class GuardBatch:
         numbers: Array | None,
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         seen = None if observations is None else np.ascontiguousarray(observations, np.float64)
-        done, active, changed = self._row.step(which, times, seen, numbers)
+        with self._lock:
+            done, active, changed = self._row.step(which, times, seen, numbers)
         if times is None:
             self._require_observed(done)
         elif done != self._count:
@@ -146,7 +162,8 @@ class GuardBatch:
     def restart(self, which: NDArray[np.bool_] | None = None) -> None:
         """Forget everything, in all environments or in those that a mask of shape (n,) marks."""
         mask = self._mask(which)
-        self._row.restart(np.ones(self._count, np.bool_) if mask is None else mask)
+        with self._lock:
+            self._row.restart(np.ones(self._count, np.bool_) if mask is None else mask)
 
     def _mask(self, which: NDArray[np.bool_] | None) -> NDArray[np.bool_] | None:
         if which is None:
@@ -173,7 +190,7 @@ class GuardBatch:
             raise MappingError(
                 f"{what} have the shape {rows.shape}, not ({length or self._count}, ...)"
             )
-        if rows.dtype not in _FLOATS:
+        if rows.dtype not in FLOATS:
             raise MappingError(f"{what} hold {rows.dtype}, not float64 or float32")
         return int(rows.shape[1])
 

@@ -65,6 +65,13 @@ class CommandFilter(Generic[Message]):
         self._latest, self._received_ns = message, now_ns
         self._pass(now_ns, message)
 
+    @property
+    def is_idle(self) -> bool:
+        """True if `update` has nothing to do before `forget`: nothing lies on commands, and the
+        last one was sent like that.
+        """
+        return self._free is not None and self._sent is self._free
+
     def take_over(self, now_ns: int, message: Message) -> None:
         """A command of a rule, in the place of the program's until `give_back`."""
         self._is_taken_over = True
@@ -134,7 +141,7 @@ class CommandFilter(Generic[Message]):
             )
         self._publish(passed)
         self._sent, self._sent_ns = bounds, now_ns
-        self.is_restricting = self._is_taken_over or passed != message
+        self.is_restricting = self._is_taken_over or (passed is not message and passed != message)
 
 
 def _is_zero(bound: FieldBounds) -> bool:

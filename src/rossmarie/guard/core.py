@@ -90,12 +90,16 @@ class Core:
         self._engine.report(as_index(at_ns), task, success=success)
         return self.take()
 
-    def update_call(self, topic: str) -> Callable[..., int]:
-        """The fastest call for one topic, as that of `Monitor`; it gives how many events and orders
-        wait for `take`.
+    def watch_call(self, topic: str) -> Callable[..., int | None]:
+        """The fastest call for one topic: `(at_ns, *scalars, *arrays)`, those that rules read, in
+        the order of the machine. Gives None if events or orders wait for `take`; else the instant
+        at which `advance` is wanted if no message comes before (`ir.NEVER_NS`: never).
+
+        Arrays are of numpy, of float64 or float32. Raises `ValueError` for a topic of which rules
+        read lists, as the function does for an instant out of range.
         """
-        return self._engine.update_call(self._topics.index(topic))
+        return self._engine.watch_call(self._topics.index(topic))
 
     def take(self) -> Told:
-        """The findings of the calls that `update_call` gave, since the last time."""
+        """The findings of the calls that `watch_call` gave, since the last time."""
         return self._engine.take()

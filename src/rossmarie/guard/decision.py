@@ -23,6 +23,7 @@ from rossmarie.ir import (
     Verdict,
     Wiring,
     explain,
+    margins_of,
 )
 from rossmarie.ir.reactions import (
     Call,
@@ -34,6 +35,7 @@ from rossmarie.ir.reactions import (
     Log,
     Publish,
     Reset,
+    Retrace,
     Scale,
     SendGoal,
     SetParameter,
@@ -54,11 +56,27 @@ def active_in(note: bytes, rules: int) -> NDArray[np.bool_]:
     return np.unpackbits(bits, count=rules, bitorder="little").astype(np.bool_)
 
 
+def margins_in(note: bytes, machine: Machine) -> NDArray[np.float64]:
+    """The margins that rules declare, each in its unit, by the facts after a step."""
+    first = 1 + (max(1, len(machine.rules)) + 7) // 8
+    declared = np.frombuffer(note, np.uint8, 8 * len(margins_of(machine)), first)
+    return FeedbackMeter(machine).margins(declared.view(np.float64))
+
+
+def feedback_between(
+    machine: Machine, before: tuple[int, bytes], after: tuple[int, bytes]
+) -> NDArray[np.float64]:
+    """The feedback of each rule from one observation to the next, of shape (rules,)."""
+    was, is_ = (active_in(note, len(machine.rules)) for _, note in (before, after))
+    return FeedbackMeter(machine).between(was, is_, after[0] - before[0])
+
+
 @dataclass(frozen=True)
 class Request:
     """Something that rules want done outside of the action: `kind` says whether its `effect` is to
     start or to stop, or is given up because another rule overrules it or it has failed. `task` is
-    its number; whoever starts it says how it ended with `Guard.report`.
+    its number; whoever starts it says how it ended with `Guard.report`. With `OrderKind.RETRACE`
+    `pose` is to be sent: x, y and z in m, and with an orientation its quaternion (x, y, z, w).
     """
 
     kind: OrderKind
@@ -66,6 +84,7 @@ class Request:
     action: str
     effect: Effect
     task: int
+    pose: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -83,7 +102,16 @@ class Reasons:
 class Decision:
     """An action that may be done, and why; the rest is worked out when it is asked for."""
 
-    __slots__ = ("_at_ns", "_before", "_given", "_note", "_reasons", "action", "requests")
+    __slots__ = (
+        "_at_ns",
+        "_before",
+        "_earlier",
+        "_given",
+        "_note",
+        "_reasons",
+        "action",
+        "requests",
+    )
 
     def __init__(
         self,
@@ -92,11 +120,13 @@ class Decision:
         note: bytes,
         reasons: Reasons,
         before: Before,
+        earlier: NDArray[np.float64] | None = None,
         given: Array | None = None,
         requests: tuple[Request, ...] = (),
     ) -> None:
         self._at_ns = at_ns
         self._before = before
+        self._earlier = earlier
         self.action = action
         """The action to execute."""
         self._note = note
@@ -122,15 +152,22 @@ class Decision:
 
     @property
     def feedback(self) -> NDArray[np.float64]:
-        """The feedback of each rule for a learner since the observation before, of shape (rules,);
-        0 at the first one.
+        """The feedback of each rule for a learner since the observation of the decision before, of
+        shape (rules,); 0 at the first one.
         """
         machine = self._reasons.machine
         if self._before is None:
             return np.zeros(len(machine.rules))
-        before_ns, note = self._before
-        before, after = (active_in(each, len(machine.rules)) for each in (note, self._note))
-        return FeedbackMeter(machine).between(before, after, self._at_ns - before_ns)
+        last = feedback_between(machine, self._before, (self._at_ns, self._note))
+        return last if self._earlier is None else self._earlier + last
+
+    @property
+    def margin(self) -> NDArray[np.float64]:
+        """The distances of conditions of rules to where they change, of shape (margins,), in the
+        order of `Guard.rules_with_margin` and each in the unit that its rule declares: positive
+        while the condition is false, negative while it is true, NaN while it is unknown.
+        """
+        return margins_in(self._note, self._reasons.machine)
 
     @property
     def changed_by(self) -> tuple[str, ...]:
@@ -198,8 +235,9 @@ class Decision:
                 begun = self._state(task) is State.DONE and self._since_ns(task) == self._at_ns
                 return begun or self._state(task) is State.HOLDING
             case (
-                Limit() | Scale() | Publish() | Call() | SetParameter() | SwitchControllers()
-                | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook() | Reset()
+                Limit() | Scale() | Publish() | Retrace() | Call() | SetParameter()
+                | SwitchControllers() | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
+                | Reset()
             ):  # fmt: skip
                 return False
 

@@ -1,4 +1,4 @@
-"""The feedback of rules for a learner (thesis, section 6.3): the cost of a step."""
+"""The feedback of rules for a learner (thesis, section 6.3): the cost of a step, and margins."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.ir import Machine
+from rossmarie.ir import Machine, margins_of
 
 Active = NDArray[np.bool_]
 Floats = NDArray[np.float64]
@@ -22,6 +22,7 @@ class FeedbackMeter:
         amounts = [rule.feedback for rule in machine.rules]
         self._per_activation = np.array([each.per_activation for each in amounts], np.float64)
         self._per_second = np.array([each.per_second for each in amounts], np.float64)
+        self._margin_scales = np.array([each.scale for each in margins_of(machine)], np.float64)
 
     def between(self, before: Active, after: Active, elapsed_ns: Any) -> Floats:
         """The feedback of each rule from one observation to the next: of those that have become
@@ -32,3 +33,16 @@ class FeedbackMeter:
         lasting = before * (self._per_second * seconds)
         found: Floats = (after & ~before) * self._per_activation + lasting
         return found
+
+    def margins(self, numbers: Floats) -> Floats:
+        """The margins that rules declare, each in its unit; `numbers` are they in SI units, of
+        shape (margins,) or (n, margins).
+        """
+        with np.errstate(over="ignore"):
+            found: Floats = numbers * self._margin_scales
+        return found
+
+
+def rules_with_margin(machine: Machine) -> tuple[str, ...]:
+    """The names of the rules that declare a margin, in the order of margins."""
+    return tuple(rule.name for rule in machine.rules if rule.feedback.margin is not None)

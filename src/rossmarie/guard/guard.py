@@ -5,19 +5,31 @@ comes out (thesis, section 6.4, figure 5: the safety interface).
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from collections.abc import Iterator
+from dataclasses import replace
 from functools import cached_property
 from operator import index as as_index
-from typing import Any, TypeAlias
+from threading import RLock
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.engines import GuardEngine, Started, start_guard
+from rossmarie.guard.arrays import refuse, require_array
 from rossmarie.guard.batch import GuardBatch
-from rossmarie.guard.decision import Before, Decision, Reasons, Request, active_in
+from rossmarie.guard.decision import (
+    Before,
+    Decision,
+    Reasons,
+    Request,
+    active_in,
+    feedback_between,
+    margins_in,
+)
+from rossmarie.guard.feedback import rules_with_margin
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
+from rossmarie.guard.state import GuardState, Sizes
 from rossmarie.ir import (
     Change,
     Event,
@@ -37,6 +49,7 @@ from rossmarie.ir.reactions import (
     Log,
     Publish,
     Reset,
+    Retrace,
     Scale,
     SendGoal,
     SetParameter,
@@ -47,34 +60,22 @@ from rossmarie.targets import c99
 
 Array = NDArray[Any]
 _NEWS = CHANGED | TOLD
-_FLOATS = (np.float64, np.float32)
-
-
-Sizes: TypeAlias = tuple[int, int | None]
-"""The numbers that an observation and an action have; None if there was no action yet."""
-
-
-@dataclass(frozen=True)
-class GuardState:
-    """All that a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
-
-    fingerprint: str
-    sizes: Sizes | None
-    at_ns: int | None
-    causes: Mapping[int, Verdict]
-    known: Any
-    seen: tuple[Before, Before] = (None, None)
 
 
 class Guard:
-    """Rules on guard over a policy. Instants are integers in nanoseconds, which never go back."""
+    """Rules on guard over a policy. Instants are integers in nanoseconds, which never go back.
+
+    A copy is a guard of its own that knows the same. Calls of several threads wait for each other.
+    """
 
     def __init__(self, machine: Machine, observe: Declared, act: Declared) -> None:
         """`mapping.py` says what declarations there are. Raises `MappingError` for those that do
         not fit the rules.
         """
         self.machine = machine
+        self._declared = observe, act
         self._mapping = ArrayMapping(machine, observe, act)
+        self._lock = RLock()
         self._rules = {
             task: rule for rule, plan in enumerate(machine.reactions.plans) for task in plan.tasks
         }
@@ -90,12 +91,28 @@ class Guard:
         self._at_ns: int | None = None
         self._before: Before = None
         self._latest: Before = None
+        self._earlier: NDArray[np.float64] | None = None
+        self._is_decided = False
         self._sizes: Sizes | None = None
 
     @property
     def rules(self) -> tuple[str, ...]:
         """The names of the rules."""
         return tuple(rule.name for rule in self.machine.rules)
+
+    @property
+    def rules_with_margin(self) -> tuple[str, ...]:
+        """The names of the rules that declare a margin, in the order of margins."""
+        return rules_with_margin(self.machine)
+
+    @property
+    def margin(self) -> NDArray[np.float64]:
+        """The margins at the last observation, as `Decision.margin`. Raises `ValueError` before
+        any observation.
+        """
+        self._now()
+        assert self._latest is not None, "it was observed"
+        return margins_in(self._latest[1], self.machine)
 
     def require_sizes(self, observed: int, acted: int) -> None:
         """Raise `MappingError` if observations and actions of so many numbers lack a place that is
@@ -110,65 +127,81 @@ class Guard:
         `MappingError` for those that are not, `ValueError` for an instant before the last one or
         out of range, `TypeError` for what is no array and no integer: then nothing has happened.
         """
-        executed = action.copy() if isinstance(action, np.ndarray) else _refuse("action", action)
-        note = self._step(at_ns, observation, executed)
-        if note is None:
-            return self._step_in_order(at_ns, observation, action)
-        self._see(at_ns, note)
-        return self._decision(at_ns, executed, note, action)
+        executed = action.copy() if isinstance(action, np.ndarray) else refuse("action", action)
+        with self._lock:
+            note = self._step(at_ns, observation, executed)
+            if note is None:
+                return self._step_in_order(at_ns, observation, action)
+            self._see(at_ns, note)
+            return self._decision(at_ns, executed, note, action)
 
     def observe(self, at_ns: int, observation: Array) -> NDArray[np.bool_]:
         """Let an observation arrive, for `decide`; gives which rules are active, of shape (rules,).
+        Several may come before a decision: those of the substeps of a simulation, each at its
+        instant.
 
         Raises what `step` raises.
         """
         if not isinstance(observation, np.ndarray):
-            _refuse("observation", observation)
-        note = self._step(at_ns, observation, None)
-        if note is None:
-            self._require_fit(at_ns, observation, None)
-            note = self._step(as_index(at_ns), np.ascontiguousarray(observation), None)
-            assert note is not None, "it fits now"
-        self._see(at_ns, note)
+            refuse("observation", observation)
+        with self._lock:
+            note = self._step(at_ns, observation, None)
+            if note is None:
+                self._require_fit(at_ns, observation, None)
+                note = self._step(as_index(at_ns), np.ascontiguousarray(observation), None)
+                assert note is not None, "it fits now"
+            self._see(at_ns, note)
         return active_in(note, len(self.rules))
 
     def decide(self, action: Array) -> Decision:
         """Decide about an action at the instant of the last observation: `observe` and `decide` are
         together one `step`. Raises what `step` raises, and `ValueError` before any observation.
         """
-        at_ns = self._now()
-        executed = action.copy() if isinstance(action, np.ndarray) else _refuse("action", action)
-        note = self._step(at_ns, None, executed)
-        if note is None:
-            self._require_fit(at_ns, None, action)
-            executed = np.array(action, order="C")
+        executed = action.copy() if isinstance(action, np.ndarray) else refuse("action", action)
+        with self._lock:
+            at_ns = self._now()
             note = self._step(at_ns, None, executed)
-            assert note is not None, "it fits now"
-        return self._decision(at_ns, executed, note, action)
+            if note is None:
+                self._require_fit(at_ns, None, action)
+                executed = np.array(action, order="C")
+                note = self._step(at_ns, None, executed)
+                assert note is not None, "it fits now"
+            return self._decision(at_ns, executed, note, action)
 
     def allows(self, actions: Array) -> NDArray[np.bool_]:
         """Say which of some actions, of shape (k, m), would pass as they are after the last
         observation: of shape (k,). Nothing happens. Raises what `decide` raises.
         """
-        at_ns = self._now()
         if not isinstance(actions, np.ndarray):
-            _refuse("action", actions)
+            refuse("action", actions)
         if actions.ndim != 2:
             raise MappingError(f"actions have the shape {actions.shape}, not (k, m)")
-        if len(actions):
-            self._require_fit(at_ns, None, actions[0])
-        return self._allow(np.ascontiguousarray(actions, np.float64))
+        with self._lock:
+            at_ns = self._now()
+            if len(actions):
+                self._require_fit(at_ns, None, actions[0])
+            return self._allow(np.ascontiguousarray(actions, np.float64))
 
     def _decision(self, at_ns: int, executed: Array, note: bytes, wanted: Array) -> Decision:
+        self._is_decided = True
+        before, earlier = self._before, self._earlier
         if not note[0] & _NEWS:
-            return Decision(at_ns, executed, note, self._reasons, self._before)
+            return Decision(at_ns, executed, note, self._reasons, before, earlier)
         requests = self._take() if note[0] & TOLD else ()
         given = wanted.copy() if note[0] & CHANGED else None
-        return Decision(at_ns, executed, note, self._reasons, self._before, given, requests)
+        return Decision(at_ns, executed, note, self._reasons, before, earlier, given, requests)
 
     def _see(self, at_ns: int, note: bytes) -> None:
-        """Take note of an observation, and of the one before."""
+        """Take note of an observation, and of the one before; of those before it about which nobody
+        has decided, of their feedback only.
+        """
         self._at_ns = at_ns
+        if self._is_decided:
+            self._earlier = None
+        elif self._before is not None and self._latest is not None:
+            found = feedback_between(self.machine, self._before, self._latest)
+            self._earlier = found if self._earlier is None else self._earlier + found
+        self._is_decided = False
         self._before, self._latest = self._latest, (at_ns, note)
 
     def report(self, request: Request | int, *, success: bool) -> None:
@@ -176,8 +209,9 @@ class Guard:
         with the next decision.
         """
         task = request if isinstance(request, int) else request.task
-        self._engine.report(self._now(), task, success=success)
-        self._note(self._engine.take_events())
+        with self._lock:
+            self._engine.report(self._now(), task, success=success)
+            self._note(self._engine.take_events())
 
     def reset(self, rule: str | None = None) -> None:
         """An operator resets one latched rule, or all: those with a false condition clear. Raises
@@ -188,20 +222,26 @@ class Guard:
             meant = f"; did you mean `{near}`?" if near else ""
             raise ValueError(f"there is no rule `{rule}`{meant}")
         number = None if rule is None else self.rules.index(rule)
-        self._engine.reset(self._now(), number)
-        self._note(self._engine.take_events())
+        with self._lock:
+            self._engine.reset(self._now(), number)
+            self._note(self._engine.take_events())
 
     def restart(self) -> None:
         """Forget everything, for another episode."""
-        self._engine.restart()
-        self._begin()
+        with self._lock:
+            self._engine.restart()
+            self._begin()
 
     def batch(self, count: int) -> GuardBatch:
         """So many guards by the same rules and declarations, which have seen nothing."""
-        return GuardBatch(count, self.rules, self._engine.row, self._mapping.wiring)
+        return GuardBatch(count, self.machine, self._engine.row, self._mapping.wiring)
 
     def state(self) -> GuardState:
         """All that it knows, for `restore`; it can be pickled if the guard is native."""
+        with self._lock:
+            return self._state()
+
+    def _state(self) -> GuardState:
         if self._at_ns is None:
             return GuardState(self._fingerprint, None, None, {}, None)
         known = self._engine.save()
@@ -212,6 +252,8 @@ class Guard:
             self._reasons.causes,
             known,
             (self._before, self._latest),
+            self._earlier,
+            self._is_decided,
         )
 
     def restore(self, state: GuardState) -> None:
@@ -224,6 +266,23 @@ class Guard:
                 f"the state is of a guard of other rules, or of another version or kind: "
                 f"{state.fingerprint}, not {self._fingerprint}"
             )
+        with self._lock:
+            self._restore(state)
+
+    def __reduce__(self) -> tuple[object, ...]:
+        return _again, (self.machine, *self._declared, self.state())
+
+    def __deepcopy__(self, memo: object) -> Guard:
+        return self.__copy__()
+
+    def __copy__(self) -> Guard:
+        state, another = self.state(), object.__new__(type(self))
+        another.__dict__ |= self.__dict__ | {"_engine": self._engine.fresh(), "_lock": RLock()}
+        another._begin()
+        another.restore(state)
+        return another
+
+    def _restore(self, state: GuardState) -> None:
         if state.sizes is None:
             self.restart()
             return
@@ -232,6 +291,7 @@ class Guard:
         self._connect(*state.sizes)
         self._at_ns = state.at_ns
         self._before, self._latest = state.seen
+        self._earlier, self._is_decided = state.earlier, state.is_decided
         self._reasons = replace(self._reasons, causes=state.causes)
 
     @cached_property
@@ -253,9 +313,9 @@ class Guard:
     ) -> bytes | None:
         """Connect the arrays by their sizes."""
         assert observation is not None, "an action comes after the first observation"
-        _require_array("observation", observation)
+        require_array("observation", observation)
         if action is not None:
-            _require_array("action", action)
+            require_array("action", action)
         require_instant(as_index(at_ns))
         self._connect(observation.size, None if action is None else action.size)
         return self._step(at_ns, observation, action)
@@ -280,14 +340,14 @@ class Guard:
         """Raise what does not fit; with the first action, connect again for its size."""
         assert self._sizes is not None
         if action is not None and self._sizes[1] is None:
-            _require_array("action", action)
+            require_array("action", action)
             self._connect(self._sizes[0], action.size)
         for what, array, size in zip(
             ("observation", "action"), (observation, action), self._sizes, strict=True
         ):
             if array is None:
                 continue
-            _require_array(what, array)
+            require_array(what, array)
             if array.size != size:
                 raise MappingError(f"the {what} has {array.size} numbers, but had {size} at first")
         instant = as_index(at_ns)
@@ -324,22 +384,16 @@ class Guard:
                 case Publish(command=int() as command) if command in self._acted:
                     continue
                 case (
-                    Publish() | Call() | SetParameter() | SwitchControllers() | SendGoal()
-                    | CancelGoal() | Log() | Diagnose() | Hook()
+                    Publish() | Retrace() | Call() | SetParameter() | SwitchControllers()
+                    | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
                 ):  # fmt: skip
                     rule = self.machine.rules[self._rules[order.task]].name
                     action = reactions.actions[task.action].name
-                    yield Request(order.kind, rule, action, task.effect, order.task)
+                    yield Request(order.kind, rule, action, task.effect, order.task, order.pose)
 
 
-def _require_array(what: str, array: object) -> None:
-    if not isinstance(array, np.ndarray):
-        _refuse(what, array)
-    elif array.ndim != 1:
-        raise MappingError(f"the {what} has the shape {array.shape}, not that of a flat array")
-    elif array.dtype not in _FLOATS:
-        raise MappingError(f"the {what} holds {array.dtype}, not float64 or float32")
-
-
-def _refuse(what: str, array: object) -> Array:
-    raise TypeError(f"the {what} is a {type(array).__name__}, not an array of numpy")
+def _again(machine: Machine, observe: Declared, act: Declared, state: GuardState) -> Guard:
+    """A guard that knows what another one has known; raises what `restore` raises."""
+    guard = Guard(machine, observe, act)
+    guard.restore(state)
+    return guard

@@ -26,6 +26,7 @@ from rossmarie.ir import (
     Wiring,
     columns_of,
     near_name,
+    point_columns,
 )
 from rossmarie.ir.reactions import CommandField, Limit, Publish
 from rossmarie.units import DIMENSIONLESS, Unit, UnknownUnitError, parse_unit
@@ -120,6 +121,7 @@ class ArrayMapping:
             arriving=self._arriving(),
             commands=commands,
             publications=tuple(self._publications(commands)),
+            clouds=point_columns(self._machine),
         )
 
     def name(self, part: CommandPart) -> str:

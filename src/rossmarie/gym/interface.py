@@ -71,9 +71,15 @@ class Interface:
             act=with_speeds(self.actions.declared, seen),
         )
         self.guard.require_sizes(self.observations.size, self.actions.size)
-        self.feedback = FeedbackMeter(monitor.machine)
+        self.feedback = FeedbackMeter(self.guard.machine)
         latched = [rule.release is None for rule in monitor.machine.rules]
         self._ending = np.array(latched, np.bool_) & (declared.latched == "truncate")
+
+    def require_substeps(self, substeps: int) -> int:
+        """A number of substeps. Raises `MappingError` if a period has not so many."""
+        if not 0 < as_index(substeps) <= self.period_ns:
+            raise MappingError(f"a step has at least one substep, not {substeps}")
+        return as_index(substeps)
 
     def is_over(self, active: NDArray[np.bool_]) -> NDArray[np.bool_]:
         """True where an active rule truncates the episode."""

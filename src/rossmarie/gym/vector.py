@@ -61,6 +61,11 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         """The names of the rules."""
         return self._guards.rules
 
+    @property
+    def rules_with_margin(self) -> tuple[str, ...]:
+        """The names of the rules that declare a margin."""
+        return self._guards.rules_with_margin
+
     def reset(
         self, *, seed: Any = None, options: dict[str, Any] | None = None
     ) -> tuple[Any, dict[str, Any]]:
@@ -85,7 +90,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         observations, rewards, terminated, truncated, infos = self.env.step(passed.executed)
         ended = terminated | truncated
         before = self._active
-        active = self._observe(self._seen(observations), infos, anew, ended)
+        active, margin = self._observe(self._seen(observations), infos, anew, ended)
         truncated = truncated | (self._interface.is_over(active) & ~anew)
         self._ended = terminated | truncated
         feedback = self._interface.feedback.between(before, active, self._interface.period_ns)
@@ -98,6 +103,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
             "intervened": passed.intervened,
             "active": active,
             "feedback": feedback,
+            "margin": margin,
         }
         everywhere = np.ones(self.num_envs, np.bool_)
         masks = {f"_{name}": everywhere for name in told} | {"_executed": ~anew}
@@ -110,17 +116,20 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
 
     def _observe(
         self, seen: Array, infos: Mapping[str, Any], anew: Mask, ended: Mask
-    ) -> NDArray[np.bool_]:
-        """Let the observations of a step arrive; gives which rules are active at them."""
+    ) -> tuple[NDArray[np.bool_], NDArray[np.float64]]:
+        """Let the observations of a step arrive; gives which rules are active at them, and their
+        margins.
+        """
         last = self._last(seen, infos, ended)
         self._at_ns[~anew] += self._interface.period_ns
         if anew.any():
             self._begin(seen, anew)
         active = self._guards.observe(self._at_ns, last, ~anew if anew.any() else None)
+        margin = self._guards.margin
         self._active = active
         if self._mode is AutoresetMode.SAME_STEP and ended.any():
             self._begin(seen, ended)
-        return active
+        return active, margin
 
     def _last(self, seen: Array, infos: Mapping[str, Any], ended: Mask) -> Array:
         """The last observations of episodes that have ended, which SAME_STEP gives beside those of
@@ -148,7 +157,9 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         mask = self._interface.actions.mask(self._guards.allows)
         if mask is None:
             return infos
-        return {**infos, "action_mask": mask, "_action_mask": np.ones(self.num_envs, np.bool_)}
+        told = {"action_mask": mask, "no_choice_passes": ~mask.any(axis=-1)}
+        everywhere = np.ones(self.num_envs, np.bool_)
+        return {**infos, **told, **{f"_{name}": everywhere for name in told}}
 
 
 def _mode_of(env: VectorEnv[Any, Any, Any]) -> AutoresetMode:

@@ -17,6 +17,7 @@ from rossmarie.ir.reactions import (
     Log,
     Publish,
     Reset,
+    Retrace,
     Scale,
     SendGoal,
     SetParameter,
@@ -107,8 +108,9 @@ class Filter:
                         moved = force.moved(bound.ramp, at_ns)
                         found[bound.field] = _within(found[bound.field], bound, moved)
                 case (
-                    Limit() | Scale() | Publish() | Call() | SetParameter() | SwitchControllers()
-                    | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook() | Reset()
+                    Limit() | Scale() | Publish() | Retrace() | Call() | SetParameter()
+                    | SwitchControllers() | SendGoal() | CancelGoal() | Log() | Diagnose()
+                    | Hook() | Reset()
                 ):  # fmt: skip
                     pass
         return tuple(found)

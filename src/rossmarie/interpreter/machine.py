@@ -62,6 +62,11 @@ class Interpreter:
         return tuple(TruthValue.UNKNOWN if value is None else value for value in found)
 
     @property
+    def readings(self) -> tuple[float, ...]:
+        """The values of the signals that memories of poses ask, by index; NaN is unknown."""
+        return tuple(self._memory.signals[signal] for signal in self._machine.readings)
+
+    @property
     def input_states(self) -> tuple[InputState, ...]:
         """The states of the inputs, by index."""
         return tuple(present.state for present in self._memory.inputs)

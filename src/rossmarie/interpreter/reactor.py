@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 
 from rossmarie import ir
 from rossmarie.interpreter.filter import Filter
+from rossmarie.interpreter.retracing import Retracing
 from rossmarie.ir import (
     FieldBounds,
     Order,
@@ -50,7 +51,9 @@ class Reactor:
     `ir.EARLIEST_NS` and `ir.LATEST_NS`; `react` and `report` raise `ValueError` outside that range.
 
     `active` says of each rule whether it is active and not exempted (R1), `watches` what the
-    confirmations of `cancel` are worth, in the order of `Machine.watches`.
+    confirmations of `cancel` are worth, in the order of `Machine.watches`; `readings` are the
+    numbers that memories of poses ask, in the order of `Machine.readings`. Without them nothing is
+    recorded.
     """
 
     def __init__(self, machine_reactions: Reactions) -> None:
@@ -61,6 +64,7 @@ class Reactor:
             task: rule for rule, plan in enumerate(machine_reactions.plans) for task in plan.tasks
         }
         self._filter = Filter(machine_reactions)
+        self._retracing = Retracing(machine_reactions)
         self._now_ns = ir.EARLIEST_NS
         self._orders: list[Order] = []
         self._failures: list[int] = []
@@ -87,7 +91,11 @@ class Reactor:
         self._filter.open()
 
     def react(
-        self, at_ns: int, active: Sequence[bool], watches: Sequence[TruthValue]
+        self,
+        at_ns: int,
+        active: Sequence[bool],
+        watches: Sequence[TruthValue],
+        readings: Sequence[float] = (),
     ) -> list[Order]:
         """The orders that follow from which rules are active at an instant."""
         self._set_clock(at_ns)
@@ -98,6 +106,7 @@ class Reactor:
         starting = [rule for rule in self._reactions.order if engaged[rule] and self._rests(rule)]
         for rule in starting:
             self._engagements[rule] = Engagement()
+        self._retracing.record(at_ns, engaged, readings)
         self._pass_resources_on()
         for rule in starting:
             self._start_stage(rule)
@@ -116,8 +125,9 @@ class Reactor:
         return self._settle(watches)
 
     def next_wake(self) -> int | None:
-        """The earliest instant ahead at which a task runs out of time (R13)."""
-        ends = (due_ns for _, due_ns in self._deadlines(State.RUNNING, State.WAITING))
+        """The earliest instant ahead at which a task runs out of time, or sends a pose (R13)."""
+        ends = [due_ns for _, due_ns in self._deadlines(State.RUNNING, State.WAITING)]
+        ends += self._retracing.wakes(self._holding())
         return min((due_ns for due_ns in ends if due_ns > self._now_ns), default=None)
 
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
@@ -140,6 +150,7 @@ class Reactor:
             for progress in self._tasks:
                 progress.started_ns -= self._now_ns - at_ns
             self._filter.set_back(self._now_ns, at_ns)
+            self._retracing.set_back(self._now_ns - at_ns)
         self._now_ns = at_ns
 
     def _deadlines(self, *states: State) -> list[tuple[int, int]]:
@@ -279,8 +290,13 @@ class Reactor:
             while self._is_stage_over(rule):
                 self._engagement(rule).stage += 1
                 self._start_stage(rule)
+        self._orders += self._retracing.orders(self._now_ns, self._holding())
         orders, self._orders = self._orders, []
         return orders
+
+    def _holding(self) -> list[int]:
+        states = enumerate(self._tasks)
+        return [task for task, progress in states if progress.state is State.HOLDING]
 
     def _is_stage_over(self, rule: int) -> bool:
         stages = self._reactions.plans[rule].stages
@@ -314,9 +330,10 @@ class Reactor:
         match kind:
             case OrderKind.START:
                 self._filter.start(task)
+                self._retracing.begin(task)
             case OrderKind.STOP:
                 self._filter.stop(task, self._now_ns)
-            case OrderKind.OVERRULED | OrderKind.FAILED:
+            case OrderKind.OVERRULED | OrderKind.FAILED | OrderKind.RETRACE:
                 pass
 
     def _effect(self, task: int) -> reactions.Effect:

@@ -6,6 +6,9 @@ from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
+from rossmarie.ir.feedback import Feedback, Margin
+from rossmarie.ir.filing import SUBJECTS, TASKS, Category, Hazard, LeftOut, is_selected
+from rossmarie.ir.learning import below_margins, margins_of, without_margins
 from rossmarie.ir.limits import (
     EARLIEST_NS,
     LATEST_NS,
@@ -28,11 +31,9 @@ from rossmarie.ir.model import (
     Constant,
     Count,
     Element,
-    Feedback,
     Flag,
     Fold,
     Folding,
-    Hazard,
     Held,
     Input,
     Kind,
@@ -57,7 +58,19 @@ from rossmarie.ir.model import (
 )
 from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
-from rossmarie.ir.path import EACH, ByName, Each, Listed, Path, Step, path_names, path_text
+from rossmarie.ir.path import (
+    AXES,
+    EACH,
+    POINTS,
+    ByName,
+    Each,
+    Listed,
+    Path,
+    Points,
+    Step,
+    path_names,
+    path_text,
+)
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.signs import Comparison
@@ -85,9 +98,10 @@ from rossmarie.ir.terms import rule_terms, told_truths
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
-from rossmarie.ir.wiring import CommandPart, Part, Publication, Wiring
+from rossmarie.ir.wiring import CommandPart, Part, PointColumns, Publication, Wiring, point_columns
 
 __all__ = [
+    "AXES",
     "EACH",
     "EARLIEST_NS",
     "FLAG_LIMITS",
@@ -96,6 +110,9 @@ __all__ = [
     "MOST_EVALUATIONS",
     "NEVER_NS",
     "NO_REACTIONS",
+    "POINTS",
+    "SUBJECTS",
+    "TASKS",
     "AgeReaches",
     "And",
     "Apply",
@@ -103,6 +120,7 @@ __all__ = [
     "Batch",
     "Between",
     "ByName",
+    "Category",
     "Cause",
     "Change",
     "Channel",
@@ -129,12 +147,14 @@ __all__ = [
     "Input",
     "InputState",
     "Kind",
+    "LeftOut",
     "List",
     "Listed",
     "Literal",
     "LostInput",
     "Machine",
     "MalformedMachine",
+    "Margin",
     "Not",
     "Once",
     "Or",
@@ -143,6 +163,8 @@ __all__ = [
     "Oscillates",
     "Part",
     "Path",
+    "PointColumns",
+    "Points",
     "Publication",
     "Quantified",
     "Quantifier",
@@ -173,6 +195,7 @@ __all__ = [
     "Wiring",
     "arrays_of",
     "arrival_names",
+    "below_margins",
     "columns_of",
     "compared_signals",
     "defined",
@@ -186,16 +209,19 @@ __all__ = [
     "held_of",
     "is_leaf",
     "is_of_list",
+    "is_selected",
     "kind_of",
     "known_count",
     "leaf_truths",
     "list_names",
     "machine_from_json",
     "machine_to_json",
+    "margins_of",
     "most_evaluations",
     "near_name",
     "path_names",
     "path_text",
+    "point_columns",
     "reachable_truths",
     "reactions",
     "require_instant",
@@ -208,4 +234,5 @@ __all__ = [
     "truth_operands",
     "verify",
     "wakes",
+    "without_margins",
 ]

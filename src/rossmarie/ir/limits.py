@@ -18,6 +18,12 @@ LONGEST_NS = 2**61
 NEVER_NS = 2**63 - 1
 """Later than every instant: in C, something that has not happened."""
 
+MOST_POSES = 10_000
+"""The most poses that a memory can hold."""
+
+MOST_POSES_IN_ALL = 100_000
+"""The most poses that all effects of a program can ask for."""
+
 MOST_EVALUATIONS = 10_000
 """The most evaluations that one call of a monitor may take, however long the silence before it was.
 """

@@ -17,6 +17,8 @@ from dataclasses import dataclass
 
 from dslkit.source import Span
 from rossmarie.core import Function, Sampling
+from rossmarie.ir.feedback import NO_FEEDBACK, Feedback
+from rossmarie.ir.filing import Category, Hazard, LeftOut
 from rossmarie.ir.path import Path
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.signs import Comparison
@@ -327,17 +329,6 @@ class Truth:
 
 
 @dataclass(frozen=True)
-class Feedback:
-    """The loss of a learner by a rule: each time that it becomes active, and while it is active."""
-
-    per_activation: float = 0.0
-    per_second: float = 0.0
-
-
-NO_FEEDBACK = Feedback()
-
-
-@dataclass(frozen=True)
 class Rule:
     """Active from when `condition` is true (or unknown for lack of an input with a timeout) until
     `condition` is false and `release` is true. A latched rule (`release` is None) waits for a
@@ -346,7 +337,7 @@ class Rule:
     `head` is where it is pointed at, its name or else its condition. `contract` says in words what
     clears it. `terms` are the truths, and `signals` the signals that are not constant, whose state
     a verdict carries; `inputs` are the inputs it rests on, `hazards` those it mitigates.
-    `feedback` is for learners, and no monitor heeds it.
+    `categories` are what it is filed under; no monitor heeds them, nor `feedback`.
     """
 
     name: str
@@ -362,6 +353,7 @@ class Rule:
     head: Span
     hazards: tuple[int, ...] = ()
     feedback: Feedback = NO_FEEDBACK
+    categories: tuple[Category, ...] = ()
 
     @property
     def roots(self) -> tuple[int, ...]:
@@ -370,18 +362,11 @@ class Rule:
 
 
 @dataclass(frozen=True)
-class Hazard:
-    """A hazard, in words, that rules are there to mitigate (ISO 12100, 3.6)."""
-
-    name: str
-    text: str
-    documentation: str | None
-    span: Span
-
-
-@dataclass(frozen=True)
 class Machine:
-    """A whole rules file. `watches` are the truths that the confirmations in `reactions` ask."""
+    """A whole rules file. `watches` are the truths that the confirmations in `reactions` ask.
+    `left_out` are the rules that a selection does not hold, None if nobody selected.
+    `readings` are the signals that memories of poses ask.
+    """
 
     name: str
     channels: tuple[Channel, ...]
@@ -396,3 +381,5 @@ class Machine:
     reactions: Reactions = NO_REACTIONS
     hazards: tuple[Hazard, ...] = ()
     lists: tuple[List, ...] = ()
+    left_out: LeftOut | None = None
+    readings: tuple[int, ...] = ()

@@ -29,15 +29,19 @@ class OrderKind(enum.Enum):
     STOP = "stop"  # its rule was released: undo it
     OVERRULED = "overruled"  # another rule has the resource: give it up, or do not begin
     FAILED = "failed"  # give it up
+    RETRACE = "retrace"  # send this pose
 
 
 @dataclass(frozen=True)
 class Order:
-    """An order to whoever performs: a thing to do, or to know. `by` is the rule that overrules."""
+    """An order to whoever performs: a thing to do, or to know. `by` is the rule that overrules,
+    `pose` what a `retrace` sends: a position in m, and with an orientation its quaternion.
+    """
 
     kind: OrderKind
     task: int
     by: int | None = None
+    pose: tuple[float, ...] = ()
 
 
 class Told(NamedTuple):

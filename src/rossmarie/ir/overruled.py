@@ -47,8 +47,9 @@ def deed(effect: Effect) -> Deed | None:
         case reactions.Publish(command=command):
             return ("publish", effect) if command is None else None
         case (
-            reactions.Limit() | reactions.Scale() | reactions.Call() | reactions.SendGoal()
-            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            reactions.Limit() | reactions.Scale() | reactions.Retrace() | reactions.Call()
+            | reactions.SendGoal() | reactions.Log() | reactions.Diagnose() | reactions.Hook()
+            | reactions.Reset()
         ):  # fmt: skip
             return None
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 class ByName:
     """The element of an array that has the name `key`: its place is the place of that string in the
     list `names`, which is a path from the message. There is none where the list has the string not
-    at all, or more than once (S7).
+    at all, or more than once, or has another length than the array (S7).
     """
 
     names: tuple[str, ...]
@@ -19,9 +19,13 @@ class ByName:
     def __str__(self) -> str:
         return self.key
 
-    def place(self, names: Sequence[str]) -> int | None:
-        """The place of the element, where the list has these names."""
-        return names.index(self.key) if names.count(self.key) == 1 else None
+    def is_among(self, names: Sequence[str]) -> bool:
+        """Say whether one of these names, and no other, is that of the element."""
+        return names.count(self.key) == 1
+
+    def place(self, names: Sequence[str], length: int) -> int | None:
+        """The place of the element in an array of a length, where the list has these names."""
+        return names.index(self.key) if len(names) == length and self.is_among(names) else None
 
 
 @dataclass(frozen=True)
@@ -49,8 +53,26 @@ class Each:
 
 EACH = Each()
 
-Step = str | int | ByName | Listed | Each
-"""The name of a field, the place or the name of an element, or every element."""
+
+@dataclass(frozen=True)
+class Points:
+    """The points of a `sensor_msgs/PointCloud2`, as a list: the cloud itself says, message by
+    message, which fields they have, and where in its bytes (S56).
+    """
+
+    def __str__(self) -> str:
+        return "points"
+
+
+POINTS = Points()
+
+AXES = ("x", "y", "z")
+"""The fields that are the place of a point: what has no place is no point (S57)."""
+
+Step = str | int | ByName | Listed | Each | Points
+"""The name of a field, the place or the name of an element, every element, or the points of a
+cloud.
+"""
 
 Path = tuple[Step, ...]
 
@@ -89,3 +111,5 @@ def _step_text(step: Step) -> str:
             return f'["{key}"]'
         case Each():
             return "[]"
+        case Points():
+            return f".{step}"

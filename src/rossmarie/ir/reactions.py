@@ -98,6 +98,20 @@ class Publish:
 
 
 @dataclass(frozen=True)
+class Retrace:
+    """`retrace INPUT on TOPIC : TYPE { ... } at RATE`: poses of a memory, the newest first (R17).
+    `numbers` are the fields of the message that the numbers of a pose go into, in their order.
+    """
+
+    topic: str
+    message_type: str
+    assignments: tuple[Assignment, ...]
+    numbers: tuple[FieldPath, ...]
+    period_ns: int
+    memory: int
+
+
+@dataclass(frozen=True)
 class Call:
     """`call SERVICE : TYPE { ... } within D`. Fails if the answer has a field `success` that is
     false, or does not come in time.
@@ -200,7 +214,12 @@ class Reset:
 Awaited = Call | SetParameter | SwitchControllers | SendGoal | CancelGoal
 """Effects whose end is awaited for a time."""
 
-Effect = Limit | Scale | Publish | Awaited | Log | Diagnose | Hook | Reset
+Effect = Limit | Scale | Publish | Retrace | Awaited | Log | Diagnose | Hook | Reset
+
+
+POSES = (3, 7)
+"""The numbers of a position, and of a position and a quaternion."""
+
 
 
 # --- plans -----------------------------------------------------------------------------------
@@ -244,10 +263,22 @@ class Plan:
 
 
 @dataclass(frozen=True)
+class Memory:
+    """A memory of at most `most` poses (R16), each at least `apart` m from the one before it and
+    `apart_ns` later. `readings` are indexes of `Machine.readings`; the first three are a position.
+    """
+
+    readings: tuple[int, ...]
+    most: int
+    apart: float
+    apart_ns: int
+
+
+@dataclass(frozen=True)
 class Reactions:
     """The reactions of the rules of a machine. `plans` has one entry for each rule; `order` are the
     rules from the first to the last that gets a resource that several need; `priorities` are the
-    pairs of rules of which the first was put over the second.
+    pairs of rules of which the first was put over the second; `memories` are those of poses.
     """
 
     commands: tuple[CommandTopic, ...]
@@ -257,6 +288,7 @@ class Reactions:
     plans: tuple[Plan, ...]
     order: tuple[int, ...]
     priorities: tuple[tuple[int, int], ...] = ()
+    memories: tuple[Memory, ...] = ()
 
 
 NO_REACTIONS = Reactions((), (), (), (), (), ())
@@ -270,7 +302,9 @@ def timeout_ns(effect: Effect) -> int | None:
     match effect:
         case Call() | SetParameter() | SwitchControllers() | SendGoal() | CancelGoal():
             return effect.timeout_ns
-        case Limit() | Scale() | Publish() | Log() | Diagnose() | Hook() | Reset():
+        case (
+            Limit() | Scale() | Publish() | Retrace() | Log() | Diagnose() | Hook() | Reset()
+        ):  # fmt: skip
             return None
 
 
@@ -286,8 +320,8 @@ def is_lasting(effect: Effect) -> bool:
         case Call() | Log() | Reset():
             return False
         case (
-            Limit() | Scale() | SetParameter() | SwitchControllers() | CancelGoal() | Diagnose()
-            | Hook()
+            Limit() | Scale() | Retrace() | SetParameter() | SwitchControllers() | CancelGoal()
+            | Diagnose() | Hook()
         ):  # fmt: skip
             return True
 
@@ -309,7 +343,7 @@ class Target:
 def target_of(effect: Effect) -> Target | None:
     """The target that an effect needs for itself; None if it shares (R2)."""
     match effect:
-        case Publish(topic=topic):
+        case Publish(topic=topic) | Retrace(topic=topic):
             return Target("topic", topic)
         case Call(service=service):
             return Target("service", service)
@@ -328,7 +362,7 @@ def waits(effect: Effect) -> bool:
     match effect:
         case Publish(period_ns=period_ns):
             return period_ns is not None
-        case SetParameter() | SwitchControllers() | CancelGoal():
+        case Retrace() | SetParameter() | SwitchControllers() | CancelGoal():
             return True
         case Limit() | Scale() | Call() | SendGoal() | Log() | Diagnose() | Hook() | Reset():
             return False
@@ -340,7 +374,7 @@ def confirmation(effect: Effect) -> int | None:
         case CancelGoal():
             return effect.confirmation
         case (
-            Limit() | Scale() | Publish() | Call() | SetParameter() | SwitchControllers()
-            | SendGoal() | Log() | Diagnose() | Hook() | Reset()
+            Limit() | Scale() | Publish() | Retrace() | Call() | SetParameter()
+            | SwitchControllers() | SendGoal() | Log() | Diagnose() | Hook() | Reset()
         ):  # fmt: skip
             return None

@@ -19,6 +19,8 @@ def reaction_sections(machine: Machine) -> Iterator[tuple[str, ...]]:
     """The lines of each part: watches, command topics, resources, actions, tasks, plans."""
     found = machine.reactions
     yield tuple(f"watch {index} = t{truth}" for index, truth in enumerate(machine.watches))
+    yield tuple(f"reading {index} = s{signal}" for index, signal in enumerate(machine.readings))
+    yield tuple(map(_memory, enumerate(found.memories)))
     yield tuple(line for index in range(len(found.commands)) for line in _command(found, index))
     yield tuple(f"resource {index} = {name}" for index, name in enumerate(found.resources))
     yield tuple(
@@ -31,6 +33,13 @@ def reaction_sections(machine: Machine) -> Iterator[tuple[str, ...]]:
 
 def _placed(line: str, place: str) -> str:
     return f"{line:{_WIDTH}} | {place}"
+
+
+def _memory(numbered: tuple[int, reactions.Memory]) -> str:
+    index, memory = numbered
+    readings = " ".join(map(str, memory.readings))
+    apart = f"{memory.apart!r} m and {duration_text(memory.apart_ns)} apart"
+    return f"memory {index} = up to {memory.most} of readings {readings}, {apart}"
 
 
 def _command(found: reactions.Reactions, index: int) -> Iterator[str]:
@@ -70,6 +79,9 @@ def _effect(effect: reactions.Effect) -> str:
             rate = "once" if period_ns is None else f"every {duration_text(period_ns)}"
             place = "" if effect.command is None else f" in the place of command {effect.command}"
             return f"publish {topic} : {kind} {_fields(effect.assignments)} {rate}{place}"
+        case reactions.Retrace(topic=topic, message_type=kind, memory=memory):
+            sent = f"{topic} : {kind} {_fields(effect.assignments)}"
+            return f"retrace memory {memory} on {sent} every {duration_text(effect.period_ns)}"
         case reactions.Log(level=level, text=text):
             return f"log {level.value} {text!r}"
         case reactions.Diagnose(level=level, text=text):

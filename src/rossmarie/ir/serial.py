@@ -15,11 +15,12 @@ import typing
 
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import model as ir
-from rossmarie.ir.path import ByName, Each, Listed
+from rossmarie.ir.feedback import Margin
+from rossmarie.ir.path import ByName, Each, Listed, Points
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 7
+VERSION = 8
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -77,7 +78,7 @@ _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {step.__name__: step for step in (ByName, Listed, Each)}
+} | {step.__name__: step for step in (ByName, Listed, Each, Points, Margin)}
 
 
 def _is_node(kind: type) -> bool:
@@ -117,12 +118,20 @@ def _decode_instance(kind: type, data: typing.Any, files: list[SourceFile]) -> o
     return kind(**{name: _decode(hints[name], data[name], files) for name in names})
 
 
-def _choose(hints: tuple[type, ...], data: object) -> object:
-    kind = _NODES[data["class"]] if isinstance(data, dict) else type(data)
+def _choose(hints: tuple[type, ...], data: typing.Any) -> object:
+    is_node = isinstance(data, dict) and "class" in data
+    kind = _NODES[data["class"]] if is_node else _plain(hints, data)
     chosen = tuple if kind is list else kind
     found = [hint for hint in hints if (typing.get_origin(hint) or hint) is chosen]
     _require(bool(found), hints, data)
     return found[0]
+
+
+def _plain(hints: tuple[type, ...], data: object) -> type:
+    """The kind of what is no node: a class of JSON, or the only class of the model."""
+    if not isinstance(data, dict):
+        return type(data)
+    return next(hint for hint in hints if dataclasses.is_dataclass(hint))
 
 
 def _require(is_so: bool, hint: object, data: object) -> None:

@@ -19,7 +19,7 @@ _WIDTH = 44
 def dump_text(machine: ir.Machine) -> str:
     """A readable dump; the same machine gives the same text."""
     sections = (
-        (f"machine {machine.name}",),
+        tuple(_head(machine)),
         tuple(_channels(machine)),
         tuple(_inputs(machine)),
         tuple(_sources(machine)),
@@ -31,6 +31,13 @@ def dump_text(machine: ir.Machine) -> str:
         *reaction_sections(machine),
     )
     return "\n\n".join("\n".join(section) for section in sections if section) + "\n"
+
+
+def _head(machine: ir.Machine) -> Iterator[str]:
+    yield f"machine {machine.name}"
+    if machine.left_out is not None:
+        only = ", ".join(each.value for each in machine.left_out.only)
+        yield f"only {only}; left out {', '.join(machine.left_out.rules) or 'none'}"
 
 
 def _channels(machine: ir.Machine) -> Iterator[str]:
@@ -153,9 +160,13 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     yield f"{line:{_WIDTH}} | {rule.contract} | {rule.span}"
     yield f"  actions {', '.join(rule.actions)}"
     yield f"  terms {_names('t', rule.terms)}; signals {_names('s', rule.signals)}"
+    if rule.categories:
+        yield f"  categories {', '.join(each.value for each in rule.categories)}"
     if rule.feedback != ir.Feedback():
         once, lasting = rule.feedback.per_activation, rule.feedback.per_second
-        yield f"  feedback {once:g} per activation, {lasting:g} per s"
+        margin = rule.feedback.margin
+        told = "" if margin is None else f", margin s{margin.signal}{_in_unit(margin.unit)}"
+        yield f"  feedback {once:g} per activation, {lasting:g} per s{told}"
 
 
 def _hazards(machine: ir.Machine) -> Iterator[str]:

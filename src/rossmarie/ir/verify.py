@@ -12,6 +12,7 @@ from collections.abc import Iterable
 
 from rossmarie.core import row, sampling_row
 from rossmarie.ir import model as ir
+from rossmarie.ir.feedback import Margin
 from rossmarie.ir.malformed import (
     MalformedMachine,
     require,
@@ -50,6 +51,7 @@ def verify(machine: ir.Machine) -> None:
     _verify_kinds(machine)
     _verify_rules(machine, arrays)
     _verify_watches(machine, arrays)
+    _verify_readings(machine, arrays)
     verify_reactions(machine)
 
 
@@ -318,10 +320,27 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
         require(rule.signals == rule_signals(machine, condition), where, "wrong signals")
         inputs = tuple(sorted(rests_on[condition].inputs))
         require(rule.inputs == inputs, where, "wrong inputs")
+        if rule.feedback.margin is not None:
+            _verify_margin(machine, rule.feedback.margin, arrays, where)
         for hazard in rule.hazards:
             require_index(hazard, len(machine.hazards), where, "hazard")
     for name, times in Counter(rule.name for rule in machine.rules).items():
         require(times == 1, f"rule {name}", f"there are {times} of this name")
+
+
+def _verify_margin(machine: ir.Machine, margin: Margin, arrays: ElementArrays, where: str) -> None:
+    require_index(margin.signal, len(machine.signals), where, "signal")
+    require(arrays.signals[margin.signal] is None, where, "an elementwise margin")
+    require(kind_of(machine, margin.signal) is ir.Kind.REAL, where, "a margin that is no number")
+    require_finite((margin.scale,), where)
+    require(margin.scale > 0.0, where, f"a margin times {margin.scale}")
+
+
+def _verify_readings(machine: ir.Machine, arrays: ElementArrays) -> None:
+    for index, signal in enumerate(machine.readings):
+        where = f"reading {index}"
+        require_index(signal, len(machine.signals), where, "signal")
+        require(arrays.signals[signal] is None, where, f"signal {signal} is elementwise")
 
 
 def _verify_watches(machine: ir.Machine, arrays: ElementArrays) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from rossmarie.ir import reactions
+from rossmarie.ir.limits import LONGEST_NS, MOST_POSES
 from rossmarie.ir.malformed import require, require_duration, require_finite, require_index
 from rossmarie.ir.model import Machine
 
@@ -25,6 +26,10 @@ def verify_reactions(machine: Machine) -> None:
     for first, second in found.priorities:
         is_kept = place.get(first, len(rules)) < place.get(second, -1)
         require(is_kept, "order", f"rule {first} is not before {second}")
+    for index, memory in enumerate(found.memories):
+        _verify_memory(machine, memory, f"memory {index}")
+        is_used = any(_retraces(task.effect, index) for task in found.tasks)
+        require(is_used, f"memory {index}", "nothing retraces it")
     for index in range(len(found.tasks)):
         _verify_task(machine, index)
     for index, plan in enumerate(found.plans):
@@ -77,6 +82,8 @@ def _verify_effect(machine: Machine, effect: reactions.Effect, where: str) -> No
             _require_ramp(ramp, where)
         case reactions.Publish():
             _verify_publish(machine, effect, where)
+        case reactions.Retrace():
+            _verify_retrace(machine, effect, where)
         case reactions.Call(assignments=assignments) | reactions.SendGoal(assignments=assignments):
             _verify_assignments(assignments, where)
         case reactions.SetParameter(value=value):
@@ -96,6 +103,29 @@ def _verify_publish(machine: Machine, publish: reactions.Publish, where: str) ->
     if publish.period_ns is not None:
         require_duration(publish.period_ns, where)
     _verify_assignments(publish.assignments, where)
+
+
+def _verify_retrace(machine: Machine, retrace: reactions.Retrace, where: str) -> None:
+    require_index(retrace.memory, len(machine.reactions.memories), where, "memory")
+    require_duration(retrace.period_ns, where)
+    count = len(machine.reactions.memories[retrace.memory].readings)
+    require(len(retrace.numbers) == count, where, f"{len(retrace.numbers)} numbers")
+    _verify_assignments(retrace.assignments, where)
+
+
+def _retraces(effect: reactions.Effect, memory: int) -> bool:
+    return isinstance(effect, reactions.Retrace) and effect.memory == memory
+
+
+def _verify_memory(machine: Machine, memory: reactions.Memory, where: str) -> None:
+    require(len(memory.readings) in reactions.POSES, where, f"{len(memory.readings)} readings")
+    for reading in memory.readings:
+        require_index(reading, len(machine.readings), where, "reading")
+    require(1 <= memory.most <= MOST_POSES, where, f"{memory.most} poses")
+    require_finite((memory.apart,), where)
+    require(memory.apart >= 0.0, where, f"{memory.apart} m apart")
+    require(0 <= memory.apart_ns <= LONGEST_NS, where, f"{memory.apart_ns} ns apart")
+    require(memory.apart > 0.0 or memory.apart_ns > 0, where, "not apart")
 
 
 def _verify_assignments(assignments: tuple[reactions.Assignment, ...], where: str) -> None:

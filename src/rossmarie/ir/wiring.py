@@ -6,6 +6,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rossmarie.ir.model import Machine
+from rossmarie.ir.path import AXES, POINTS
+from rossmarie.ir.support import columns_of
+
 
 @dataclass(frozen=True)
 class Part:
@@ -49,10 +53,20 @@ class Publication:
 
 
 @dataclass(frozen=True)
+class PointColumns:
+    """The arrays of a machine that are columns of one cloud, and those among them that are axes: a
+    point of which one is NaN is none (S57).
+    """
+
+    columns: tuple[int, ...]
+    axes: tuple[int, ...]
+
+
+@dataclass(frozen=True)
 class Wiring:
     """All of that for arrays of these sizes. `slots` and `arrays` have an entry for each of the
     machine; `arriving` are the channels on which a message comes with each observation; `commands`
-    are sorted by command.
+    are sorted by command; `clouds` are all that the machine reads.
     """
 
     observed: int
@@ -62,3 +76,15 @@ class Wiring:
     arriving: frozenset[int]
     commands: tuple[CommandPart, ...]
     publications: tuple[Publication, ...]
+    clouds: tuple[PointColumns, ...] = ()
+
+
+def point_columns(machine: Machine) -> tuple[PointColumns, ...]:
+    """The columns of all clouds that a machine reads."""
+    found = []
+    for index, each in enumerate(machine.lists):
+        if POINTS in each.path:
+            columns = columns_of(machine, index)
+            axes = (column for column in columns if machine.arrays[column].path[-1] in AXES)
+            found.append(PointColumns(columns, tuple(axes)))
+    return tuple(found)

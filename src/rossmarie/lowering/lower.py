@@ -10,16 +10,18 @@ import dataclasses
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.check.model import CheckedProgram
+from rossmarie.check.model import CheckedFeedback, CheckedProgram
 from rossmarie.check.rules.plans import latch_of
 from rossmarie.check.rules.rule_names import rule_names
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
+from rossmarie.lowering.margins import Margins
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.reactions import Plans
 from rossmarie.lowering.truths import Truths
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
+from rossmarie.units import DIMENSIONLESS
 
 
 def lower(program: CheckedProgram) -> ir.Machine:
@@ -29,6 +31,12 @@ def lower(program: CheckedProgram) -> ir.Machine:
     contracts = [_contract(rule, truths, nodes, program) for rule in program.rules]
     plans = Plans(program, truths)
     reactions = plans.lower()
+    # Behind all that monitors need, so that these can do without (`ir.without_margins`).
+    margins = Margins(nodes)
+    feedback = [
+        _feedback(each, contract, margins)
+        for each, contract in zip(program.feedback, contracts, strict=True)
+    ]
     machine = ir.Machine(
         name=program.name,
         channels=tuple(inputs.channels),
@@ -41,13 +49,15 @@ def lower(program: CheckedProgram) -> ir.Machine:
         truths=tuple(nodes.truths),
         rules=(),
         watches=tuple(plans.watches),
+        readings=tuple(plans.readings),
         reactions=reactions,
         hazards=tuple(
             ir.Hazard(name, item.text.value, item.documentation, item.name.span)
             for name, item in program.hazards.items()
         ),
+        left_out=program.left_out,
     )
-    return _with_rules(machine, program, contracts)
+    return _with_rules(machine, program, contracts, feedback)
 
 
 @dataclass(frozen=True)
@@ -83,6 +93,15 @@ def _contract(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProg
             return _Contract(condition, always, f"clears when {stated} is false")
 
 
+def _feedback(checked: CheckedFeedback, contract: _Contract, margins: Margins) -> ir.Feedback:
+    unit = checked.margin
+    margin = None
+    if unit is not None:
+        symbol = "" if unit == DIMENSIONLESS else unit.symbol
+        margin = ir.Margin(margins.of(contract.condition), symbol, 1.0 / unit.scale)
+    return ir.Feedback(checked.per_activation, checked.per_second, margin)
+
+
 def _stated(condition: ast.Expression) -> str:
     """The words of a condition, in parentheses where a sentence around them would be misread."""
     text = words(condition.span)
@@ -94,7 +113,10 @@ def _stated(condition: ast.Expression) -> str:
 
 
 def _with_rules(
-    machine: ir.Machine, program: CheckedProgram, contracts: list[_Contract]
+    machine: ir.Machine,
+    program: CheckedProgram,
+    contracts: list[_Contract],
+    feedback: list[ir.Feedback],
 ) -> ir.Machine:
     rests_on = ir.supports(machine).truths
     hazards = {name: index for index, name in enumerate(program.hazards)}
@@ -113,10 +135,11 @@ def _with_rules(
             span=rule.span,
             head=rule.head,
             hazards=tuple(dict.fromkeys(hazards[hazard.text] for hazard in rule.mitigates)),
-            feedback=feedback,
+            feedback=taught,
+            categories=categories,
         )
-        for name, rule, contract, feedback in zip(
-            names, program.rules, contracts, program.feedback, strict=True
+        for name, rule, contract, taught, categories in zip(
+            names, program.rules, contracts, feedback, program.categories, strict=True
         )
     )
     return dataclasses.replace(machine, rules=rules)

@@ -12,7 +12,8 @@ from dataclasses import replace
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, Value
-from rossmarie.check.names.parts import Part
+from rossmarie.check.names.parts import part_at
+from rossmarie.check.operations.lists import counts_all
 from rossmarie.core import sampling_row
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs, Place
@@ -27,6 +28,7 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Point,
     Quantity,
     Quaternion,
     Text,
@@ -119,6 +121,18 @@ class Numbers:
         """The type that the checker found."""
         return self._program.types[node]
 
+    def pose(self, node: ast.Expression) -> Components:
+        """The signals of a position, or of a position and an orientation."""
+        type_, place, shown = self.type_of(node), self.place(node), self.shown(node)
+        if not isinstance(type_, Message) or place is None:
+            return self.components(node)
+        found: Components = ()
+        for name in ("position", "orientation"):
+            part = type_.fields[name]
+            words_of_it = replace(shown, text=f"{shown.text}.{name}")
+            found += self._read(place.field(name, part), part, words_of_it)
+        return found
+
     # --- parts of messages -------------------------------------------------------------------
 
     def place(self, node: ast.Expression) -> Place | None:
@@ -130,7 +144,7 @@ class Numbers:
                 return self._elements[name.text]
             case ast.Reference(name=name):
                 used = self._program.symbols.inputs.get(name.text)
-                return None if used is None else Place(used, Part(used.path))
+                return None if used is None else Place(used, part_at(used.path, used.type))
             case ast.Member(value=value, member=member):
                 place = self.place(value)
                 return None if place is None else place.field(member.text, self.type_of(node))
@@ -189,11 +203,24 @@ class Numbers:
 
     def _folded_list(self, node: ast.ListFold) -> int:
         with self.elements_of(node):
-            if node.function.text == "count":
-                folded: ir.SignalNode = ir.Count(self._truth(node.body))
+            if counts_all(node, self._program.types, self._program.values):
+                folded: ir.SignalNode = ir.Count(self._is_there(node))
+            elif node.function.text == "count":
+                folded = ir.Count(self._truth(node.body))
             else:
                 folded = ir.Fold(_FOLDINGS[node.function.text], self.scalar(node.body))
         return self._nodes.signal(folded, self.shown(node))
+
+    def _is_there(self, node: ast.ListFold) -> int:
+        """The truth that is true of each point of a cloud: there is none without its place."""
+        points = self.type_of(node.list)
+        assert isinstance(points, List), "checked: it is the points of a cloud"
+        assert isinstance(points.element, Point), "checked: it is the points of a cloud"
+        name = node.variable.text
+        shown = Shown(name, node.body.span)
+        x = self._read_part(self._elements[name], "x", points.element.element, shown)
+        is_number = ir.Compare(ir.Comparison.EQUAL, x, x)
+        return self._nodes.leaf(is_number, self.shown(node.body))
 
     # --- operators ---------------------------------------------------------------------------
 

@@ -19,6 +19,7 @@ from rossmarie.check.effects import (
     CheckedLimit,
     CheckedParameter,
     CheckedPublish,
+    CheckedRetrace,
     CheckedScale,
     CheckedSwitch,
 )
@@ -49,11 +50,15 @@ class _Escalation:
 
 @dataclass
 class Plans:
-    """Lowers the plans of all rules; `watches` are the truths that confirmations ask."""
+    """Lowers the plans of all rules; `watches` are the truths that confirmations ask,
+    `readings` the signals that memories of poses ask.
+    """
 
     program: CheckedProgram
     truths: Truths
     watches: list[int] = field(default_factory=list)
+    readings: list[int] = field(default_factory=list)
+    _memories: dict[reactions.Memory, int] = field(default_factory=dict)
     _drafts: list[_Draft] = field(default_factory=list)
 
     def lower(self) -> ir.Reactions:
@@ -92,6 +97,7 @@ class Plans:
             plans,
             self.program.order,
             self.program.priorities,
+            tuple(self._memories),
         )
 
     def _actions(self) -> tuple[reactions.Action, ...]:
@@ -155,6 +161,8 @@ class Plans:
                 return reactions.Publish(
                     topic, sent.message_type, sent.assignments, sent.period_ns, command
                 )
+            case CheckedRetrace() as sent:
+                return self._retrace(sent)
             case ast.Log(level=level, text=text):
                 return reactions.Log(reactions.Level(level.text), text.value)
             case ast.Diagnose(level=level, text=text):
@@ -168,6 +176,18 @@ class Plans:
                 | CheckedCancel()
             ) as awaited:  # fmt: skip
                 return self._awaited(awaited)
+
+    def _retrace(self, sent: CheckedRetrace) -> reactions.Retrace:
+        """Poses that are remembered alike are one memory. A monitor keeps what it watches."""
+        signals, known = self.truths.pose(sent.pose)
+        if known not in self.watches:
+            self.watches.append(known)
+        self.readings += [signal for signal in signals if signal not in self.readings]
+        readings = tuple(map(self.readings.index, signals))
+        memory = reactions.Memory(readings, sent.most, sent.apart, sent.apart_ns)
+        number = self._memories.setdefault(memory, len(self._memories))
+        message = sent.topic, sent.message_type, sent.assignments, sent.numbers
+        return reactions.Retrace(*message, sent.period_ns, number)
 
     def _awaited(self, effect: Awaited) -> reactions.Effect:
         match effect:

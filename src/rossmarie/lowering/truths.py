@@ -6,6 +6,8 @@ once, before whatever refers to them.
 
 from __future__ import annotations
 
+import sys
+
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, ConditionKey, Value
 from rossmarie.check.operations.operands import is_age, is_edge_count
@@ -45,6 +47,22 @@ class Truths:
         """The truth of a condition of a rule or a contract."""
         self._lower_conditions(node)
         return self._truth(node, None)
+
+    def pose(self, node: ast.Expression) -> tuple[tuple[int, ...], int]:
+        """The signals of a pose, and the truth that it is known: so monitors keep its numbers."""
+        signals = self._numbers.pose(node)
+        shown = _shown(node)
+        greatest = self._nodes.constant(sys.float_info.max, Shown("the greatest number", node.span))
+        known = [
+            self._nodes.leaf(
+                ir.Compare(ir.Comparison.LESS_OR_EQUAL, signal, greatest),
+                Shown(f"{shown.text} is known", node.span),
+            )
+            for signal in signals
+        ]
+        return signals, self._nodes.conjunction(
+            tuple(known), Shown(f"all of {shown.text} is known", node.span)
+        )
 
     def _lower_conditions(self, node: ast.Expression) -> None:
         """All conditions that a node names, the deepest first; chains of names are no recursion."""

@@ -11,8 +11,12 @@ def effect_words(machine: ir.Machine, effect: reactions.Effect) -> str:
     match effect:
         case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
             return _bound_words(machine.reactions.commands[topic], effect)
-        case reactions.Publish(topic=name, period_ns=period_ns):
-            return f"publish {name}" + ("" if period_ns is None else f" at {1e9 / period_ns:g} Hz")
+        case (
+            reactions.Publish(topic=name, period_ns=period_ns)
+            | reactions.Retrace(topic=name, period_ns=period_ns)
+        ):
+            verb = "publish" if isinstance(effect, reactions.Publish) else "retrace on"
+            return f"{verb} {name}" + ("" if period_ns is None else f" at {1e9 / period_ns:g} Hz")
         case reactions.Call(service=service):
             return f"call {service}"
         case reactions.SetParameter(node=node, parameter=parameter, value=value):

@@ -39,7 +39,8 @@ _PRIVATE = """
     change channel claiming column command covered cross dbl drop due earliest edge element engages
     enough expire factor failed fails flag flt forget fp from gain gap give goes guard has held
     host how index input int16 int32 int64 is late latest leaf limit literal look lose lost most
-    never no node now on opposite or others pass planned receive recent report resource rossmarie
+    never no node now on opposite or others pass planned pose poses receive recent report resource
+    rossmarie
     row rule sampled samples scale seconds set settle shown since size slot stage staged stamp
     start started swings t take task term text texts timeout topic truth truths turn uint16 uint64
     uint8 unknown unknowns value values wake was watched width window yields

@@ -35,10 +35,10 @@ def relayed_servers(machine: ir.Machine) -> dict[str, str]:
             ) if task.effect.interrupted is reactions.Interrupted.RESEND:
                 found[server] = action_type
             case (
-                reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
-                | reactions.SetParameter() | reactions.SwitchControllers() | reactions.SendGoal()
-                | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose()
-                | reactions.Hook() | reactions.Reset()
+                reactions.Limit() | reactions.Scale() | reactions.Publish()
+                | reactions.Retrace() | reactions.Call() | reactions.SetParameter()
+                | reactions.SwitchControllers() | reactions.SendGoal() | reactions.CancelGoal()
+                | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
             ):  # fmt: skip
                 pass
     return found

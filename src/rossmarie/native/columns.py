@@ -166,7 +166,20 @@ def _tables(
                     f"columns {names[first]} and {names[other]} are of one list, but of shapes "
                     f"{tables[first].shape} and {tables[other].shape}"
                 )
+    for cloud in ir.point_columns(machine):
+        for axis in cloud.axes:
+            _require_places(names[axis], tables[axis])
     return tuple(tables)
+
+
+def _require_places(name: str, table: NDArray[np.float64]) -> None:
+    """All rows of a table have as many points: none can be left out for want of a place (S57)."""
+    lacks = np.isnan(table).any(axis=1)
+    if lacks.any():
+        raise ColumnError(
+            f"column {name} has a point without a place in row {lacks.argmax()}: give clouds that "
+            "have such points one by one, with `update`"
+        )
 
 
 def _texts(machine: ir.Machine, name: str, column: NDArray[np.generic]) -> NDArray[np.float64]:

@@ -54,24 +54,30 @@ static void put_back(const double *numbers, const Py_buffer *view)
     }
 }
 
-/* What is known after a step: what happened, which rules are active and, if the action was changed,
- * the tasks.
+/* What is known after a step: what happened, which rules are active, the margins and, if the action
+ * was changed, the tasks.
  */
 static PyObject *noted(const host *h, int said)
 {
     const size_t rules = sizeof h->machine.active;
     const size_t tasks = said & GUARD_CHANGED ? GUARD_TASKS : 0;
-    PyObject *note = PyBytes_FromStringAndSize(NULL, (Py_ssize_t)(1 + rules + 9 * tasks));
+    const size_t size = 1 + rules + sizeof(double) * GUARD_MARGINS + 9 * tasks;
+    double margins[GUARD_MARGINS + 1];
+    PyObject *note = PyBytes_FromStringAndSize(NULL, (Py_ssize_t)size);
     unsigned char *to;
     if (!note)
         return NULL;
     to = (unsigned char *)PyBytes_AS_STRING(note);
-    to[0] = (unsigned char)said;
-    memcpy(to + 1, h->machine.active, rules);
+    *to++ = (unsigned char)said;
+    memcpy(to, h->machine.active, rules);
+    to += rules;
+    guard_margins(h, margins);
+    memcpy(to, margins, sizeof(double) * GUARD_MARGINS);
+    to += sizeof(double) * GUARD_MARGINS;
     if (tasks) {
         int64_t since_ns[GUARD_TASKS + 1];
-        guard_note(h, to + 1 + rules, since_ns);
-        memcpy(to + 1 + rules + tasks, since_ns, 8 * tasks);
+        guard_note(h, to, since_ns);
+        memcpy(to + tasks, since_ns, 8 * tasks);
     }
     return note;
 }
@@ -120,6 +126,183 @@ static PyObject *faststep(PyObject *self, PyObject *const *arguments, Py_ssize_t
         Py_RETURN_NONE;
     return noted(by->machine, said);
 }
+
+/* --- messages ------------------------------------------------------------------------------ */
+
+/* One channel: which slots and arrays of the machine its messages carry, and room for them. */
+typedef struct watcher {
+    host *machine;
+    PyObject *owner; /* keeps the machine alive */
+    int channel;
+    int fields;
+    int array_count;
+    int first_array; /* the arrays of a channel stand side by side */
+    const int *slots;
+    unsigned char *present;
+    double *slot_room;
+    const double **arrays;
+    size_t *counts;
+    Py_buffer *views;
+    double **rooms; /* for numbers that were float32 */
+} watcher;
+
+/* The elements of an array of one dimension: its own memory, or a copy; NULL with an exception if
+ * it holds no floats.
+ */
+static const double *elements_of(PyObject *array, Py_buffer *view, double **room)
+{
+    if (PyObject_GetBuffer(array, view, PyBUF_C_CONTIGUOUS | PyBUF_FORMAT) != 0)
+        return NULL;
+    if (view->ndim == 1 && view->format && !view->format[1]) {
+        if (view->format[0] == 'd')
+            return (const double *)view->buf;
+        if (view->format[0] == 'f') {
+            const size_t count = (size_t)view->shape[0];
+            double *numbers = (double *)PyMem_Realloc(*room, (count + 1) * sizeof **room);
+            if (!numbers)
+                return (const double *)PyErr_NoMemory();
+            for (size_t i = 0; i != count; i++)
+                numbers[i] = ((const float *)view->buf)[i];
+            *room = numbers;
+            return numbers;
+        }
+    }
+    PyErr_SetString(PyExc_TypeError, "an array is of one dimension, and holds floats");
+    return NULL;
+}
+
+/* A message with arrays, and what follows; less than 0 if the instant is out of range, or with an
+ * exception.
+ */
+static int take_arrays(const watcher *by, int64_t t_ns, const double *values,
+                       PyObject *const *arrays)
+{
+    host *h = by->machine;
+    const size_t before = h->count + guard_of(h)->count;
+    int done = 0, taken = -1;
+    for (int i = 0; i != by->fields; i++)
+        by->slot_room[by->slots[i]] = values[i];
+    while (done != by->array_count) {
+        Py_buffer *view = &by->views[done];
+        const double *found = elements_of(arrays[done], view, &by->rooms[done]);
+        if (!found)
+            break;
+        by->arrays[by->first_array + done] = found;
+        by->counts[by->first_array + done] = (size_t)view->shape[0];
+        done++;
+    }
+    if (done == by->array_count)
+        taken = host_step(h, t_ns, by->present, by->slot_room, by->arrays, by->counts);
+    for (int i = 0; i != by->array_count; i++) {
+        if (by->views[i].obj)
+            PyBuffer_Release(&by->views[i]);
+    }
+    if (taken < 0)
+        return -1;
+    guard_follow(h, t_ns);
+    return (int)(h->count + guard_of(h)->count - before);
+}
+
+/* (at_ns, *numbers, *arrays) -> the instant at which time is wanted next; None if there is
+ * something to take.
+ */
+static PyObject *fastwatch(PyObject *self, PyObject *const *arguments, Py_ssize_t count)
+{
+    const watcher *by = (const watcher *)PyCapsule_GetPointer(self, NULL);
+    double values[MOST_FIELDS];
+    long long t_ns;
+    int news;
+    if (count != 1 + by->fields + by->array_count)
+        return PyErr_Format(PyExc_TypeError, "wanted an instant, %d number(s) and %d array(s)",
+                            by->fields, by->array_count);
+    t_ns = PyLong_AsLongLong(arguments[0]);
+    if (t_ns == -1 && PyErr_Occurred())
+        return NULL;
+    for (int i = 0; i < by->fields; i++) {
+        values[i] = PyFloat_AsDouble(arguments[i + 1]);
+        if (values[i] == -1.0 && PyErr_Occurred())
+            return NULL;
+    }
+    if (by->array_count)
+        news = take_arrays(by, t_ns, values, arguments + 1 + by->fields);
+    else
+        news = guard_packed(by->machine, by->channel, t_ns, values);
+    if (host_failed(by->machine))
+        return PyErr_NoMemory();
+    if (news < 0) {
+        if (!PyErr_Occurred())
+            PyErr_Format(PyExc_ValueError, "an instant of %lld ns is out of range", t_ns);
+        return NULL;
+    }
+    if (news)
+        Py_RETURN_NONE;
+    return PyLong_FromLongLong(guard_next_wake(by->machine));
+}
+
+static PyMethodDef watch_definition = {"watch", (PyCFunction)(void (*)(void))fastwatch,
+                                       METH_FASTCALL,
+                                       "One message: (at_ns, *numbers, *arrays) -> when time is "
+                                       "wanted next, or None if there is news."};
+
+static void free_watcher(watcher *by)
+{
+    for (int i = 0; by->rooms && i != by->array_count; i++)
+        PyMem_Free(by->rooms[i]);
+    PyMem_Free(by->rooms);
+    PyMem_Free(by->views);
+    PyMem_Free(by->counts);
+    PyMem_Free((void *)by->arrays);
+    PyMem_Free(by->slot_room);
+    PyMem_Free(by->present);
+    Py_DECREF(by->owner);
+    PyMem_Free(by);
+}
+
+static void forget_watcher(PyObject *capsule)
+{
+    free_watcher((watcher *)PyCapsule_GetPointer(capsule, NULL));
+}
+
+/* The function for a channel: `shape` has the channel, the number of its slots, of its arrays and
+ * its first array, then the number of channels, slots and arrays of the machine, then the slots of
+ * the channel; `owner` keeps it alive. NULL with an exception if there is no memory.
+ */
+PyObject *guard_python_watch(void *machine, const int *shape, PyObject *owner)
+{
+    PyObject *capsule, *function;
+    watcher *by = (watcher *)PyMem_Calloc(1, sizeof *by);
+    if (!by)
+        return PyErr_NoMemory();
+    by->machine = (host *)machine;
+    by->owner = owner;
+    Py_INCREF(owner);
+    by->channel = shape[0];
+    by->fields = shape[1];
+    by->array_count = shape[2];
+    by->first_array = shape[3];
+    by->slots = shape + 7;
+    by->present = (unsigned char *)PyMem_Calloc((size_t)shape[4] + 1, 1);
+    by->slot_room = (double *)PyMem_Calloc((size_t)shape[5] + 1, sizeof(double));
+    by->arrays = (const double **)PyMem_Calloc((size_t)shape[6] + 1, sizeof(double *));
+    by->counts = (size_t *)PyMem_Calloc((size_t)shape[6] + 1, sizeof(size_t));
+    by->views = (Py_buffer *)PyMem_Calloc((size_t)by->array_count + 1, sizeof(Py_buffer));
+    by->rooms = (double **)PyMem_Calloc((size_t)by->array_count + 1, sizeof(double *));
+    if (!by->present || !by->slot_room || !by->arrays || !by->counts || !by->views || !by->rooms) {
+        free_watcher(by);
+        return PyErr_NoMemory();
+    }
+    by->present[by->channel] = 1;
+    capsule = PyCapsule_New(by, NULL, forget_watcher);
+    if (!capsule) {
+        free_watcher(by);
+        return NULL;
+    }
+    function = PyCFunction_NewEx(&watch_definition, capsule, NULL);
+    Py_DECREF(capsule);
+    return function;
+}
+
+/* --- steps --------------------------------------------------------------------------------- */
 
 static PyMethodDef step_definition = {
     "step", (PyCFunction)(void (*)(void))faststep, METH_FASTCALL,

@@ -9,12 +9,14 @@ from __future__ import annotations
 import struct
 from collections.abc import Callable, Mapping
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
 from rossmarie.ir import (
+    NEVER_NS,
     ChannelValues,
     Event,
     FieldBounds,
@@ -27,8 +29,8 @@ from rossmarie.ir import (
 )
 from rossmarie.native.events import EventReader
 from rossmarie.native.library import Library
-from rossmarie.native.monitor import Mains, NativeMonitor, load_library
-from rossmarie.native.signatures import declarations, fields_of
+from rossmarie.native.monitor import MOST_FIELDS, Mains, NativeMonitor, load_library
+from rossmarie.native.signatures import Fields, declarations, fields_of
 from rossmarie.native.steps import (
     DECLARATIONS,
     AllowCall,
@@ -41,7 +43,6 @@ from rossmarie.native.steps import (
 )
 
 _MAINS = Mains("guarding.c", "fastguard.c")
-_ORDER = struct.Struct("@3i")
 _KINDS = tuple(OrderKind)
 _STATES = tuple(State)
 _NEVER = 2**63 - 1
@@ -90,8 +91,10 @@ class NativeGuard:
         self._monitor = NativeMonitor(machine, library, reader, "guard")
         self.library = library
         self.host = self._monitor.host
+        self._next_wake = library.function("guard_next_wake")
         self._fields = [len(command.fields) for command in machine.reactions.commands]
         self._events: list[Event] = []
+        self._order = _order(machine)
 
     def fresh(self) -> NativeGuard:
         """Another guard of the same machine, that has seen nothing."""
@@ -114,13 +117,21 @@ class NativeGuard:
         """True once every input with a timeout has arrived."""
         return bool(self.library.function("guard_has_all_inputs")(self.host))
 
+    @property
+    def margins(self) -> tuple[float, ...]:
+        """The margins that rules declare, in SI units, in the order of the rules."""
+        count = len(ir.margins_of(self._machine))
+        room = self.library.new("double[]", count + 1)
+        self.library.function("guards_margins")(self.host, 1, room)
+        return tuple(room[:count])
+
     def open(self) -> None:
         """Commands may pass (R12)."""
         self.library.function("guard_open")(self.host)
 
     def next_wake(self) -> int | None:
         """The instant at which `advance` is wanted if nothing else comes before."""
-        wake_ns: int = self.library.function("guard_next_wake")(self.host)
+        wake_ns: int = self._next_wake(self.host)
         return None if wake_ns == _NEVER else wake_ns
 
     def bounds(self, at_ns: int, command: int) -> tuple[FieldBounds, ...]:
@@ -164,6 +175,45 @@ class NativeGuard:
         packed, new = self.library.function("guard_packed"), self.library.new
         return lambda at_ns, *slots: packed(self.host, channel, at_ns, new("double[]", [*slots, 0]))
 
+    def watch_call(self, channel: int) -> Callable[..., int | None]:
+        """A function `(at_ns, *slots, *arrays) -> when time is wanted next, or None if there is
+        something to take` for one message on a channel, with its slots and its arrays in index
+        order, in the units of the message; arrays are of numpy, of float64 or float32.
+
+        Raises `ValueError` if the channel carries lists, as the function does for an instant out of
+        range.
+        """
+        carried = fields_of(self._machine)[channel]
+        if carried.lists or len(carried.slots) > MOST_FIELDS:
+            raise ValueError("a channel with lists has no fast call")
+        shape = self.library.new("int[]", self._shape(channel, carried))
+        if made := self.library.watch_function(self.host, shape, (self, shape)):
+            return made
+        return self._plain_watch(channel, carried)
+
+    def _shape(self, channel: int, carried: Fields) -> list[int]:
+        machine = self._machine
+        first = carried.arrays[0] if carried.arrays else 0
+        assert carried.arrays == tuple(range(first, first + len(carried.arrays))), "side by side"
+        sizes = (len(machine.channels), len(machine.slots), len(machine.arrays))
+        head = [channel, len(carried.slots), len(carried.arrays), first]
+        return [*head, *sizes, *carried.slots, 0]
+
+    def _plain_watch(self, channel: int, carried: Fields) -> Callable[..., int | None]:
+        """The same without the headers of Python."""
+        slots, count = carried.slots, len(carried.slots)
+
+        def watch(at_ns: int, *values: Any) -> int | None:
+            numbers = dict(zip(slots, map(float, values[:count]), strict=True))
+            arrays = dict(zip(carried.arrays, values[count:], strict=True))
+            self.update(at_ns, {channel: ChannelValues(numbers, arrays)})
+            if self._events or self.library.function("guard_order_count")(self.host):
+                return None
+            wake_ns = self.next_wake()
+            return NEVER_NS if wake_ns is None else wake_ns
+
+        return watch
+
     def step_call(self, wiring: Wiring) -> StepCall:
         """The fastest step, for arrays of the sizes of a wiring."""
         table = self._table(wiring)
@@ -186,7 +236,7 @@ class NativeGuard:
 
     def row(self, count: int) -> NativeRow:
         """So many guards of the same machine, that have seen nothing."""
-        return NativeRow(self.library, count, len(self._machine.rules), self._table)
+        return NativeRow(self.library, count, self._machine, self._table)
 
     def take_events(self) -> list[Event]:
         """The events that were told since the last time; orders wait on."""
@@ -203,7 +253,7 @@ class NativeGuard:
         """Know what another guard of the same rules has known. Raises `ValueError` if that was one
         of another program.
         """
-        count, left = divmod(len(saved) - self._size, _ORDER.size)
+        count, left = divmod(len(saved) - self._size, self._order.size)
         if count < 0 or left:
             raise ValueError("it was saved by another program")
         memory = self.library.pointer(_BYTES, saved)
@@ -229,8 +279,8 @@ class NativeGuard:
         states = self.library.new("unsigned char[]", tasks or 1)
         since_ns = self.library.new("int64_t[]", tasks or 1)
         self.library.function("guard_note")(self.host, states, since_ns)
-        bits = self._monitor.active_bits
-        return packed_note(said, bits, list(states)[:tasks], list(since_ns)[:tasks])
+        bits, margins = self._monitor.active_bits, self.margins
+        return packed_note(said, bits, margins, list(states)[:tasks], list(since_ns)[:tasks])
 
     def take(self) -> Told:
         """All that was told since the last time. Raises `MemoryError` if any of it was lost for
@@ -245,11 +295,22 @@ class NativeGuard:
         log = self._order_log()
         self.library.function("guard_forget_orders")(self.host)
         return [
-            Order(_KINDS[kind], task, None if by < 0 else by)
-            for kind, task, by in _ORDER.iter_unpack(log)
+            Order(
+                _KINDS[kind],
+                task,
+                None if by < 0 else by,
+                tuple(pose[1 : 1 + pose[0]] if pose else ()),
+            )
+            for kind, task, by, *pose in self._order.iter_unpack(log)
         ]
 
     def _order_log(self) -> bytes:
         count = self.library.function("guard_order_count")(self.host)
         found = self.library.function("guard_orders")(self.host)
-        return self.library.bytes_at(found, count * _ORDER.size)
+        return self.library.bytes_at(found, count * self._order.size)
+
+
+def _order(machine: ir.Machine) -> struct.Struct:
+    """An order as `guard.c` has it: kind, task, rule, and a pose where the rules retrace any."""
+    most = max((len(each.readings) for each in machine.reactions.memories), default=0)
+    return struct.Struct(f"@4i{most}d" if most else "@3i")

@@ -41,12 +41,14 @@ typedef struct guard_wiring {
     const unsigned char *present; /* the channels that arrive with each observation */
     const guard_part *slots;
     const guard_part *arrays;
+    const int32_t *clouds; /* of which each array is a column; -1 if it is of none */
+    const unsigned char *is_axis;
     const guard_part *parts; /* of actions, command by command */
     const guard_publication *publications;
     const double *published;
     double *slot_room;
     double *element_room;
-    const double **array_room;
+    double **array_room;
     size_t *count_room;
     double *bound_room;
     double *action_room;
@@ -68,6 +70,34 @@ static double of_action(const guard_part *part, double value)
     return is_same ? value : (value - part->offset) / part->scale;
 }
 
+/* Whether a point of a cloud has a place: none of its axes is unknown. */
+static bool has_place(const guard_wiring *w, int32_t cloud, size_t point)
+{
+    for (size_t i = 0; i != w->array_count; i++)
+        if (w->clouds[i] == cloud && w->is_axis[i] && isnan(w->array_room[i][point]))
+            return false;
+    return true;
+}
+
+/* Leaves the points without a place out of a cloud, of which `first` is the first column. */
+static void leave_out(const guard_wiring *w, size_t first)
+{
+    const int32_t cloud = w->clouds[first];
+    const size_t given = w->count_room[first];
+    size_t count = 0;
+    for (size_t point = 0; point != given; point++) {
+        if (!has_place(w, cloud, point))
+            continue;
+        for (size_t i = first; i != w->array_count; i++)
+            if (w->clouds[i] == cloud)
+                w->array_room[i][count] = w->array_room[i][point];
+        count++;
+    }
+    for (size_t i = first; i != w->array_count; i++)
+        if (w->clouds[i] == cloud)
+            w->count_room[i] = count;
+}
+
 static int take_observation(host *h, const guard_wiring *w, int64_t t_ns, const double *observation)
 {
     double *elements = w->element_room;
@@ -82,7 +112,11 @@ static int take_observation(host *h, const guard_wiring *w, int64_t t_ns, const 
         for (size_t k = 0; k != part->count; k++)
             *elements++ = of_message(part, observation[part->first + (int64_t)k * part->step]);
     }
-    return host_step(h, t_ns, w->present, w->slot_room, w->array_room, w->count_room);
+    for (size_t i = 0; i != w->array_count; i++)
+        if (w->clouds[i] >= 0 && (i == 0 || w->clouds[i] != w->clouds[i - 1]))
+            leave_out(w, i);
+    return host_step(h, t_ns, w->present, w->slot_room, (const double *const *)w->array_room,
+                     w->count_room);
 }
 
 /* Whether a task publishes in the place of this action: it does so still, or it has just begun,
@@ -216,6 +250,13 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
 }
 
 /* --- many guards --------------------------------------------------------------------------- */
+
+/* The margins of each guard in its row, GUARD_MARGINS of them; NaN where nothing was observed. */
+void guards_margins(const host *first, size_t count, double *margins)
+{
+    for (size_t i = 0; i != count; i++)
+        guard_margins(&(guard_of(first) + i)->base, margins + i * GUARD_MARGINS);
+}
 
 /* So many guards in a row that have seen nothing; NULL if there is no memory. */
 host *guards_new(size_t count)

@@ -102,6 +102,17 @@ class Library:
         addresses = map(self._address, (host, wiring))
         return self._python_function("guard_python_step", kinds, *addresses, owner)
 
+    def watch_function(
+        self, host: Pointer, shape: Pointer, owner: object
+    ) -> Callable[..., int | None] | None:
+        """The function of `fastguard.c` for a channel; None if the library was built without.
+
+        It keeps `owner` alive, on which guard and shape rest.
+        """
+        kinds = [ctypes.c_void_p, ctypes.c_void_p, ctypes.py_object]
+        addresses = map(self._address, (host, shape))
+        return self._python_function("guard_python_watch", kinds, *addresses, owner)
+
     def _python_function(
         self, name: str, kinds: list[Any], *arguments: object
     ) -> Callable[..., Any] | None:

@@ -38,7 +38,7 @@ _HEADERS = Path(sysconfig.get_paths()["include"])
 RowsCall: TypeAlias = Callable[[int, int, "NDArray[np.uint8] | None"], bytes]
 """Start, stop and room for the active bits, or None; gives the bytes of the events."""
 
-_MOST_FIELDS = 256  # as in fastcall.c
+MOST_FIELDS = 256  # as in fastcall.c
 
 
 @dataclass(frozen=True)
@@ -228,7 +228,7 @@ class NativeMonitor:
         carried = self._fields[channel]
         if carried.arrays:
             raise ValueError("a channel with arrays has no fast call")
-        if len(carried.slots) <= _MOST_FIELDS:
+        if len(carried.slots) <= MOST_FIELDS:
             slots = len(carried.slots)
             if made := self.library.update_function(self.host, channel, slots, self):
                 return made

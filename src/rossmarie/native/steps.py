@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from rossmarie.ir import Part, Wiring, require_instant
+from rossmarie.ir import Machine, Part, Wiring, margins_of, require_instant
 from rossmarie.native.library import Library, Pointer
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -51,6 +51,8 @@ typedef struct guard_wiring {
     unsigned char *present;
     guard_part *slots;
     guard_part *arrays;
+    int32_t *clouds;
+    unsigned char *is_axis;
     guard_part *parts;
     guard_publication *publications;
     double *published;
@@ -63,6 +65,7 @@ typedef struct guard_wiring {
 } guard_wiring;
 int guard_step(host *, guard_wiring *, int64_t, double *, double *);
 void guard_note(host *, unsigned char *, int64_t *);
+void guards_margins(host *, size_t, double *);
 host *guards_new(size_t);
 void guards_free(host *, size_t);
 host *guards_at(host *, size_t);
@@ -97,6 +100,8 @@ class WiringTable:
             "present": library.new("unsigned char[]", present),
             "slots": library.new("guard_part[]", [_part(part) for part in wiring.slots] or 1),
             "arrays": library.new("guard_part[]", [_part(part) for part in wiring.arrays] or 1),
+            "clouds": library.new("int32_t[]", _clouds(wiring) or 1),
+            "is_axis": library.new("unsigned char[]", _axes(wiring) or 1),
             "parts": library.new(
                 "guard_part[]",
                 [_part(each.part, each.command, each.field) for each in wiring.commands] or 1,
@@ -118,6 +123,17 @@ def _part(part: Part, command: int = 0, field: int = 0) -> Sequence[float]:
     return (
         part.first, part.step, part.count, part.scale, part.offset, part.is_flag, command, field, 0,
     )  # fmt: skip
+
+
+def _clouds(wiring: Wiring) -> list[int]:
+    """For each array the cloud of which it is a column."""
+    owners = {column: cloud for cloud, each in enumerate(wiring.clouds) for column in each.columns}
+    return [owners.get(array, -1) for array in range(len(wiring.arrays))]
+
+
+def _axes(wiring: Wiring) -> list[int]:
+    axes = {axis for each in wiring.clouds for axis in each.axes}
+    return [int(array in axes) for array in range(len(wiring.arrays))]
 
 
 def _publications(wiring: Wiring) -> list[tuple[int, ...]]:
@@ -178,9 +194,15 @@ def put_back(numbers: Floats, action: NDArray[Any]) -> None:
     action[:] = np.where(is_beyond, np.nextafter(nearest, action.dtype.type(0)), nearest)
 
 
-def packed_note(said: int, active: bytes, states: Sequence[int], since_ns: Sequence[int]) -> bytes:
+def packed_note(
+    said: int,
+    active: bytes,
+    margins: Sequence[float],
+    states: Sequence[int],
+    since_ns: Sequence[int],
+) -> bytes:
     """The facts after a step, as bytes; tasks only if the action was changed."""
-    note = bytes([said]) + active
+    note = bytes([said]) + active + struct.pack(f"={len(margins)}d", *margins)
     if said & CHANGED:
         note += bytes(states) + struct.pack(f"={len(since_ns)}q", *since_ns)
     return note
@@ -190,7 +212,11 @@ class NativeRow:
     """Guards in a row, that have seen nothing: a step of all of them is one call."""
 
     def __init__(
-        self, library: Library, count: int, rules: int, table_of: Callable[[Wiring], WiringTable]
+        self,
+        library: Library,
+        count: int,
+        machine: Machine,
+        table_of: Callable[[Wiring], WiringTable],
     ) -> None:
         made = library.function("guards_new")(count)
         if library.is_null(made):
@@ -199,7 +225,8 @@ class NativeRow:
         self._first = library.owned(made, lambda first: free(first, count))
         self._library = library
         self._count = count
-        self._shape = (count, rules)
+        self._shape = (count, len(machine.rules))
+        self._margins = (count, len(margins_of(machine)))
         self._table_of = table_of
         self._table: WiringTable | None = None
 
@@ -251,6 +278,14 @@ class NativeRow:
             library.pointer(_BYTES, allowed),
         )
         return int(done), allowed
+
+    def margins(self) -> Floats:
+        """The margins that rules declare, in SI units, of shape (rows, margins)."""
+        library = self._library
+        margins = np.empty(self._margins)
+        call = library.function("guards_margins")
+        call(self._first, self._count, library.pointer("double[]", margins))
+        return margins
 
     def restart(self, which: NDArray[np.bool_]) -> None:
         """Let those that are marked forget everything."""

@@ -126,7 +126,7 @@ class BagRecording:
             return None
         slots = {index: slot for match in matches for index, slot in match.slots.items()}
         arrays = {index: array for match in matches for index, array in match.arrays.items()}
-        decoder = Decoder(connection, store, Wanted(slots, arrays), machine.texts)
+        decoder = Decoder(connection, store, Wanted(slots, arrays, machine.lists), machine.texts)
         for field in decoder.missing:
             _report_missing(field, connection, machine, collector)
         spans = [input_span(machine, reader) for match in matches for reader in match.inputs]

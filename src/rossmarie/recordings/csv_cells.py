@@ -113,7 +113,7 @@ class ChannelReader:
         element = search.slot.path[-1]
         assert isinstance(element, Listed), "its columns are those of an array"
         filled = _filled(cells, columns)
-        place = search.place(element, filled) if filled else None
+        place = search.place(element, (), len(filled)) if filled else None
         if place is None:
             return math.nan
         read = self._flag if search.slot.kind is Kind.FLAG else self._number

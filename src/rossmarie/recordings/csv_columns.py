@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
 from rossmarie.ir import EACH, Array, Listed, Machine, Slot
+from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.matching import Match
 
 _COMPARED = 200
@@ -100,6 +101,9 @@ def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Co
         else:
             missing.append(slot)
     for index, array in match.arrays.items():
+        if is_of_points(array):
+            missing.append(array)
+            continue
         elements = [_elements(name, keys) for name in _names(match, array, machine)]
         arrays[index] = next((columns for columns in elements if columns), ())
         if not arrays[index]:

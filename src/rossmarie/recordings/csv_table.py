@@ -25,9 +25,10 @@ from typing import TextIO
 
 from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Batch, Machine
+from rossmarie.ir import Array, Batch, Machine
 from rossmarie.recordings.batches import batched
 from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks, stamps_of
+from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.csv_cells import ChannelReader, Clock, clock, unreadable_cells
 from rossmarie.recordings.csv_columns import (
     Columns,
@@ -137,6 +138,9 @@ class CsvRecording:
             span = input_span(machine, reader)
             read = match.fields_of(reader)
             missing = [field for field in columns.missing if field.input == reader]
+            if any(isinstance(field, Array) and is_of_points(field) for field in missing):
+                collector.add(self._no_points(match).at(span, help=FieldNotRecorded.Points()))
+                continue
             wanted = [expected_column(match, field, machine) for field in missing]
             if not match.slots and not match.arrays and columns.arrival is None:
                 wanted = [machine.inputs[reader].name]
@@ -157,6 +161,10 @@ class CsvRecording:
                 collector.add(lost.at(span, help=lost.NoColumn(column=name)))
             if is_blank:
                 collector.add(TopicNeverSent(topic=match.topic).at(span))
+
+    def _no_points(self, match: Match) -> FieldNotRecorded:
+        kind, reason = "the points of a cloud", "the points of a cloud are bytes"
+        return FieldNotRecorded(topic=match.topic, field="points", kind=kind, reason=reason)
 
     def _nothing_to_replay(self, machine: Machine, collector: Collector) -> RecordingError:
         finding = NothingToReplay(

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from rosbags.serde import SerdeError
 from rosbags.typesys.store import Typestore
 
+from rossmarie.ir.clouds import UnreadableCloudError
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch
 from rossmarie.recordings.extraction import Message, Wanted, compile_extractor
@@ -41,8 +42,8 @@ _NOT_READ = float("nan")
 @dataclass(frozen=True, eq=False)
 class Decoded:
     """The values that are read of each message, by slot and by array of the machine. `failures` are
-    the messages that cannot be decoded, of which nothing is known, with the reasons: their arrays
-    are None.
+    the messages that cannot be decoded, of which nothing is known, or of which a cloud is not, with
+    the reasons: their arrays are None.
     """
 
     slots: Mapping[int, NDArray[np.float64]]
@@ -64,6 +65,7 @@ class Decoder:
         self._most = Sizes(store.fielddefs).largest_message(self._name)
         extractor = compile_extractor(store, connection.message_type, wanted, texts)
         self._read, self._found = extractor.read, extractor.found
+        self._clouds = extractor.clouds
         self.missing = extractor.missing
         self._searches = extractor.searches
         self._plan = plan_for(store, connection.message_type, connection.encoding, self._found)
@@ -95,16 +97,29 @@ class Decoder:
     def _decode_alone(self, content: bytes, row: int, found: Found) -> str | None:
         """Decode one message, as rosbags does it; gives why that cannot be, if it cannot."""
         try:
-            values = self._read(self._message(content))
+            message = self._message(content)
+            values = self._read(message)
         except DECODE_FAILURES as error:
             for each in found.arrays.values():
                 each[row] = None
             return str(error) or type(error).__name__
         for slot, column in found.slots.items():
             column[row] = values.slots.get(slot, _NOT_READ)
-        for array, each in found.arrays.items():
-            each[row] = np.array(values.arrays[array], np.float64)
-        return None
+        for array, elements in values.arrays.items():
+            found.arrays[array][row] = np.array(elements, np.float64)
+        return self._take_points(message, row, found)
+
+    def _take_points(self, message: Message, row: int, found: Found) -> str | None:
+        """Take the points of clouds; gives why a cloud is not known, if one is not (S56)."""
+        reason = None
+        for cloud in self._clouds:
+            try:
+                columns: Mapping[int, NDArray[np.float64] | None] = cloud.read(message)
+            except UnreadableCloudError as error:
+                reason, columns = str(error), dict.fromkeys(cloud.columns)
+            for array, elements in columns.items():
+                found.arrays[array][row] = elements
+        return reason
 
     def _message(self, content: bytes) -> Message:
         if self._most is not None and len(content) > self._most:

@@ -7,7 +7,6 @@ from __future__ import annotations
 import difflib
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import Any
 
 from dslkit.diagnostics import Diagnostic, DidYouMean, Remark
 from rossmarie.ir import ByName, Listed, Machine, Slot
@@ -21,15 +20,13 @@ Named = ByName | Listed
 """An element that goes by a name."""
 
 
-def place_of(element: Named, among: Sequence[Any]) -> int | None:
-    """The place of an element `among` the names that a message has, or the elements of its array,
-    if the names are declared.
-    """
+def place_of(element: Named, names: Sequence[str], length: int) -> int | None:
+    """The place of an element in an array of a length; `names` are those that the message has."""
     match element:
         case ByName():
-            return element.place(among)
+            return element.place(names, length)
         case Listed():
-            return element.place_among(len(among))
+            return element.place_among(length)
 
 
 @dataclass
@@ -42,13 +39,12 @@ class ElementSearch:
     is_found: bool = False
     others: dict[str, None] = field(default_factory=dict)
 
-    def place(self, element: Named, among: Sequence[Any]) -> int | None:
+    def place(self, element: Named, names: Sequence[str], length: int) -> int | None:
         """The place of the element, as `place_of` says."""
-        found = place_of(element, among)
-        self.is_found = self.is_found or found is not None
+        self.is_found = self.is_found or _is_there(element, names, length)
         if not self.is_found and len(self.others) < _MOST_OTHERS:
-            self.others.update(dict.fromkeys(_instead(element, among)))
-        return found
+            self.others.update(dict.fromkeys(_instead(element, names, length)))
+        return place_of(element, names, length)
 
     @property
     def is_vain(self) -> bool:
@@ -56,12 +52,20 @@ class ElementSearch:
         return bool(self.others) and not self.is_found
 
 
-def _instead(element: Named, among: Sequence[Any]) -> Sequence[str]:
+def _is_there(element: Named, names: Sequence[str], length: int) -> bool:
     match element:
         case ByName():
-            return among[:_MOST_OTHERS]
+            return element.is_among(names)
+        case Listed(count=count):
+            return length == count
+
+
+def _instead(element: Named, names: Sequence[str], length: int) -> Sequence[str]:
+    match element:
+        case ByName():
+            return names[:_MOST_OTHERS]
         case Listed():
-            return (str(len(among)),)
+            return (str(length),)
 
 
 def never_found(topic: str, search: ElementSearch, machine: Machine) -> Diagnostic:

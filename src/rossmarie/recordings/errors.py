@@ -96,6 +96,9 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
         says = "add a column `{column}`"
         column: str
 
+    class Points(Remark):
+        says = "a table holds no clouds: replay the bag, or the MCAP file"
+
 
 class NameNeverRecorded(Warning, code="ROSS609", name="name-never-recorded"):
     """An element that goes by a name that no recorded message has."""

@@ -16,7 +16,19 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.base import normalize_fieldname
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import EACH, Array, ByName, ChannelValues, Each, Kind, Listed, Path, Slot
+from rossmarie.ir import (
+    EACH,
+    POINTS,
+    Array,
+    ByName,
+    ChannelValues,
+    Kind,
+    List,
+    Listed,
+    Path,
+    Slot,
+)
+from rossmarie.recordings.clouds import CloudReader, cloud_readers, holds_cloud, is_of_points
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch, Named, place_of
 
@@ -30,24 +42,26 @@ Message = Any
 @dataclass(frozen=True)
 class Wanted:
     """The part of messages that a machine reads: slots and arrays with their indices in the
-    machine.
+    machine, of which `lists` are all.
     """
 
     slots: Mapping[int, Slot]
     arrays: Mapping[int, Array]
+    lists: Sequence[List] = ()
 
 
-Find = Callable[[Named, Sequence[Any]], int | None]
+Find = Callable[[Named, Sequence[str], int], int | None]
 """The place of an element, as `place_of` says."""
 
 
 @dataclass(frozen=True)
 class Extractor:
-    """Reads the wanted values of a message: those `found` in its type, not those `missing`. What
-    came of the names of elements stands in `searches`.
+    """Reads the wanted values of a message: those `found` in its type, not those `missing`. The
+    points of clouds are read by `clouds`. What came of the names of elements stands in `searches`.
     """
 
     read: Callable[[Message], ChannelValues]
+    clouds: tuple[CloudReader, ...]
     found: Wanted
     missing: tuple[Slot | Array, ...]
     searches: tuple[ElementSearch, ...]
@@ -71,7 +85,11 @@ def compile_extractor(
             numbers[index] = _attributes(slot.path)
         else:
             others[index] = _scalar_reader(searches[index], description, texts)
+    points: dict[int, Array] = {}
     for index, array in wanted.arrays.items():
+        if is_of_points(array) and _is_in_cloud(store, root, array):
+            points[index] = array
+            continue
         description = _describe(store, root, array.path)
         reader = None if description is None else _elements_reader(array, description, texts)
         if reader is None:
@@ -84,11 +102,12 @@ def compile_extractor(
             for index, slot in wanted.slots.items()
             if index in numbers or index in others
         },
-        {index: array for index, array in wanted.arrays.items() if index in arrays},
+        {i: array for i, array in wanted.arrays.items() if i in arrays or i in points},
     )
     read = _reader(numbers, others, arrays)
     named = tuple(each for each in searches.values() if _goes_by_name(each.slot.path))
-    return Extractor(read, found, tuple(missing), named)
+    clouds = tuple(cloud_readers(points, wanted.lists))
+    return Extractor(read, clouds, found, tuple(missing), named)
 
 
 def _reader(
@@ -182,8 +201,8 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
             if isinstance(part, str):
                 value = getattr(value, normalize_fieldname(part))
                 continue
-            assert not isinstance(part, Each), "a single element has a place or a name"
-            place = part if isinstance(part, int) else find(part, _among(message, part, value))
+            assert isinstance(part, int | Named), "a single element has a place or a name"
+            place = part if isinstance(part, int) else find(part, _names(message, part), len(value))
             if place is None or place >= len(value):
                 return None
             value = value[place]
@@ -192,13 +211,14 @@ def _path_reader(path: Path, find: Find) -> Callable[[Message], Any]:
     return read
 
 
-def _among(message: Message, element: Named, array: Sequence[Any]) -> Sequence[Any]:
+def _names(message: Message, element: Named) -> Sequence[str]:
+    """The names that a message has for the elements of an array; none if they are declared."""
     match element:
         case ByName(names=path):
             names: Sequence[str] = attrgetter(_attributes(path))(message)
             return names
         case Listed():
-            return array
+            return ()
 
 
 def _goes_by_name(path: Path) -> bool:
@@ -238,6 +258,12 @@ def _describe(store: Typestore, root: Any, path: Path) -> Any:
                 return None
             description = fields[part]
     return description
+
+
+def _is_in_cloud(store: Typestore, root: Any, array: Array) -> bool:
+    """Say whether a field of points is in a message of the type that has them."""
+    description = _describe(store, root, array.path[: array.path.index(POINTS)])
+    return description is not None and holds_cloud(description, store)
 
 
 def _holds(description: Any, kind: Kind) -> bool:

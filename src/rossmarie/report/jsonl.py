@@ -59,6 +59,7 @@ def _line(fields: dict[str, object]) -> str:
 
 
 def _header(replay: Replay) -> dict[str, object]:
+    left_out = replay.machine.left_out
     return {
         "type": "header",
         "schema": SCHEMA,
@@ -69,6 +70,7 @@ def _header(replay: Replay) -> dict[str, object]:
         "end_ns": replay.end_ns,
         "duration_s": replay.duration_ns / 1e9,
         "rules": [rule.name for rule in replay.machine.rules],
+        "left_out": [] if left_out is None else list(left_out.rules),
         "notes": list(replay.notes),
     }
 
@@ -94,6 +96,7 @@ def _verdict(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> dict[str,
         "time_s": placed.position_ns / 1e9,
         "active": verdict.change is not Change.CLEARED,
         "change": CHANGES[verdict.change],
+        "categories": [each.value for each in rule.categories],
         "actions": list(rule.actions),
         "clears": rule.contract,
         "cause": cause_data(explain(replay.machine, verdict), placed.origin_ns),

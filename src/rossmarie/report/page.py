@@ -66,6 +66,7 @@ def _rule(rule: Rule, spans: tuple[ActiveSpan, ...], places: dict[int, int]) -> 
         "name": rule.name,
         "contract": rule.contract,
         "actions": rule.actions,
+        "categories": [each.value for each in rule.categories],
         "latched": rule.release is None,
         "total": format_length(sum(span.end_ns - span.start_ns for span in spans)),
         "spans": [

@@ -33,10 +33,18 @@ class Unless(NamedTuple):
     span: Span
 
 
+class Categorized(NamedTuple):
+    """The word behind `category`, or behind `task`."""
+
+    word: ast.Name
+    is_task: bool
+    span: Span
+
+
 class Learned(NamedTuple):
     """The amounts behind `feedback`."""
 
-    amounts: tuple[ast.Feedback, ...]
+    amounts: tuple[ast.Feedback | ast.Margin, ...]
     span: Span
 
 
@@ -133,12 +141,23 @@ class Builder(TestBuilder):
         mitigates = contracts.pop().hazards if is_linked else ()
         is_taught = bool(contracts) and isinstance(contracts[-1], Learned)
         feedback = contracts.pop().amounts if is_taught else ()
-        ends = tuple(contracts), feedback, mitigates, self._documentation(parts), self._span(parts)
-        return ast.Rule(name, condition, unless, steps.steps, *ends)
+        sorts = [part for part in contracts if isinstance(part, Categorized)]
+        del contracts[len(contracts) - len(sorts) :]
+        filed = _word(sorts, is_task=False), _word(sorts, is_task=True)
+        ends = *filed, feedback, mitigates, self._documentation(parts), self._span(parts)
+        return ast.Rule(name, condition, unless, steps.steps, tuple(contracts), *ends)
 
     def unless(self, parts: list[Any]) -> Unless:
         """`unless RULE, RULE`."""
         return Unless(tuple(map(self.name, parts[1::2])), self._span(parts))
+
+    def category(self, parts: list[Any]) -> Categorized:
+        """`category human`."""
+        return Categorized(self.name(parts[1]), False, self._span(parts))
+
+    def task(self, parts: list[Any]) -> Categorized:
+        """`task dependent`."""
+        return Categorized(self.name(parts[1]), True, self._span(parts))
 
     def feedback(self, parts: list[Any]) -> Learned:
         """`feedback AMOUNT, AMOUNT`."""
@@ -148,6 +167,11 @@ class Builder(TestBuilder):
         """`1.0 per activation`, `0.5 per sec`."""
         time = None if parts[2].text == "activation" else self._unit(parts[2])
         return ast.Feedback(parts[0], time, self._span(parts))
+
+    def margin(self, parts: list[Any]) -> ast.Margin:
+        """`margin in N`."""
+        unit = self._unit(parts[2]) if len(parts) > 1 else None
+        return ast.Margin(unit, self._span(parts))
 
     def mitigates(self, parts: list[Any]) -> Mitigates:
         """`mitigates HAZARD, HAZARD`."""
@@ -242,6 +266,10 @@ class Builder(TestBuilder):
 
     def _documentation(self, parts: list[Any]) -> str | None:
         return self._source.documentation.get(parts[0].start)
+
+
+def _word(sorts: list[Categorized], *, is_task: bool) -> ast.Name | None:
+    return next((each.word for each in sorts if each.is_task is is_task), None)
 
 
 def _is(parts: list[Any], index: int, text: str) -> bool:

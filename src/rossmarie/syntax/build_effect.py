@@ -50,6 +50,15 @@ class EffectBuilder(ExpressionBuilder):
         rate = parts[4] if len(parts) > 3 else None
         return ast.Publish(parts[1], parts[2].value, rate, self._span(parts))
 
+    def retrace(self, parts: list[Any]) -> ast.Retrace:
+        """`retrace POSE on TARGET MESSAGE up to NUMBER apart DISTANCE, TIME at RATE`."""
+        assignments, words = clause(parts, "{") or (), [getattr(each, "text", "") for each in parts]
+        apart = words.index("apart")
+        number = self.number(parts[words.index("to") + 1 :][:1])
+        most = number if isinstance(number, ast.Number) else ast.Number(-1.0, None, number.span)
+        distances, rate, span = tuple(parts[apart + 1 : -2 : 2]), parts[-1], self._span(parts)
+        return ast.Retrace(parts[1], parts[3], assignments, most, distances, rate, span)
+
     def call_service(self, parts: list[Any]) -> ast.CallService:
         """`call TARGET MESSAGE within TIME else ACTION`."""
         assignments = clause(parts, "{") or ()

@@ -24,7 +24,8 @@ from rossmarie.syntax.words import (
 
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
-    {"when", "until", "timeout", "then", "clear", "latched", "unless", "feedback", "mitigates"}
+    {"when", "until", "timeout", "then", "clear", "latched", "unless"}
+    | {"category", "task", "feedback", "mitigates"}
 )
 _JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
 _LATCH = frozenset({"latched", "until", "reset"})

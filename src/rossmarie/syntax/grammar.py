@@ -41,6 +41,8 @@ START_RULES = (
     "condition",
     "expression",
     "unless",
+    "category",
+    "task",
     "feedback",
     "mitigates",
     "contract",

@@ -16,7 +16,7 @@ from rossmarie.syntax.explain import (
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.words import FORMS, RESERVED
 
-_ENDS = ("feedback", "mitigates")
+_ENDS = ("category", "task", "feedback", "mitigates")
 _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
 
 
@@ -46,11 +46,12 @@ class _Recovery:
         condition, unless = self._condition()
         steps = self._steps()
         contracts = self._contracts()
+        category, task = self._filed("category"), self._filed("task")
         feedback = self._feedback()
         mitigates = self._mitigates()
         span = self._source.span(self._tokens[self._first], self._tokens[self._last - 1])
         documentation = self._source.documentation.get(span.start)
-        ends = feedback, mitigates, documentation, span
+        ends = category, task, feedback, mitigates, documentation, span
         return ast.Rule(name, condition, unless, steps, contracts, *ends)
 
     def _text(self, offset: int = 0) -> str:
@@ -208,7 +209,18 @@ class _Recovery:
                 found.append(contract)
         return tuple(found)
 
-    def _feedback(self) -> tuple[ast.Feedback, ...]:
+    def _filed(self, word: str) -> ast.Name | None:
+        """`category human`, `task dependent`, up to what ends the rule."""
+        if self._text() != word:
+            return None
+        first = self._index
+        self._index += 1
+        while self._index < self._last and self._text() not in _ENDS:
+            self._index += 1
+        found = self._part.parse(word, first, self._index)
+        return None if found is None else found.word
+
+    def _feedback(self) -> tuple[ast.Feedback | ast.Margin, ...]:
         """`feedback AMOUNT, AMOUNT`, up to the hazards."""
         if self._text() != "feedback":
             return ()

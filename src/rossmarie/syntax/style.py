@@ -109,7 +109,7 @@ class Style:
                 self._fields(bounds)
             case ast.Scale(target=target) | ast.Block(target=target):
                 self._word(target.name, target.type)
-            case ast.Publish() | ast.CallService() | ast.SendGoal():
+            case ast.Publish() | ast.Retrace() | ast.CallService() | ast.SendGoal():
                 self._word(effect.target.name, effect.target.type)
                 self._fields(effect.assignments)
             case ast.SetParameter(node=name, unit=unit):
@@ -165,6 +165,10 @@ class Style:
         if rule.steps:
             semicolon = self.index(rule.steps[-1].span.end)
             self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
+        for name in (rule.category, rule.task):
+            if name is not None:
+                word = self.index(name.span.start) - 1
+                self.breaks[self.source.tokens[word].start] = _PART
         if rule.feedback:
             word = self.index(rule.feedback[0].span.start) - 1
             self.breaks[self.source.tokens[word].start] = _PART

@@ -82,7 +82,7 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield condition
             for contract in contracts:
                 yield from _of_contract(contract)
-            yield from (each.amount for each in feedback)
+            yield from (each.amount for each in feedback if isinstance(each, ast.Feedback))
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))
         case ast.System(members=members):
@@ -105,6 +105,9 @@ def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
             found = ramps
         case ast.Publish(assignments=assignments, rate=last):
             found = (*(each.value for each in assignments), last)
+        case ast.Retrace(assignments=assignments, rate=last):
+            values = (each.value for each in assignments)
+            found = (effect.pose, *values, *effect.apart, last)
         case ast.CallService(assignments=assignments, timeout=last):
             found = (*(each.value for each in assignments), last)
         case ast.SendGoal(assignments=assignments, timeout=last):

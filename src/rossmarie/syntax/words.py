@@ -30,6 +30,7 @@ EFFECT_WORDS = {
     "scale": "scale",
     "block": "block",
     "publish": "publish",
+    "retrace": "retrace",
     "call": "call_service",
     "set": "set_parameter",
     "switch": "switch_controllers",
@@ -56,7 +57,8 @@ MEMBER_WORDS = {
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
     | {"names"}
-    | {"unless", "feedback", "per", "activation", "mitigates", "publishes", "subscribes"}
+    | {"unless", "category", "task", "feedback", "per", "activation", "margin", "mitigates"}
+    | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
@@ -126,8 +128,12 @@ FORMS = {
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
+    "category": "the category of a rule is written behind its contract: "
+    "`category operation`, `category human` or `category environment`",
+    "task": "the task of a rule is written behind its category: "
+    "`task dependent` or `task independent`",
     "feedback": "what a learner is told is written behind the contract of a rule: "
-    "`feedback 1.0 per activation, 0.5 per sec`",
+    "`feedback 1.0 per activation, 0.5 per sec, margin in N`",
     "mitigates": "what a rule is for is written behind its contract: `mitigates HAZARD, HAZARD`",
     "priority": "the order of rules is written `priority RULE over RULE;`",
     "test": "a test is written "
@@ -145,6 +151,8 @@ FORMS = {
     "block": "a command is held at zero by `block /TOPIC;`",
     "publish": "a message is published by "
     "`publish /TOPIC : PACKAGE/TYPE { FIELD = VALUE; } at 2 Hz;`",
+    "retrace": "poses are sent back by "
+    "`retrace INPUT on /TOPIC : PACKAGE/TYPE up to 100 apart 1 cm at 5 Hz;`",
     "call_service": "a service is called by "
     "`call /SERVICE : PACKAGE/TYPE { FIELD = VALUE; } within 1 sec else ACTION;`",
     "set_parameter": "a parameter is set by `set /NODE.PARAMETER to VALUE;`",

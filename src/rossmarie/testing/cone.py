@@ -126,6 +126,7 @@ def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
         truths=tuple(truths),
         rules=tuple(_placed_rule(machine.rules[index], places) for index in cone.rules),
         watches=(),
+        readings=(),
         reactions=ir.NO_REACTIONS,
     )
 

@@ -13,7 +13,9 @@ from dataclasses import dataclass, field
 from itertools import groupby
 
 from rossmarie.ir import (
+    AXES,
     EACH,
+    POINTS,
     Array,
     ByName,
     ChannelValues,
@@ -166,10 +168,18 @@ class _Sender:
         count = max(places, default=-1) + 1
         if count > its_list.most:
             return {}
+        there = [place for place in range(count) if self._is_there(topic, its_list.path, place)]
         return {
-            column: [self._in_element(self.machine.arrays[column], place) for place in range(count)]
+            column: [self._in_element(self.machine.arrays[column], place) for place in there]
             for column in columns_of(self.machine, number)
         }
+
+    def _is_there(self, topic: str, path: Path, place: int) -> bool:
+        """S57: a point without a place is none."""
+        if path[-1:] != (POINTS,):
+            return True
+        axes = (self.values.get((topic, (*path, place, axis)), 0.0) for axis in AXES)
+        return not any(math.isnan(_number(axis)) for axis in axes)
 
     def _in_element(self, column: Array, place: int) -> float:
         path = tuple(place if step == EACH else step for step in column.path)

@@ -3,6 +3,7 @@
 from rossmarie.types.definitions import Kind, MessageDefinitionError
 from rossmarie.types.field_units import RATIOS
 from rossmarie.types.model import (
+    AXES,
     Array,
     Boolean,
     Box,
@@ -10,6 +11,7 @@ from rossmarie.types.model import (
     Interval,
     List,
     Message,
+    Point,
     Quantity,
     Quaternion,
     Text,
@@ -27,6 +29,7 @@ from rossmarie.types.ros_messages import (
 )
 
 __all__ = [
+    "AXES",
     "RATIOS",
     "SIGNATURES",
     "Array",
@@ -43,6 +46,7 @@ __all__ = [
     "MessageDefinitionError",
     "Operator",
     "Outcome",
+    "Point",
     "Quantity",
     "Quaternion",
     "Text",

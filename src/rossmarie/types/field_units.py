@@ -75,6 +75,7 @@ FIELD_UNITS: Mapping[str, Mapping[str, str | None]] = {
         "altitude": "m",
         "position_covariance": "m^2",
     },
+    "sensor_msgs/PointCloud2": {"points": "m"},
     "sensor_msgs/Range": {
         "field_of_view": "rad",
         "min_range": "m",

@@ -11,6 +11,9 @@ from dataclasses import dataclass, field
 
 from rossmarie.units import Unit
 
+AXES = ("x", "y", "z")
+"""The components of a vector."""
+
 
 @dataclass(frozen=True)
 class Boolean:
@@ -41,6 +44,19 @@ class Vector:
 
 
 @dataclass(frozen=True)
+class Point(Vector):
+    """A point of a sensor_msgs/PointCloud2: its place x, y, z, and fields of any other names. Only
+    a cloud says which it has; those of which a unit is declared are in `fields`.
+    """
+
+    fields: Mapping[str, Quantity] = field(default_factory=dict, compare=False)
+
+    def member(self, name: str) -> Quantity:
+        """The type of a field."""
+        return self.element if name in AXES else self.fields.get(name, Quantity(None))
+
+
+@dataclass(frozen=True)
 class Quaternion:
     """An orientation x, y, z, w (geometry_msgs Quaternion)."""
 
@@ -60,6 +76,11 @@ class List:
     """Any number of messages (`Detection3D[] detections`), which rules look at one by one."""
 
     element: Message | Vector | Quaternion
+
+    @property
+    def is_of_points(self) -> bool:
+        """Say whether the elements are the points of a cloud, which have no message each."""
+        return isinstance(self.element, Point)
 
 
 @dataclass(frozen=True)

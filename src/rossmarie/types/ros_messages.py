@@ -15,10 +15,12 @@ from rossmarie.types import definitions
 from rossmarie.types.definitions import Constant, Field, Kind, MessageDefinitionError
 from rossmarie.types.field_units import FIELD_UNITS
 from rossmarie.types.model import (
+    AXES,
     Array,
     Boolean,
     List,
     Message,
+    Point,
     Quantity,
     Quaternion,
     Text,
@@ -35,6 +37,9 @@ Level = tuple[str, FieldPath]
 
 VECTORS = frozenset(("geometry_msgs/Vector3", "geometry_msgs/Point", "geometry_msgs/Point32"))
 QUATERNION = "geometry_msgs/Quaternion"
+CLOUD = "sensor_msgs/PointCloud2"
+POINTS = "points"
+"""The name of the points of a cloud, which its definition does not have: there they are bytes."""
 INSTANTS = frozenset(("builtin_interfaces/Time", "builtin_interfaces/Duration"))
 _MOST_FIELDS = 20_000
 _MOST_LEVELS = 32
@@ -47,6 +52,15 @@ _LIMITS = {
 """Of fields of whole numbers, as doubles: the greatest of 64 bits is rounded upwards, as it is when
 it arrives.
 """
+_LAYOUT_OF_POINTS = {
+    "height": Field("uint32", is_array=False),
+    "width": Field("uint32", is_array=False),
+    "fields": Field("sensor_msgs/PointField", is_array=True),
+    "is_bigendian": Field("bool", is_array=False),
+    "point_step": Field("uint32", is_array=False),
+    "row_step": Field("uint32", is_array=False),
+    "data": Field("uint8", is_array=True),
+}
 _TEXTS = frozenset(("string", "wstring"))
 _LISTS_OF_NAMES = ("name", "names", "joint_names")
 
@@ -226,7 +240,20 @@ class MessageCatalog:
             for field, type_ in fields.items()
             if isinstance(type_, Array)
         }
+        if name == CLOUD and _tells_points(definition):
+            inside = tuple((outer, (*path, POINTS)) for outer, path in levels)
+            points = _inner_points() if is_element else List(self._point(inside))
+            fields = {POINTS: points} | fields
         return Message(name, fields | named, names)
+
+    def _point(self, levels: tuple[Level, ...]) -> Point:
+        """The points of a cloud; `levels` lead to them."""
+        known: dict[str, Quantity] = {}
+        for outer, path in levels:
+            for (name, (*before, field)), unit in self._overrides.items():
+                if (name, tuple(before)) == (outer, path) and field not in AXES:
+                    known.setdefault(field, Quantity(unit))
+        return Point(Quantity(self._unit(levels)), known)
 
     def _type(self, field: Field, levels: tuple[Level, ...], is_element: bool) -> Type:
         base = field.base
@@ -293,6 +320,18 @@ def _inner_array(base: str) -> Unsupported:
     """An array in an element of a list."""
     kind = "strings" if base in _TEXTS else f"{base} messages" if "/" in base else "numbers"
     return Unsupported(f"an array of {kind} in each element of a list; rules look one level deep")
+
+
+def _inner_points() -> Unsupported:
+    """A cloud in an element of a list."""
+    return Unsupported("points in each element of a list; rules look one level deep")
+
+
+def _tells_points(definition: definitions.Definition) -> bool:
+    """Say whether a cloud has all that says where its points are; another definition of it may
+    stand on the search path.
+    """
+    return all(definition.fields.get(name) == each for name, each in _LAYOUT_OF_POINTS.items())
 
 
 def _names_among(definition: definitions.Definition) -> str | None:

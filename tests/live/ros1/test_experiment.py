@@ -52,9 +52,8 @@ def needs(_generation: str) -> Sequence[Wanted]:
 pytestmark = pytest.mark.builds(by=needs)
 
 
-@pytest.mark.parametrize(
-    "terrain", [Terrain.GENTLE, pytest.param(Terrain.STEEP, marks=pytest.mark.deep)]
-)
+@pytest.mark.deep
+@pytest.mark.parametrize("terrain", [Terrain.GENTLE, Terrain.STEEP])
 def test_an_experiment_has_the_same_outcome(
     ros1: Ros1,
     programs: Sequence[Path],

@@ -178,7 +178,7 @@ def test_a_replay_that_does_not_come_to_its_end_is_a_defect(
     monkeypatch.setattr(replays, "_campaign", lambda *_: ended)
     with pytest.raises(typer.Exit) as found:
         replays.run_replays(
-            switches / "rules.ross", [Path("a.bag"), Path("b.bag")], [], None, [], []
+            switches / "rules.ross", [Path("a.bag"), Path("b.bag")], [], None, [], [], []
         )
     assert found.value.exit_code == INTERNAL_ERROR
     assert capsys.readouterr().out.startswith(f"a.bag:\nnot finished: {reason}\n\nb.bag:\n")

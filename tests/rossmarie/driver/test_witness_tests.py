@@ -51,7 +51,7 @@ PAIRS = {
     "swing": ("oscillates(turning.y, 4 times, within 2.0 sec, by 0.2 rad/s)", "bumped"),
 }
 TOGETHER = sorted((Path(__file__).parents[2] / "fixtures" / "together").glob("*.ross"))
-LENGTHY = {"decided", "limits", "rates"}
+LENGTHY = {"alternating", "decided", "holding", "latches", "limits", "over_time", "rates"}
 """Fixtures with so many findings that it takes seconds."""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from rossmarie import ir
@@ -186,3 +187,45 @@ def test_rules_that_do_nothing_need_no_reactor(kind: str) -> None:
     assert guard.active == (True,)
     assert len(guard.take().events) == 1
     assert guard.next_wake() == SECOND
+
+
+ARRAYS = """
+action slow { limit /cmd_vel : geometry_msgs/Twist { linear.x in [-0.1, 0.1] m/s; }; }
+input scan = topic /scan : sensor_msgs/LaserScan timeout 1 sec;
+rule near: if any(scan.ranges < scan.range_min) or scan.range_max < 1 m then { slow; };
+rule far: if all(scan.ranges > 5 m) then { slow; };
+"""
+
+
+@pytest.mark.parametrize("kind", ENGINES)
+def test_a_message_is_watched_in_one_call(kind: str) -> None:
+    machine = machine_of(ARRAYS.replace("scan.range_min", "0.5 m"))
+    if kind == "native":
+        guard: GuardEngine = load_native_guard(machine, generate_guard(machine))
+    else:
+        guard = PythonGuard(machine, source(machine))
+    watch = guard.watch_call(0)
+    wide, narrow = np.array([2.0, 3.0]), np.array([2.0, 0.25], np.float32)
+    assert watch(1, 9.0, wide) == 1 + SECOND, "no rule has changed"
+    assert watch(2, 9.0, narrow) is None
+    assert guard.active == (True, False)
+    assert [event.at_ns for event in guard.take().events] == [2]
+    assert watch(3, 9.0, np.zeros(0)) is None
+    assert guard.active == (True, True), "of no elements nothing is known"
+    assert [event.at_ns for event in guard.take().events] == [3]
+    with pytest.raises(ValueError, match="out of range"):
+        watch(LATEST_NS, 9.0, wide)
+    for wrong in ((9.0,), (9.0, wide, wide), ("x", wide)):
+        with pytest.raises((TypeError, ValueError)):
+            watch(4, *wrong)
+    assert not guard.take().events
+
+
+@needs_c
+def test_only_arrays_of_floats_are_watched() -> None:
+    machine = machine_of(ARRAYS.replace("scan.range_min", "0.5 m"))
+    watch = load_native_guard(machine, generate_guard(machine)).watch_call(0)
+    for wrong in (np.zeros((2, 2)), np.zeros(2, np.int64), np.zeros(4)[::2], [1.0], None):
+        with pytest.raises((TypeError, ValueError, BufferError)):
+            watch(1, 9.0, wrong)
+    assert watch(1, 9.0, np.array([2.0])) == 1 + SECOND

@@ -129,3 +129,14 @@ def test_what_does_not_fit_is_refused_and_changes_nothing(guard: Guard) -> None:
         batch.restart(np.zeros(2, np.bool_))
     with pytest.raises(ValueError, match="at least one guard, not 0"):
         guard.batch(0)
+
+
+def test_each_row_has_margins_of_its_own(guard: Guard) -> None:
+    batch = guard.batch(3)
+    assert np.isnan(batch.margin).all()
+    batch.observe(0, SEEN, np.array([True, True, False]))
+    np.testing.assert_allclose(batch.margin[:2], [[3.6, 1500.0], [-1.8, 1500.0]])
+    assert np.isnan(batch.margin[2]).all()
+    assert batch.rules_with_margin == ("fast", "near")
+    batch.step(0, SEEN, WANTED)
+    np.testing.assert_allclose(batch.margin[2], [3.6, -200.0])

@@ -325,3 +325,47 @@ def test_feedback_is_that_of_the_last_observation(make: Make) -> None:
     wanted = np.array([0.8, 0.1])
     assert guard.decide(wanted).feedback.tolist() == [2.0, 0.0, 0.0, 0.0]
     assert guard.decide(wanted).feedback.tolist() == [2.0, 0.0, 0.0, 0.0]
+
+
+def test_feedback_of_several_observations_before_a_decision_is_summed(make: Make) -> None:
+    guard = make()
+    wanted = np.array([0.8, 0.1])
+    guard.observe(0, np.array(CALM))
+    guard.decide(wanted)
+    for at_ns, seen in ((1, CALM), (2, FAST), (SECOND, CALM), (SECOND + 1, CALM)):
+        guard.observe(at_ns, np.array(seen))
+    state = guard.state()
+    expected = [2.0 + 0.5 * (SECOND - 2) / SECOND, 0.0, 0.0, 0.0]
+    assert guard.decide(wanted).feedback.tolist() == expected
+    assert guard.decide(wanted).feedback.tolist() == expected
+    assert step(guard, SECOND + 2).feedback.tolist() == [0.0] * 4
+    guard.restore(state)
+    guard.observe(SECOND + 2, np.array(FAST))
+    assert guard.decide(wanted).feedback.tolist() == [2.0 + expected[0], 0.0, 0.0, 0.0]
+
+
+def test_margins_are_distances_to_the_limits_in_the_units_of_the_rules(make: Make) -> None:
+    guard = make()
+    with pytest.raises(ValueError, match="nothing has happened yet"):
+        _ = guard.margin
+    decision = step(guard, 0)
+    wanted = [3.6, 1500.0]
+    assert guard.rules_with_margin == ("fast", "near")
+    np.testing.assert_allclose(decision.margin, wanted)
+    np.testing.assert_array_equal(guard.margin, decision.margin)
+    np.testing.assert_allclose(step(guard, 1, FAST).margin[0], -1.8)
+    state = guard.state()
+    np.testing.assert_allclose(step(guard, 2, NEAR).margin, [3.6, -200.0])
+    np.testing.assert_allclose(decision.margin, wanted, err_msg="it does not change afterwards")
+    guard.restore(state)
+    np.testing.assert_allclose(guard.margin[0], -1.8)
+
+
+def test_a_margin_is_unknown_where_a_number_is(make: Make) -> None:
+    guard = make()
+    found = step(guard, 0, (np.nan, 0.0, np.inf, 0.3))
+    assert found.active == ("fast", "near", "far")
+    np.testing.assert_allclose(found.margin, [np.nan, -200.0])
+    assert np.isnan(step(guard, 1, (0.0, 0.0, np.nan, 0.3)).margin[1])
+    guard.observe(2, np.array(CALM))
+    assert not np.isnan(guard.margin).any()

@@ -164,3 +164,30 @@ def test_the_elements_of_a_list_are_observed(tmp_path: Path, engine: str) -> Non
         seen = np.array([0.0, 0.0, 5.0, 5.0, *elements])
         decision = guard.step(second * 1_000_000, seen, np.zeros(len(ACT)))
         assert ("p" in decision.active) is is_near
+
+
+CLOUD = """
+input cloud = topic /points : sensor_msgs/PointCloud2 .points up to 8;
+rule p: if any(p in cloud: p.x < 1 m and p.z < 1 m) then { slow; };
+rule q: if count(p in cloud: p.intensity < 1) > 1 then { slow; };
+"""
+
+
+@needs_c
+@pytest.mark.parametrize("engine", ["native", "python"])
+def test_points_without_a_place_are_left_out(tmp_path: Path, engine: str) -> None:
+    columns = {"cloud.x": slice(4, 7), "cloud.z": slice(7, 10), "cloud.intensity": slice(10, 13)}
+    observe: Any = {**OBSERVE, **columns}
+    guard = guard_of(engine, tmp_path, rules=RULES + CLOUD, observe=observe, act=ACT)
+    nan = np.nan
+    for second, (x, z, active) in enumerate(
+        (
+            ([9.0, nan, 9.0], [9.0, 0.0, 9.0], ["q"]),
+            ([0.0, 9.0, nan], [nan, nan, nan], []),
+            ([9.0, nan, 0.5], [nan, 0.5, 0.5], ["p"]),
+            ([nan, nan, 0.5], [0.5, 0.5, 9.0], []),
+        )
+    ):
+        seen = np.array([0.0, 0.0, 5.0, 5.0, *x, *z, 0.0, 0.0, 0.0])
+        decision = guard.step(second * 1_000_000, seen, np.zeros(len(ACT)))
+        assert [name for name in decision.active if name in "pq"] == active

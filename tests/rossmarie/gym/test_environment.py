@@ -96,8 +96,12 @@ def test_where_no_choice_passes_the_nearest_is_taken(rules: str) -> None:
     env = guarded(rules, cart, act={"linear.x": [0.1, 0.2, 0.3, -0.4]})
     _, info = env.reset()
     assert info["action_mask"].tolist() == [0, 0, 0, 0]
+    assert info["no_choice_passes"] is True
     _, _, _, _, info = env.step(2)
     assert info["guard"]["executed"] == 0
+    assert info["no_choice_passes"] is True
+    env = guarded(rules, Cart(start=0.2, kind="choice"), act=CHOICE_ACT)
+    assert env.reset()[1]["no_choice_passes"] is False, "one of them stands still"
 
 
 def test_a_target_is_held_by_a_block_and_moves_no_faster_than_a_limit(rules: str) -> None:
@@ -209,6 +213,61 @@ def test_feedback_is_told_and_taken_from_the_reward_on_request(rules: str) -> No
         losses = [sum(each) if with_feedback else 0.0 for each in told]
         rewards = [speed - loss for speed, loss in zip(speeds, losses, strict=True)]
         assert [reward for _, reward, *_ in steps] == pytest.approx(rewards)
+
+
+def test_margins_are_those_of_the_new_observation(rules: str) -> None:
+    env = guarded(rules)
+    env.reset()
+    told = [env.step(fast())[4]["guard"]["margin"] for _ in range(5)]
+    assert env.rules_with_margin == ("close",)
+    np.testing.assert_allclose(told, [[300.0], [200.0], [100.0], [0.0], [-100.0]], atol=1e-4)
+
+
+def test_what_only_substeps_see_is_guarded_against(rules: str) -> None:
+    for substeps, wanted in ((1, [0.1, 0.1]), (4, [0.1, 0.0])):
+        cart = Cart(start=2.0)
+        env = guarded(rules, cart, substeps=substeps)
+        env.reset()
+        if substeps > 1:
+            cart.dips, cart.on_substep = [1.0, 0.2, 1.0], env.observe_substep
+        seen, _, _, _, info = env.step(fast(0.1))
+        assert seen[0] == pytest.approx(1990.0), "at the end of the step nothing is near"
+        assert info["guard"]["active"].tolist() == [False, substeps > 1], "one is latched"
+        assert info["cost"] == float(substeps > 1)
+        assert info["guard"]["feedback"].tolist() == [1.125 if substeps > 1 else 0.0, 0.0]
+        assert env.decision is not None
+        env.step(fast(0.1))
+        assert cart.executed == pytest.approx(wanted)
+        assert (env.decision.changed_by == ("at_wall",)) is (substeps > 1)
+
+
+def test_substeps_take_their_share_of_a_step(tmp_path: Path) -> None:
+    path = tmp_path / "late.ross"
+    path.write_text(RULES.replace("wall < 0.6 m then", "wall < 0.6 m for 0.05 sec then"))
+    for dips, is_seen in (([0.5, 0.5], False), ([0.5, 0.5, 0.5], True), ([1.0] * 4, False)):
+        cart = Cart(start=2.0)
+        env = guarded(path, cart, substeps=4)
+        env.reset()
+        cart.dips, cart.on_substep = dips, env.observe_substep
+        assert env.step(fast(0.1))[4]["cost"] == is_seen
+        assert env.step(fast(0.1))[4]["cost"] == is_seen, "time goes on from the whole step"
+
+
+def test_substeps_are_counted(rules: str) -> None:
+    cart = Cart()
+    env = guarded(rules, cart, substeps=2)
+    env.reset()
+    with pytest.raises(ValueError, match=r"no step, or it has more than `substeps` \(2\)"):
+        env.observe_substep(np.zeros(2))
+    cart.dips, cart.on_substep = [1.0] * 3, env.observe_substep
+    with pytest.raises(ValueError, match="no step, or it has more"):
+        env.step(fast())
+    cart.dips = [1.0] * 2
+    env.reset()
+    env.step(fast())
+    for substeps in (0, -1, PERIOD_NS + 1):
+        with pytest.raises(MappingError, match="at least one substep"):
+            guarded(rules, substeps=substeps)
 
 
 def test_an_index_beyond_the_spaces_is_refused_at_once(rules: str) -> None:

@@ -131,6 +131,8 @@ def test_each_is_guarded_as_by_itself(rules: str, kind: str, mode: AutoresetMode
     assert any(each and each[0]["intervened"] for told in wanted for each in told)
     assert any(each and sum(each[0]["feedback"]) for told in wanted for each in told)
     assert any(each and not each[0]["intervened"] for told in wanted for each in told)
+    margins = [each[0]["margin"][0] for told in wanted for each in told if each]
+    assert min(margins) < 0 < max(margins)
 
 
 def test_the_last_observation_of_an_episode_is_seen_before_the_next_begins(rules: str) -> None:
@@ -155,6 +157,15 @@ def test_masks_of_choices_are_those_of_the_next_step(rules: str) -> None:
     assert infos["action_mask"].tolist() == [[1, 1, 1, 0], *[[1, 1, 1, 1]] * 3]
     infos = envs.step(np.full(COUNT, 3))[4]
     assert infos["action_mask"].shape == (COUNT, len(CHOICES))
+
+
+def test_environments_in_which_no_choice_passes_are_told(rules: str) -> None:
+    given = declared("choice") | {"act": {"linear.x": [0.1, 0.2, 0.3, 0.4]}}
+    two = [lambda: Cart(start=0.45, kind="choice"), lambda: Cart(start=2.0, kind="choice")]
+    envs = GuardedVectorEnv(SyncVectorEnv(two), rules, **given)
+    for infos in (envs.reset()[1], envs.step(np.array([1, 1]))[4]):
+        assert infos["no_choice_passes"].tolist() == [True, False]
+        assert infos["_no_choice_passes"].all()
 
 
 def test_only_environments_that_are_reset_by_a_mask_can_be_truncated(rules: str) -> None:

@@ -66,4 +66,4 @@ def test_a_path_is_shown_as_it_is_written() -> None:
 def test_s7_a_name_that_is_missing_or_there_twice_has_no_place(
     names: list[str], place: int | None
 ) -> None:
-    assert ELBOW.place(names) == place
+    assert ELBOW.place(names, len(names)) == place

@@ -153,6 +153,50 @@ def test_a_confirmation_is_watched_once() -> None:
     assert [isinstance(one, reactions.CancelGoal) and one.confirmation for one in effects] == [0, 0]
 
 
+def test_poses_are_read_once_and_remembered_once_for_each_way_to_remember_them() -> None:
+    head = "input tip = topic /tip : geometry_msgs/Point timeout 1 sec;"
+    one, other = "up to 9 apart 1 cm at 2 Hz", "up to 9 apart 1 cm, 1 sec at 4 Hz"
+    machine = machine_of(
+        f"{head}\naction back {{ retrace tip on /a : geometry_msgs/Point {one};"
+        f" retrace tip on /b : geometry_msgs/PointStamped {one};"
+        f" retrace tip on /a {other}; }}\nif speed > 1 m/s then {{ back; }};"
+    )
+    assert [machine.signals[each].text for each in machine.readings] == ["tip.x", "tip.y", "tip.z"]
+    assert machine.reactions.memories == (
+        reactions.Memory((0, 1, 2), 9, 0.01, 0),
+        reactions.Memory((0, 1, 2), 9, 0.01, 1_000_000_000),
+    )
+    (watched,) = machine.watches
+    assert machine.truths[watched].text == "all of tip is known"
+    effects = [task.effect for task in machine.reactions.tasks]
+    found = [
+        (each.memory, each.period_ns, each.numbers[0])
+        for each in effects
+        if isinstance(each, reactions.Retrace)
+    ]
+    assert found == [
+        (0, 500_000_000, ("x",)),
+        (0, 500_000_000, ("point", "x")),
+        (1, 250_000_000, ("x",)),
+    ]
+
+
+def test_a_pose_is_a_position_and_an_orientation() -> None:
+    head = "input tip = topic /tip : geometry_msgs/PoseStamped timeout 1 sec;"
+    machine = machine_of(
+        f"{head}\naction back {{ retrace tip.pose on /a : geometry_msgs/PoseStamped"
+        ' { header.frame_id = "base"; } up to 9 apart 1 cm at 2 Hz; }\n'
+        "if speed > 1 m/s then { back; };"
+    )
+    texts = [machine.signals[each].text for each in machine.readings]
+    assert texts[0] == "tip.pose.position.x"
+    assert texts[3:] == [f"tip.pose.orientation.{axis}" for axis in "xyzw"]
+    (task,) = machine.reactions.tasks
+    assert isinstance(task.effect, reactions.Retrace)
+    assert task.effect.numbers[0] == ("pose", "position", "x")
+    assert task.effect.assignments == (reactions.Assignment(("header", "frame_id"), "base"),)
+
+
 def test_steps_are_stages_and_also_puts_side_by_side() -> None:
     machine = machine_of(
         'action a { log info "a"; hook a; }\naction b { hook b; }\naction nothing;\n'

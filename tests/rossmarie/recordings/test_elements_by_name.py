@@ -39,9 +39,11 @@ MESSAGES: list[tuple[list[str], list[float], list[float]]] = [
     (["shoulder", "elbow"], [1.0, 2.0], [3.0]),
     ([], [], []),
     (["shoulder", "elbow"], [math.nan, 9.0], [math.nan, 8.0]),
+    (["elbow", "shoulder"], [1.0], [1.0, 2.0, 3.0]),
 ]
 NAN = math.nan
 FOUND = [(2.0, 4.0), (5.0, 7.0), (NAN, NAN), (NAN, NAN), (2.0, NAN), (NAN, NAN), (9.0, 8.0)]
+FOUND += [(NAN, NAN)]
 
 
 def joints(
@@ -95,6 +97,12 @@ def test_a_name_that_never_comes_is_told_with_those_that_do(tmp_path: Path, kind
     assert codes(found) == ["ROSS609"]
     assert "`elbow` and `shoulder`" in found[0].notes[0]
     assert found[0].help == "did you mean `elbow`?"
+
+
+def test_a_name_that_comes_with_arrays_of_other_lengths_is_there(tmp_path: Path) -> None:
+    odd = recorded(ROS1)[-1:]
+    _, found = replay(write_kind(tmp_path, "bag", odd), READS)
+    assert codes(found) == []
 
 
 def test_a_recording_without_any_name_says_nothing_of_names(tmp_path: Path) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ from rossmarie.driver import compile_file
 from rossmarie.driver.build import build_files, generate
 from rossmarie.driver.ownership import ForeignFileError
 from support.c_compiler import run, write
+from support.depth import is_deep
 from support.live_cases import acting, vehicle
 from support.parts import CLANG_FORMAT, CLANG_FORMAT_PROGRAM, GXX, SHA256SUM, needs
 
@@ -32,6 +34,11 @@ SOURCES = {
 """The files of a package that each program tests, besides headers."""
 
 
+def sanitized() -> Sequence[str]:
+    """The options of sanitizers, where there is time for them."""
+    return SANITIZED if is_deep() else ()
+
+
 @pytest.fixture(scope="module")
 def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A package, with its C compiled. Its messages, and ROS, are the stand-ins."""
@@ -39,15 +46,17 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     write(generate(compile_file(HERE / "alarm.ross").machine, "ros1"), folder)
     sources = [folder / "src" / f"alarm_{part}.c" for part in ("monitor", "reactor")]
     for source in sources:
-        options = ["-std=c99", "-ffp-contract=off", *SANITIZED]
+        options = ["-std=c99", "-ffp-contract=off", *sanitized()]
         run(["gcc", *options, "-c", source, "-o", source.with_suffix(".o")])
     return folder
 
 
 @needs(GXX)
 @pytest.mark.parametrize("name", SOURCES)
-def test_a_program_of_checks_passes_with_sanitizers(name: str, package: Path) -> None:
-    """All files are compiled as one, which takes a third of the time."""
+def test_a_program_of_checks_passes(name: str, package: Path) -> None:
+    """All files are compiled as one, which takes a third of the time; with sanitizers only by
+    `make deep`.
+    """
     texts = [HERE / "programs" / f"{name}.cpp", *(package / each for each in SOURCES[name])]
     whole = package / f"all_of_{name}.cpp"
     whole.write_text("".join(f'#include "{each}"\n' for each in texts), encoding="utf-8")
@@ -57,7 +66,7 @@ def test_a_program_of_checks_passes_with_sanitizers(name: str, package: Path) ->
     includes = [f"-I{folder}" for folder in folders]
     objects = sorted((package / "src").glob("*.o")) if name == "guard" else []
     program = package / name
-    run(["g++", *STRICT, *SANITIZED, *includes, whole, *objects, "-lm", "-o", program])
+    run(["g++", *STRICT, *sanitized(), *includes, whole, *objects, "-lm", "-o", program])
     done = run([program])
     assert done.stdout == b""
 

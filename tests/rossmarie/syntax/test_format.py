@@ -88,6 +88,10 @@ action a {
         "if a then{else;also also;else else also;also else else;also also else else;}",
         "if a then { else; also also; else else also; also else else; also also else else; };\n",
     ),
+    "categories": (
+        "rule r:if a then{b;}clear for 1 s category  human task  dependent feedback 1 per s",
+        "rule r: if a then { b; } clear for 1 s category human task dependent feedback 1 per s;\n",
+    ),
     "hazards, and rules that give way": (
         'hazard  H1 "x";hazard H2  "y"\n'
         "rule r:if a  unless s,t then{b;}clear for 1 s mitigates H1,H2",

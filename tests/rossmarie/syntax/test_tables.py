@@ -54,7 +54,7 @@ def shown(part: Any) -> object:
     return str(part)
 
 
-@settings(max_examples=examples(60), deadline=None)
+@settings(max_examples=examples(20), deadline=None)
 @given(st.data())
 def test_both_take_the_same_tokens_and_see_the_same_rules(data: st.DataObject) -> None:
     tables: Tables = load_tables()

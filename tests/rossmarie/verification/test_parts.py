@@ -134,7 +134,7 @@ def test_a_fault_about_a_flag_is_refuted(prover: Prover, flagged: ir.Machine) ->
 
 
 @pytest.mark.parametrize(
-    "parts", ["init", "visit_3", *deep(["restart", "visit", "tick", "earl", "set_wake", "waiting"])]
+    "parts", ["init", *deep(["visit_3", "restart", "visit", "tick", "earl", "set_wake", "waiting"])]
 )
 def test_what_looks_back_is_what_it_means(
     prover: Prover, over_time: ir.Machine, parts: str
@@ -142,18 +142,17 @@ def test_what_looks_back_is_what_it_means(
     assert outcomes(prover, over_time, NO_CHANGE, parts) == set()
 
 
+@pytest.mark.deep
 @pytest.mark.parametrize(
     ("change", "part", "expected"),
     [
+        (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
+         "restart", "`held_before` is as it has to be"),
         (("either(m->truth[begun], m->since_before[k]);", "m->since_before[k];"), "visit_3",
          "what `ready since told` was"),
-        *deep([
-            (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
-             "restart", "`held_before` is as it has to be"),
-            (("        m->held_due_ns[k] = NEVER;\n",
-              "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
-             "restart", "`since_before` is as it has to be"),
-        ]),
+        (("        m->held_due_ns[k] = NEVER;\n",
+          "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
+         "restart", "`since_before` is as it has to be"),
     ],
 )  # fmt: skip
 def test_a_fault_about_what_looks_back_is_refuted(
@@ -372,6 +371,7 @@ def test_a_seeded_fault_in_them_is_refuted(
     assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))
 
 
+@pytest.mark.deep
 def test_arc_sines_are_the_formulas_of_the_core(prover: Prover, counting: ir.Machine) -> None:
     assert outcomes(prover, counting, NO_CHANGE, "arcsine") == set()
 

@@ -48,8 +48,12 @@ def test_what_is_told_of_differences_is_so(prover: Prover, fact: str) -> None:
     ("claim", "expected"),
     [
         ("isnan(x * y / (x + y)) || x * y / (x + y) == x * y / (x + y)", Verdict.PROVED),
-        *deep([("isnan(x) || x * 1.0 == x", Verdict.PROVED)]),
-        ("x + 1.0 > x", Verdict.REFUTED),
+        *deep(
+            [
+                ("isnan(x) || x * 1.0 == x", Verdict.PROVED),
+                ("x + 1.0 > x", Verdict.REFUTED),
+            ]
+        ),
         ("!isfinite(x) || !isfinite(y) || x - y == x", Verdict.REFUTED),
     ],
 )

@@ -22,6 +22,8 @@ from rossmarie.check.actions.errors import (
 from rossmarie.check.actions.numbers import period_ns, timeout_ns
 from rossmarie.check.actions.reserved_hooks import CPLUSPLUS_WORDS
 from rossmarie.check.actions.resources import declared_resources
+from rossmarie.check.actions.retrace_errors import PosesInAll
+from rossmarie.check.actions.retraces import checked_retrace
 from rossmarie.check.actions.targets import Targets, insertion
 from rossmarie.check.effects import (
     Awaited,
@@ -44,6 +46,7 @@ from rossmarie.check.units.quantities import read_unit
 from rossmarie.check.wording.describe import describe
 from rossmarie.check.wording.suggestions import near_name, suggesting
 from rossmarie.ir import reactions
+from rossmarie.ir.limits import MOST_POSES_IN_ALL
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Kind, Quantity, Text, Unknown
 from rossmarie.units import DIMENSIONLESS
@@ -61,6 +64,7 @@ class EffectChecker:
         self.confirmations: list[tuple[Span, Uses]] = []
         self._command_checker = CommandChecker(targets, self.commands)
         self._resources = declared_resources(targets)
+        self._poses = 0
         self._published = {
             targets.full_name(Kind.MESSAGE, name)
             for system in self._context.declarations.systems
@@ -81,6 +85,8 @@ class EffectChecker:
                 return self._command_checker.check(effect)
             case ast.Publish():
                 return self._publish(effect)
+            case ast.Retrace():
+                return self._retrace(effect)
             case ast.Log() | ast.Diagnose():
                 return self._words(effect)
             case ast.Hook(name=name):
@@ -111,6 +117,18 @@ class EffectChecker:
         filtered = sent.name if is_shared else None
         resource = self._resource(reactions.Target("topic", sent.name))
         return CheckedEffect(found, effect.span, filtered, resource)
+
+    def _retrace(self, effect: ast.Retrace) -> CheckedEffect | None:
+        found = checked_retrace(effect, self._targets, self._published)
+        if found is None:
+            return None
+        self._poses += found.most
+        if self._poses > MOST_POSES_IN_ALL:
+            finding = PosesInAll(most=MOST_POSES_IN_ALL, found=self._poses)
+            self._add(finding.at(effect.most.span))
+            return None
+        resource = self._resource(reactions.Target("topic", found.topic))
+        return CheckedEffect(found, effect.span, None, resource)
 
     def _words(self, effect: ast.Log | ast.Diagnose) -> CheckedEffect | None:
         levels = [level.value for level in reactions.Level]

@@ -65,7 +65,7 @@ def _named(effect: ast.Effect, targets: Targets) -> Iterator[str]:
     match effect:
         case ast.Limit(target=target) | ast.Scale(target=target) | ast.Block(target=target):
             yield targets.full_name(Kind.MESSAGE, target.name)
-        case ast.Publish(target=target):
+        case ast.Publish(target=target) | ast.Retrace(target=target):
             yield targets.full_name(Kind.MESSAGE, target.name)
         case ast.CallService(target=target) | ast.SendGoal(target=target):
             yield full_name(target.name.text)

@@ -80,7 +80,7 @@ class Targets:
                 kind = Kind.MESSAGE
                 full = self.full_name(kind, target.name)
                 self.commanded.setdefault(full, target.name.text)
-            case ast.Publish(target=target):
+            case ast.Publish(target=target) | ast.Retrace(target=target):
                 kind = Kind.MESSAGE
             case (
                 ast.SetParameter() | ast.SwitchControllers() | ast.CancelGoal() | ast.Log()

@@ -16,6 +16,7 @@ from rossmarie.types import (
     Entry,
     List,
     Message,
+    Point,
     Quantity,
     Quaternion,
     Type,
@@ -71,8 +72,9 @@ def select(
     """
     if isinstance(owner, Unknown):
         return owner
-    known = members(owner)
-    found = known.get(name.text)
+    if isinstance(owner, Point):
+        return owner.member(name.text)
+    found = members(owner).get(name.text)
     if found is None:
         _report_unknown(owner, name, owner_text, before, collector)
         return Unknown()

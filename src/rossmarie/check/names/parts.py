@@ -4,8 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rossmarie.ir.path import ByName, Listed, Path
-from rossmarie.types import Array, Entry, Message, Type
+from rossmarie.ir.path import POINTS, ByName, Listed, Path
+from rossmarie.types import Array, Entry, List, Message, Type
+
+
+def part_at(path: tuple[str, ...], type_: Type) -> Part:
+    """The part of a message at the end of a path of fields, where there is a `type_`."""
+    return Part(path[:-1]).field(path[-1], type_) if path else Part()
 
 
 @dataclass(frozen=True)
@@ -19,7 +24,8 @@ class Part:
 
     def field(self, name: str, type_: Type) -> Part:
         """A field of this part, of a type; of an entry, the element in the array that it is."""
-        path = (*self.path, name)
+        is_cloud = isinstance(type_, List) and type_.is_of_points
+        path = (*self.path, POINTS if is_cloud else name)
         if self.entry is None or isinstance(type_, Entry):
             return replace(self, path=path)
         return Part((*path, self.entry))

@@ -71,12 +71,6 @@ class NotOverAList(Error, code="ROSS241", name="not-over-a-list"):
         function: str
         text: str
 
-    class Cloud(Remark):
-        says = (
-            "the points of a cloud are bytes, which rules do not read: let a node publish what "
-            "matters of them, as a scan or as a list of messages"
-        )
-
     class ChooseList(Remark):
         says = "choose a list of it: {lists}"
         lists: str

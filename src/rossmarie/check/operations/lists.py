@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dslkit.diagnostics import Edit, Fix, Remark
+from rossmarie.check.model import Value
 from rossmarie.check.names.fields import lists_in
 from rossmarie.check.names.references import is_value
 from rossmarie.check.operations.list_errors import NotOfTheElement, NotOverAList, UnboundedList
@@ -22,19 +23,20 @@ from rossmarie.check.units.quantities import end_of_field
 from rossmarie.check.wording.describe import describe
 from rossmarie.core import Sampling
 from rossmarie.syntax import ast
+from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import children, walk
 from rossmarie.types import Array, Boolean, List, Message, Quantity, Type, Unknown
 from rossmarie.units import DIMENSIONLESS
 
 USUAL_BOUND = 64
-"""The bound that is proposed where there is none."""
+USUAL_POINTS = 65_536
+"""The bounds that are proposed where there is none, for lists of messages and for clouds."""
 
 _QUANTIFIERS = frozenset({"any", "all"})
 _CONDITIONAL = _QUANTIFIERS | {"count"}
 _EXTREMES = frozenset({"min", "max"})
 _OF_SAMPLES = frozenset(each.value for each in Sampling) | {"changed"}
 _MOST_LISTS = 4
-_CLOUD = "sensor_msgs/PointCloud2"
 
 
 def type_of_list_fold(node: ast.ListFold, context: Context) -> Type:
@@ -98,12 +100,13 @@ def _check_list(node: ast.ListFold, context: Context) -> None:
     used = None if root is None else context.inputs.get(root.name.text)
     if used is None or used.declaration.bound is not None:
         return
-    finding = UnboundedList(text=text_of(node.list), bound=USUAL_BOUND)
+    bound = USUAL_POINTS if type_.is_of_points else USUAL_BOUND
+    finding = UnboundedList(text=text_of(node.list), bound=bound)
     fix = None
     if root is not None and root.name.text not in context.proposed_bounds:
         context.proposed_bounds.add(root.name.text)
-        edit = Edit(end_of_field(used.declaration), f" up to {USUAL_BOUND}")
-        fix = Fix(f"insert `up to {USUAL_BOUND}`", (edit,))
+        edit = Edit(end_of_field(used.declaration), f" up to {bound}")
+        fix = Fix(f"insert `up to {bound}`", (edit,))
     place = finding.Declared().at(used.declaration.name.span)
     context.collector.add(finding.at(node.list.span, place, fix=fix))
 
@@ -114,8 +117,6 @@ def _report_no_list(node: ast.ListFold, type_: Type, context: Context) -> None:
     help: Remark | None = None
     if isinstance(type_, Array):
         help = finding.OfArray(function=node.function.text, text=text)
-    elif isinstance(type_, Message) and type_.name == _CLOUD:
-        help = finding.Cloud()
     elif isinstance(type_, Message) and (lists := lists_in(type_)):
         shown = (f"`{text}.{'.'.join(path)}`" for path in lists[:_MOST_LISTS])
         help = finding.ChooseList(lists=", ".join(shown))
@@ -136,12 +137,20 @@ def _check_body(node: ast.ListFold, context: Context) -> bool:
         if isinstance(part, ast.Held):
             help, fix = _held(node, part, context)
         context.collector.add(finding.at(part.span, help=help, fix=fix))
-    if others or _names_element(node) or isinstance(context.type_of(node.body), Unknown):
+    is_open = _names_element(node) or counts_all(node, context.types, context.values)
+    if others or is_open or isinstance(context.type_of(node.body), Unknown):
         return True
     finding = _finding(node, "this is the same for all elements")
     help = finding.Unused(variable=node.variable.text)
     context.collector.add(finding.at(node.body.span, help=help))
     return False
+
+
+def counts_all(fold: ast.ListFold, types: NodeMap[Type], values: NodeMap[Value]) -> bool:
+    """Say whether this is `count(p in cloud: true)`: how many points there are."""
+    its_list, value = types.get(fold.list), values.get(fold.body)
+    is_of_points = isinstance(its_list, List) and its_list.is_of_points
+    return is_of_points and fold.function.text == "count" and bool(value and value.boolean)
 
 
 def _finding(node: ast.ListFold, found: str) -> NotOfTheElement:

@@ -55,6 +55,39 @@ class UndeclaredHazard(Error, code="ROSS143", name="undeclared-hazard"):
     identifier: str
 
 
+class UnknownCategory(Error, code="ROSS250", name="unknown-category"):
+    """A word behind `category` or `task` that is none of those that there are."""
+
+    title = "there is no {said} `{identifier}`"
+    label = "not one of {known}"
+    help = "write one of {known}, or leave it out"
+    identifier: str
+    said: str
+    known: str
+
+
+class NothingSelected(Error, code="ROSS251", name="nothing-selected"):
+    """A selection of categories that no rule fits."""
+
+    title = "no rule is {only}"
+    label = "{known}"
+    note = "a monitor without rules would look as if it watched"
+    help = "select what rules have, or write it behind them: `category human task dependent`"
+    only: str
+    known: str
+
+
+class LeftOutRule(Warning, code="ROSS252", name="left-out-rule"):
+    """A rule that is left out of a selection, and that an order of rules in it names."""
+
+    title = "rule `{identifier}` is left out, and an order names it"
+    label = "{effect}"
+    note = "the rules were written to act together; this selection has only some of them"
+    help = "select the categories of this rule as well, or write the order without it"
+    identifier: str
+    effect: str
+
+
 class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
     """An input that a rule rests on and that may fall silent unnoticed."""
 
@@ -145,8 +178,48 @@ class OddFeedback(Error, code="ROSS423", name="odd-feedback"):
     title = "feedback is a plain number that is not negative, once per activation and once per time"
     label = "{found}"
     note = "a learner is told the sum of the feedback of all rules, as a loss"
-    help = "write it like this: `feedback 1.0 per activation, 0.5 per sec`"
+    help = "write it like this: `feedback 1.0 per activation, 0.5 per sec, margin in N`"
     found: str
+
+
+class NoMargin(Error, code="ROSS424", name="no-margin"):
+    """A rule with a margin whose condition has a part that has no distance to a limit."""
+
+    title = "this has no distance to a limit, and so the rule has no margin"
+    label = "{found}"
+    note = (
+        "a margin is made of the distances of `<`, `<=`, `>`, `>=`, `in` and `not in`; "
+        "`and`, `or`, `not`, `any`, `all` and `for` pass them on"
+    )
+    help = "leave out `margin`, or give this part a rule of its own"
+    found: str
+
+    class Asked(Remark):
+        says = "asked for here"
+
+
+class MarginUnit(Error, code="ROSS425", name="margin-unit"):
+    """A margin in a unit that is not that of all comparisons."""
+
+    title = "a margin has one dimension, but this is {one}, and the comparison {other}"
+    label = "this is {one}"
+    note = "a margin is a single number: the least or the greatest of the distances"
+    one: str
+    other: str
+
+    class First(Remark):
+        says = "this is {one}"
+        one: str
+
+    class Asked(Remark):
+        says = "asked for here"
+
+    class Apart(Remark):
+        says = "leave out `margin`, or give each comparison a rule of its own"
+
+    class Meant(Remark):
+        says = "write `{meant}`"
+        meant: str
 
 
 ALL: tuple[type[Template], ...] = (
@@ -155,6 +228,9 @@ ALL: tuple[type[Template], ...] = (
     CircularPriority,
     CircularUnless,
     UndeclaredHazard,
+    UnknownCategory,
+    NothingSelected,
+    LeftOutRule,
     MissingTimeout,
     NoRules,
     LatchConflict,
@@ -162,4 +238,6 @@ ALL: tuple[type[Template], ...] = (
     UnmitigatedHazard,
     LastResortOverruled,
     OddFeedback,
+    NoMargin,
+    MarginUnit,
 )

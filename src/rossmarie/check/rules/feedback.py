@@ -5,33 +5,51 @@ from __future__ import annotations
 import math
 
 from rossmarie.check.expressions.infer import infer
+from rossmarie.check.model import CheckedFeedback
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.rules.errors import OddFeedback
+from rossmarie.check.rules.margins import check_margin
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.units.quantities import read_unit
 from rossmarie.check.wording.describe import describe
-from rossmarie.ir.model import Feedback
 from rossmarie.syntax import ast
 from rossmarie.types import Quantity, Unknown
-from rossmarie.units import DIMENSIONLESS, parse_unit
+from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
 _SECOND = parse_unit("s")
+_ONCE, _LASTING = " per activation", " per time"
 
 
-def check_feedback(rule: ast.Rule, context: Context) -> Feedback:
-    """The amounts of a rule; what is no amount is reported."""
-    found: dict[bool, float] = {}
+def check_feedback(rule: ast.Rule, context: Context) -> CheckedFeedback:
+    """The amounts of a rule, and its margin; what is neither is reported."""
+    found: dict[str, float] = {}
+    margin: Unit | None = None
+    said: set[str] = set()
     for each in rule.feedback:
-        per_time = each.time is not None
-        amount = _amount(each, context)
-        seconds = 1.0 if each.time is None else _seconds(each.time, context)
-        if per_time in found:
-            said = "time" if per_time else "activation"
-            finding = OddFeedback(found=f"this is said twice per {said}")
+        kind = _kind(each)
+        if kind in said:
+            finding = OddFeedback(found=f"this is said twice{kind}")
             context.collector.add(finding.at(each.span))
-        elif amount is not None and seconds is not None:
-            found[per_time] = amount / seconds
-    return Feedback(found.get(False, 0.0), found.get(True, 0.0))
+        elif isinstance(each, ast.Margin):
+            margin = check_margin(rule, each, context)
+        else:
+            found[kind] = _rate(each, context)
+        said.add(kind)
+    return CheckedFeedback(found.get(_ONCE, 0.0), found.get(_LASTING, 0.0), margin)
+
+
+def _kind(each: ast.Feedback | ast.Margin) -> str:
+    """The words that tell it from other feedback of a rule."""
+    if isinstance(each, ast.Margin):
+        return ""
+    return _ONCE if each.time is None else _LASTING
+
+
+def _rate(feedback: ast.Feedback, context: Context) -> float:
+    """An amount, or an amount by the second; 0 where it is reported."""
+    amount = _amount(feedback, context)
+    seconds = 1.0 if feedback.time is None else _seconds(feedback.time, context)
+    return 0.0 if amount is None or seconds is None else amount / seconds
 
 
 def _amount(feedback: ast.Feedback, context: Context) -> float | None:

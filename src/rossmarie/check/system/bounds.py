@@ -10,6 +10,8 @@ from rossmarie.syntax import ast
 from rossmarie.types import List, Message, Type, Unknown
 
 MOST_ELEMENTS = 65_536
+MOST_POINTS = 1_048_576
+"""Of clouds: more than any sensor sends at once."""
 
 
 def read_bound(declaration: ast.Input, type_: Type, field: str, collector: Collector) -> int | None:
@@ -23,14 +25,23 @@ def read_bound(declaration: ast.Input, type_: Type, field: str, collector: Colle
         finding = BoundWithoutList(field=field, bound=bound.span.text)
         collector.add(finding.at(bound.span, fix=_without(declaration, bound)))
         return None
-    if not bound.value.is_integer() or not 1 <= bound.value <= MOST_ELEMENTS:
-        collector.add(ListBound(most=MOST_ELEMENTS, found=bound.span.text).at(bound.span))
+    most = MOST_POINTS if _is_of_clouds(type_) else MOST_ELEMENTS
+    if not bound.value.is_integer() or not 1 <= bound.value <= most:
+        collector.add(ListBound(most=most, found=bound.span.text).at(bound.span))
         return None
     return int(bound.value)
 
 
 def _has_lists(type_: Type) -> bool:
     return isinstance(type_, List) or (isinstance(type_, Message) and bool(lists_in(type_)))
+
+
+def _is_of_clouds(type_: Type) -> bool:
+    """Say whether all lists are those of the points of clouds."""
+    if isinstance(type_, List):
+        return type_.is_of_points
+    parts = type_.fields.values() if isinstance(type_, Message) else ()
+    return all(_is_of_clouds(part) for part in parts if _has_lists(part))
 
 
 def _without(declaration: ast.Input, bound: ast.Number) -> Fix | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Error, Remark, Template
+from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class Here(Remark):
@@ -207,6 +207,19 @@ class ListBound(Error, code="ROSS239", name="list-bound"):
     found: str
 
 
+class SharedDiagnostics(Warning, code="ROSS256", name="shared-diagnostics"):
+    """An input on the topic on which every node tells how it is, that of the rules too."""
+
+    title = "the node of these rules publishes on `{topic}` itself"
+    label = "each of its messages takes the place of the last"
+    note = (
+        "it tells every second how the rules and their inputs are, so that this input never "
+        "reaches its timeout, and is read from messages that are about something else"
+    )
+    help = "publish what rules rest on under a topic of its own, as in `/drives/status`"
+    topic: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownMessageType,
     TopicWithoutType,
@@ -222,4 +235,5 @@ ALL: tuple[type[Template], ...] = (
     RateConflict,
     BoundWithoutList,
     ListBound,
+    SharedDiagnostics,
 )

@@ -15,6 +15,7 @@ from rossmarie.check.system.element_names import with_names
 from rossmarie.check.system.errors import (
     FieldUnitConflict,
     Here,
+    SharedDiagnostics,
     TopicTypeConflict,
     TopicWithoutType,
 )
@@ -36,6 +37,8 @@ from rossmarie.syntax import ast
 from rossmarie.types import Message, Type, Unknown, message_value, std_msgs_data
 from rossmarie.units import Unit
 
+_DIAGNOSTICS = "/diagnostics"
+
 
 def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, CheckedInput]:
     """Resolve every input of the program into `context.inputs`, as yet without timeouts; gives the
@@ -47,6 +50,9 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
         found = _resolve(declaration, model, context.collector)
         _check_one_type(found, stated, model, context.collector)
         check_one_unit(found, units, context.collector)
+        if found.topic == _DIAGNOSTICS:
+            warning = SharedDiagnostics(topic=_DIAGNOSTICS)
+            context.collector.add(warning.at(declaration.topic.span))
         context.inputs.setdefault(declaration.name.text, found)
     return units
 

@@ -32,6 +32,8 @@ from rossmarie.check.units.quantities import is_same_unit, read_unit
 from rossmarie.check.wording.suggestions import Suggestions, near_name, rename
 from rossmarie.syntax import ast
 from rossmarie.types import (
+    AXES,
+    List,
     Message,
     MessageCatalog,
     MessageDefinitionError,
@@ -203,9 +205,9 @@ def _check_unit_declaration(
     type_: Type = message_value(message)
     text, before = declaration.message_type.text, declaration.message_type.span
     for step in declaration.path:
-        if isinstance(type_, Vector):
+        if isinstance(type_, Vector) and step.text in AXES:
             path = path[:-1]  # a vector has one unit, whichever component is named
-        type_ = select(type_, step, text, before, collector)
+        type_ = _point_in(select(type_, step, text, before, collector))
         text, before = f"{text}.{step.text}", step.span
     if isinstance(type_, Unknown):
         return
@@ -213,6 +215,13 @@ def _check_unit_declaration(
         _report_misplaced(declaration.unit, text, MisplacedUnit.NameNumber(), collector)
     elif unit is not None:
         _check_declared_once(unit, declaration, (name, path), first, collector)
+
+
+def _point_in(type_: Type) -> Type:
+    """The points of a cloud have no message of their own that could be named; so a unit is declared
+    through the list of them.
+    """
+    return type_.element if isinstance(type_, List) and type_.is_of_points else type_
 
 
 def _check_declared_once(

@@ -6,7 +6,7 @@ from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.names.fields import members, select, unit_of
-from rossmarie.check.names.parts import Part
+from rossmarie.check.names.parts import part_at
 from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.scopes.context import Context
@@ -104,7 +104,7 @@ class _SettingChecker:
         """The type of the field, the path from the message, and the angle that is meant."""
         first, *rest = self._setting.path.steps
         assert isinstance(first, ast.Name)
-        part = Part(self._context.inputs[first.text].path)
+        part = part_at(self._context.inputs[first.text].path, type_)
         text, before = first.text, first.span
         for step in rest:
             if isinstance(step, ast.Position):

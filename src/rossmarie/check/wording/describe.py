@@ -10,6 +10,7 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Point,
     Quantity,
     Quaternion,
     Text,
@@ -37,7 +38,8 @@ def describe(type_: Type) -> str:
         case Quantity():
             return _quantity(type_)
         case Vector(element=element):
-            return f"a vector{_in_unit(element)}"
+            what = "a point of a cloud" if isinstance(type_, Point) else "a vector"
+            return f"{what}{_in_unit(element)}"
         case Array(element=element):
             return _array(element)
         case List(element=element):
@@ -74,6 +76,8 @@ def _plural(element: Message | Vector | Quaternion) -> str:
     match element:
         case Message(name=name):
             return f"{name} messages"
+        case Point(element=part):
+            return f"points of a cloud{_in_unit(part)}"
         case Vector(element=part):
             return f"vectors{_in_unit(part)}"
         case Quaternion():

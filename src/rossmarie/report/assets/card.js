@@ -43,6 +43,7 @@ function fillCard(card, rule, span) {
   const fill = { class: "span " + span.kind, x: 1, y: 1, width: 20, height: 9, rx: 2 };
   const facts = html("dl");
   const fact = (term, ...texts) => facts.append(html("dt", {}, term), html("dd", {}, ...texts));
+  if (rule.categories.length) fact("Category", rule.categories.join(", "));
   if (rule.actions.length) fact("Actions", rule.actions.join(", "));
   if (opened?.done.length) fact("Would do", ...opened.done.map((line) => html("div", {}, line)));
   fact("Contract", rule.contract);

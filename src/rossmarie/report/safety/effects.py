@@ -45,6 +45,8 @@ class Effects:
                 return f"every number of commands on {name} is multiplied by {number(factor)}"
             case reactions.Publish():
                 return self._published(effect)
+            case reactions.Retrace():
+                return self._retraced(effect)
             case reactions.Log(level=level, text=text):
                 return f'"{text}" is logged once ({level.value})'
             case reactions.Diagnose(level=level, text=text):
@@ -67,6 +69,17 @@ class Effects:
             return f"commands on {command.topic} are limited in no field"
         fields = listed(tuple(_bounded(command, bound) for bound in bounds))
         return f"commands on {command.topic} are limited: {fields}"
+
+    def _retraced(self, effect: reactions.Retrace) -> str:
+        memory = self._found.memories[effect.memory]
+        apart = [f"{memory.apart:g} m"] if memory.apart else []
+        apart += [duration_text(memory.apart_ns)] if memory.apart_ns else []
+        return (
+            f"the last poses are sent back on {effect.topic} ({effect.message_type}), the newest "
+            f"first, one every {duration_text(effect.period_ns)}, until the rule is released or "
+            f"none is left; at most {memory.most} are kept, at least {listed(tuple(apart))} apart, "
+            "of times at which no rule that sends them back was carried out"
+        )
 
     def _published(self, effect: reactions.Publish) -> str:
         how = "once"
@@ -124,8 +137,8 @@ class Effects:
             case reactions.CancelGoal(interrupted=interrupted):
                 return [f"on release goals pass again{_resent(interrupted)}"]
             case (
-                reactions.Publish() | reactions.Call() | reactions.Log() | reactions.Diagnose()
-                | reactions.Hook() | reactions.Reset()
+                reactions.Publish() | reactions.Retrace() | reactions.Call() | reactions.Log()
+                | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
             ):  # fmt: skip
                 return []
 

@@ -88,8 +88,9 @@ class Numbers:
             case ir.Fold(folding=folding, element=element):
                 return self._fold(folding, element)
             case ir.Count(element=element):
-                counted = f"elements of {self.array_of(element)} with ({self._each(element)})"
-                return f"the number of {counted}"
+                whole = f"the number of elements of {self.array_of(element)}"
+                is_of_all = _is_always(self._machine.truths[element].node)
+                return whole if is_of_all else f"{whole} with ({self._each(element)})"
 
     def slot(self, index: int) -> str:
         """A field of a message."""
@@ -147,6 +148,12 @@ class Numbers:
             return f"the {which} element of {self._arrays[array]}"
         each = self.words(element)
         return f"the {which}, over all elements of {self._whole(array)}, of {each}"
+
+
+def _is_always(node: ir.TruthNode) -> bool:
+    """Say whether a condition is true of each element: of a number, that it is itself."""
+    is_equal = isinstance(node, ir.Compare) and node.comparison is ir.Comparison.EQUAL
+    return is_equal and isinstance(node, ir.Compare) and node.left == node.right
 
 
 def _extreme(folding: ir.Folding) -> str:

@@ -42,6 +42,7 @@ def render_safety_file(content: SafetyFile) -> str:
         content=content,
         machine=machine,
         rules=rules,
+        groups=_groups(rules),
         hazards=_hazards(machine, rules),
         without_hazard=[rule for rule in rules if not rule.hazards],
         fields=_fields(machine, conditions),
@@ -108,6 +109,10 @@ def open_points(content: SafetyFile) -> tuple[str, ...]:
     ):
         found += _open_of(kind, evidence, content)
     found += _unasked(content)
+    left_out = content.machine.left_out
+    if left_out is not None and left_out.rules:
+        only = listed(tuple(each.value for each in left_out.only))
+        found.append(f"Only rules of {only} are here: {listed(left_out.rules)} left out.")
     rules = content.machine.rules
     mitigated = {hazard for rule in rules for hazard in rule.hazards}
     for index, hazard in enumerate(content.machine.hazards):
@@ -188,6 +193,25 @@ def _hazards(machine: ir.Machine, rules: tuple[RuleText, ...]) -> list[_Hazard]:
         _Hazard(hazard, tuple(rule for rule in rules if index in rule.hazards))
         for index, hazard in enumerate(machine.hazards)
     ]
+
+
+@dataclass(frozen=True)
+class _Group:
+    """The rules of one category, under its name; it has none if no rule has a category."""
+
+    name: str
+    rules: tuple[RuleText, ...]
+
+
+def _groups(rules: tuple[RuleText, ...]) -> list[_Group]:
+    """The rules by their categories; those without one come last."""
+    found = [
+        _Group(f"{each.value}".capitalize(), those)
+        for each in ir.SUBJECTS
+        if (those := tuple(rule for rule in rules if each in rule.categories))
+    ]
+    others = tuple(rule for rule in rules if not set(rule.categories) & set(ir.SUBJECTS))
+    return [*found, _Group("Without a category" if found else "", others)] if others else found
 
 
 @dataclass(frozen=True)

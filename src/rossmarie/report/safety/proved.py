@@ -15,9 +15,11 @@ _PROVED, _, _, _NOT_PROVED = EvidenceKind.VERIFICATION.statuses
 def bound_of(machine: ir.Machine) -> str:
     """Tell how far proofs about the C of a machine hold, and what they take for granted."""
     arrays = f"; arrays of up to {ELEMENTS} elements" if machine.arrays else ""
+    has_clouds = any(ir.POINTS in each.path for each in machine.lists)
+    clouds = "; not how nodes take points out of the bytes of clouds" if has_clouds else ""
     return (
         "one step from any well-formed state, so no bound on messages, timers, values or time"
-        f"{arrays}; arc sines, arc tangents and square roots may be any functions"
+        f"{arrays}{clouds}; arc sines, arc tangents and square roots may be any functions"
     )
 
 

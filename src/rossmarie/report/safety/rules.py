@@ -37,6 +37,7 @@ class RuleText:
     ends: Phrase
     contract: str
     hazards: tuple[int, ...]
+    categories: tuple[ir.Category, ...]
 
     def lines(self) -> Iterator[str]:
         """All of it as lines of text."""
@@ -77,6 +78,7 @@ class _Writer:
             ends=self._ends(rule),
             contract=rule.contract,
             hazards=rule.hazards,
+            categories=rule.categories,
         )
 
     # --- when --------------------------------------------------------------------------------

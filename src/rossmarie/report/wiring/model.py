@@ -132,9 +132,9 @@ def _filtered(effect: reactions.Effect) -> int | None:
         case reactions.Publish(command=command):
             return command
         case (
-            reactions.Call() | reactions.SetParameter() | reactions.SwitchControllers()
-            | reactions.SendGoal() | reactions.CancelGoal() | reactions.Log()
-            | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            reactions.Retrace() | reactions.Call() | reactions.SetParameter()
+            | reactions.SwitchControllers() | reactions.SendGoal() | reactions.CancelGoal()
+            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
         ):  # fmt: skip
             return None
 
@@ -160,12 +160,15 @@ def _inputs(machine: ir.Machine) -> Iterator[Input]:
 
 
 def _confirming(machine: ir.Machine, rule: int) -> Iterator[int]:
-    """The inputs on which the confirmations of a rule rest."""
+    """The inputs on which the confirmations of a rule rest, and those whose poses it retraces."""
     plans, rests_on = machine.reactions.plans, ir.supports(machine).truths
     for task in plans[rule].tasks if plans else ():
         effect = machine.reactions.tasks[task].effect
         if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:
             yield from rests_on[machine.watches[effect.confirmation]].inputs
+        if isinstance(effect, reactions.Retrace):
+            for reading in machine.reactions.memories[effect.memory].readings:
+                yield from ir.supports(machine).signals[machine.readings[reading]].inputs
 
 
 # --- outputs ---------------------------------------------------------------------------------
@@ -190,7 +193,10 @@ def _outputs(machine: ir.Machine) -> Iterator[Output]:
 def _target(effect: reactions.Effect) -> tuple[Kind, str, str | None] | None:
     """The target of an effect outside of the node: its kind, name and type."""
     match effect:
-        case reactions.Publish(topic=topic, message_type=message_type, command=None):
+        case (
+            reactions.Publish(topic=topic, message_type=message_type, command=None)
+            | reactions.Retrace(topic=topic, message_type=message_type)
+        ):
             return Kind.TOPIC, topic, message_type
         case reactions.Call(service=service, service_type=service_type):
             return Kind.SERVICE, service, service_type

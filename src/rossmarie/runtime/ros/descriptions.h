@@ -32,6 +32,7 @@ struct RuleText {
     bool is_latched;
     std::vector<ValueText> values;
     std::vector<RuleInput> inputs;
+    std::vector<std::string> categories = {};
 };
 extern const std::vector<RuleText> RULES;
 
@@ -84,10 +85,10 @@ template <class Row> int count(const std::vector<Row> &table)
 // The row of a rule that the C describes.
 template <class Description>
 RuleText rule_text(const Description &rule, bool is_latched, std::vector<ValueText> values,
-                   std::vector<RuleInput> inputs)
+                   std::vector<RuleInput> inputs, std::vector<std::string> categories = {})
 {
     for (std::size_t value = 0; value < values.size(); value++)
         values[value].name = rule.values[value];
-    return {rule.name,  rule.condition,    rule.contract,
-            is_latched, std::move(values), std::move(inputs)};
+    return {rule.name,         rule.condition,    rule.contract,        is_latched,
+            std::move(values), std::move(inputs), std::move(categories)};
 }

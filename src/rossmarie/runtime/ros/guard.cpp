@@ -249,6 +249,12 @@ void Guard::on_event(const core::Event &event)
 
 void Guard::perform(int task, core::Order order, int by_rule)
 {
+    if (static_cast<int>(order) == core::RETRACE) {
+        double pose[core::POSE_NUMBERS];
+        core::retraced(&reactor_, task, pose);
+        performers_.tasks[task]->retrace(clock_.now(), pose);
+        return;
+    }
     const std::string what = reports::of_task(task);
     has_changed_ = true;
     if (order == core::START) {

@@ -50,9 +50,13 @@ template <class Array> double element(const Array &array, std::size_t index)
     return index < array.size() ? number(array[index]) : NAN;
 }
 
-// The place of an element by its name, the place behind all others if none has it, or several have.
-template <class Names> std::size_t place_of(const char *name, const Names &names)
+// The place of an element by its name, the place behind all others if none has it, or several have,
+// or if nobody knows which names belong to which elements.
+template <class Names, class Array>
+std::size_t place_of(const char *name, const Names &names, const Array &array)
 {
+    if (names.size() != array.size())
+        return SIZE_MAX;
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end() || std::find(found + 1, names.end(), name) != names.end())
         return SIZE_MAX;

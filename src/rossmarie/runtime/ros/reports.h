@@ -72,6 +72,7 @@ inline Verdict verdict(const core::Event &event)
     verdict.change = static_cast<uint8_t>(event.change);
     const RuleText &rule = RULES[event.rule];
     verdict.rule = rule.name;
+    verdict.categories = rule.categories;
     verdict.cause = cause(event);
     verdict.clears = rule.contract;
     for (std::size_t i = 0; i < rule.values.size(); i++) {
@@ -94,7 +95,12 @@ inline std::string line(const Verdict &verdict)
     if (verdict.change == Verdict::TIME_JUMP)
         return verdict.cause;
     const bool is_cleared = verdict.change == Verdict::CLEARED;
-    return "rule " + verdict.rule + (is_cleared ? " is cleared: " : " is active: ") + verdict.cause;
+    std::string filed;
+    for (const std::string &category : verdict.categories)
+        filed += (filed.empty() ? " (" : ", ") + category;
+    filed += filed.empty() ? "" : ")";
+    return "rule " + verdict.rule + filed + (is_cleared ? " is cleared: " : " is active: ") +
+           verdict.cause;
 }
 
 inline std::string of_task(int task)

@@ -20,6 +20,9 @@ public:
     virtual void give_up() { stop(); }
     virtual void tick(int64_t /*now_ns*/) {}
 
+    // Sends a pose of the past: x, y and z in m, and with an orientation its quaternion.
+    virtual void retrace(int64_t /*now_ns*/, const double * /*pose*/) {}
+
     // Finds out what others lack that `start` will need. It is told later, in a few words; "" if
     // nothing.
     virtual void check(std::function<void(const std::string &lacking)> /*tell*/) {}
@@ -64,6 +67,30 @@ private:
     int64_t period_ns_;
     int64_t next_ns_ = INT64_MAX;
     Message message_;
+};
+
+// Poses of the past, one message each: the reactor says which, and when.
+template <class Message> class RetraceTask : public Task {
+public:
+    using Put = std::function<void(Message &message, const double *pose)>;
+
+    RetraceTask(Middleware &middleware, const std::string &topic, Message message, Put put)
+        : publisher_(middleware.advertise<Message>(topic, 10)), message_(std::move(message)),
+          put_(std::move(put))
+    {
+    }
+
+    void retrace(int64_t now_ns, const double *pose) override
+    {
+        put_(message_, pose);
+        put_stamp(message_, Middleware::time(now_ns));
+        publisher_.publish(message_);
+    }
+
+private:
+    Publisher<Message> publisher_;
+    Message message_;
+    Put put_;
 };
 
 // Whether a response means success: it does unless it has a field `success` that is false.

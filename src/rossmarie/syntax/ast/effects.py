@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from dslkit.source import Span
-from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
+from rossmarie.syntax.ast.expressions import Expression, Name, Number, Text, Unit
 
 
 @dataclass(frozen=True)
@@ -98,6 +98,19 @@ class Publish:
     target: Target
     assignments: tuple[FieldAssignment, ...]
     rate: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Retrace:
+    """`retrace eePose on /target : geometry_msgs/Point { ... } up to 100 apart 1 cm at 5 Hz`."""
+
+    pose: Expression
+    target: Target
+    assignments: tuple[FieldAssignment, ...]
+    most: Number
+    apart: tuple[Expression, ...]
+    rate: Expression
     span: Span
 
 
@@ -207,6 +220,7 @@ Effect = (
     | Scale
     | Block
     | Publish
+    | Retrace
     | CallService
     | SetParameter
     | SwitchControllers

@@ -233,9 +233,17 @@ class Feedback:
 
 
 @dataclass(frozen=True)
+class Margin:
+    """`margin in N`; without a unit it is a plain number."""
+
+    unit: Unit | None
+    span: Span
+
+
+@dataclass(frozen=True)
 class Rule:
-    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT feedback AMOUNT mitigates HAZARD`
-    -- name, other rules, contracts, feedback and hazards are optional.
+    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT category WORD task WORD
+    feedback AMOUNT mitigates HAZARD` -- all but the condition and the steps is optional.
 
     More than one contract is reported by the checker.
     """
@@ -245,7 +253,9 @@ class Rule:
     unless: tuple[Name, ...]
     steps: tuple[Step, ...]
     contracts: tuple[ResumeContract, ...]
-    feedback: tuple[Feedback, ...]
+    category: Name | None
+    task: Name | None
+    feedback: tuple[Feedback | Margin, ...]
     mitigates: tuple[Name, ...]
     documentation: str | None
     span: Span

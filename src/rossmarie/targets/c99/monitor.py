@@ -86,13 +86,18 @@ class _Writer:
     def guard_file(self) -> str:
         found = self._layout.machine.reactions
         resets = [isinstance(task.effect, reactions.Reset) for task in found.tasks]
+        margins = [each.signal for each in ir.margins_of(self._layout.machine)]
         return self._fill(
             "guard.c.j2",
             rules=len(self._layout.machine.rules),
             tasks=len(found.tasks),
             commands=len(found.commands) if found.tasks else 0,
             confirmed=any(reactions.confirmation(task.effect) is not None for task in found.tasks),
+            poses=bool(found.memories),
+            most_numbers=max((len(each.readings) for each in found.memories), default=0),
             resets=table("unsigned char", "task_resets", list(map(int, resets))),
+            margins=len(margins),
+            margin_signals=table("int", "guard_margin_signals", margins),
         )
 
     def _fill(self, template: str, **blanks: object) -> str:
@@ -127,6 +132,7 @@ class _Writer:
             declarations=self._messages.declarations(),
             input_count=len(layout.machine.inputs),
             watch=self._fill("watch.h.j2") if layout.machine.watches else "",
+            reading=self._fill("reading.h.j2") if layout.machine.readings else "",
         )
 
     def _source(self) -> str:

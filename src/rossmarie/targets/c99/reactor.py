@@ -26,6 +26,10 @@ def blanks(layout: Layout) -> dict[str, object]:
         "tasks": len(found.tasks),
         "rules": len(found.plans),
         "commands": len(found.commands),
+        "memories": len(found.memories),
+        "retraces": len(retraces_of(found)),
+        "pose_numbers": sum(each.most * len(each.readings) for each in found.memories),
+        "most_numbers": _most_numbers(found),
         "tables": "\n\n".join(_tables(found)),
     }
 
@@ -39,6 +43,9 @@ def _counts(found: reactions.Reactions) -> dict[str, int]:
         "CONFIRMED": sum(
             1 for each in found.tasks if reactions.confirmation(each.effect) is not None
         ),
+        "RETRACES": len(retraces_of(found)),
+        "MEMORIES": len(found.memories),
+        "MOST_NUMBERS": _most_numbers(found),
         "YIELDING": sum(1 for each in found.plans if each.unless),
     }
     counts = {"TASKS": len(found.tasks), "RULES": len(found.plans)}
@@ -60,6 +67,8 @@ def _tables(found: reactions.Reactions) -> list[str]:
     parts = [_task_tables(found), _plan_tables(found), _resource_tables(found)]
     if found.commands:
         parts.append(_command_tables(found))
+    if found.memories:
+        parts.append(_memory_tables(found))
     return parts
 
 
@@ -188,6 +197,57 @@ def _named(kind: str, rows: Sequence[Sequence[int]]) -> list[tuple[str, Sequence
 
 def _or_none(index: int | None) -> str:
     return "NONE" if index is None else str(index)
+
+
+# --- memories --------------------------------------------------------------------------------
+
+
+def retraces_of(found: reactions.Reactions) -> list[tuple[int, reactions.Retrace]]:
+    """The tasks that retrace, with their indexes."""
+    effects = enumerate(task.effect for task in found.tasks)
+    return [(task, each) for task, each in effects if isinstance(each, reactions.Retrace)]
+
+
+def _most_numbers(found: reactions.Reactions) -> int:
+    return max((len(each.readings) for each in found.memories), default=0)
+
+
+def _memory_tables(found: reactions.Reactions) -> str:
+    """The memories of poses, the rules that retrace each, and the tasks that do."""
+    rows = []
+    first = reading = 0
+    for each in found.memories:
+        sizes_of_it = f"{first}, {reading}, {each.most}, {len(each.readings)}"
+        rows.append(f"{{{sizes_of_it}, {number(each.apart)}, {duration(each.apart_ns)}}}")
+        first += each.most * len(each.readings)
+        reading += len(each.readings)
+    users = [
+        [
+            rule
+            for rule, plan in enumerate(found.plans)
+            if any(
+                task in plan.tasks and each.memory == memory for task, each in retraces_of(found)
+            )
+        ]
+        for memory in range(len(found.memories))
+    ]
+    sending = [
+        (f"{{{task}, {each.memory}, {duration(each.period_ns)}}}", _remark(found, task))
+        for task, each in retraces_of(found)
+    ]
+    readings = [reading for each in found.memories for reading in each.readings]
+    names_of = [f"memory {index}" for index in range(len(found.memories))]
+    return "\n".join(
+        [
+            "/* Memories of poses: where each begins, its first reading, how many poses and",
+            " * numbers it has, how far apart they are; the rules that retrace it; and the tasks.",
+            " */",
+            remarked_table("memory", "memories", list(zip(rows, names_of, strict=True))),
+            table("index_t", "pose_readings", readings),
+            lists("pose_rules", "pose_users", list(zip(names_of, users, strict=True))),
+            remarked_table("retrace", "retraces", sending),
+        ]
+    )
 
 
 # --- commands --------------------------------------------------------------------------------

@@ -67,6 +67,7 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "WINDOWS": len(layout.windows),
         "MOST_SAMPLES": MOST_SAMPLES if layout.windows else 0,
         "LISTS": len(machine.lists),
+        "READINGS": len(machine.readings),
         "WATCHES": len(machine.watches),
     }
     return {**always, **{name: size for name, size in used.items() if size}}
@@ -192,6 +193,9 @@ def _rule_tables(layout: Layout) -> str:
         for rule in rules
     ]
     inputs = [[layout.input_names[used] for used in rule.inputs] for rule in rules]
+    read = [
+        layout.values[layout.value_of_signal[signal]].name for signal in layout.machine.readings
+    ]
     watched = [layout.truth_names[truth] for truth in layout.machine.watches]
     return _section(
         "Rules: the condition, what must hold for them to clear, what a verdict carries.",
@@ -204,6 +208,7 @@ def _rule_tables(layout: Layout) -> str:
             lists("rule_values", "shown_values", _of_rules(layout, values)),
             lists("rule_inputs", "shown_inputs", _of_rules(layout, inputs)),
             table("index_t", "watched_truths", watched) if watched else "",
+            table("index_t", "watched_values", read) if read else "",
         ],
     )
 

@@ -8,6 +8,8 @@ have no calm messages.
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from rossmarie import ir
 from rossmarie.targets.python import expressions, names
 from rossmarie.targets.python.function import Function
@@ -162,7 +164,7 @@ class _Calm:
         for slot in self._slots:
             function.assign(f"x{slot}", self._local[f"x{slot}"], 1)
         for index, _ in self._computed:
-            if index in self._shown_by_resets():
+            if index in self._shown:
                 function.assign(f"s{index}", f"b{index}", 1)
         function.line("return 0", 1)
 
@@ -201,10 +203,14 @@ class _Calm:
     def _is_as_before(self, leaf: int, node: ir.TruthNode) -> str:
         return f"(1 if {expressions.holds(node, self._value)} else 0) == t{leaf}"
 
-    def _shown_by_resets(self) -> set[int]:
-        """The signals that a verdict may tell without an evaluation before it (S38)."""
-        rules = self._layout.machine.rules
-        return {signal for rule in rules if rule.release is None for signal in rule.signals}
+    @cached_property
+    def _shown(self) -> set[int]:
+        """The signals that are told without an evaluation before: by verdicts of resets (S38), and
+        margins with all that they are made of.
+        """
+        machine = self._layout.machine
+        resets = {s for rule in machine.rules if rule.release is None for s in rule.signals}
+        return resets | ir.below_margins(machine)
 
     def is_only_compared(self, name: str) -> bool:
         """Say whether only guards look at a number or at its absolute value. Then it may stay the

@@ -152,6 +152,14 @@ _WATCHES = """\
     watches: Callable[[], tuple[int, ...]]  # what confirms that tasks have succeeded
 """
 
+_MARGINS = """\
+    margins: Callable[[], tuple[float, ...]]  # how far rules are from their limits, in SI units
+"""
+
+_READINGS = """\
+    readings: Callable[[], tuple[float, ...]]  # what memories of poses ask; NaN is unknown
+"""
+
 _MEMBERS = """\
     update: Callable[[int, Mapping[int, Sequence[object]]], int]
     advance: Callable[[int], int]  # time passes without a message
@@ -179,7 +187,8 @@ def _monitor(machine: ir.Machine) -> Iterator[str]:
         if any(array.list is not None for array in arrays):
             yield f"{INDENT}# Behind []: columns of a list, of one length; None if it is not known."
         yield f"{INDENT}{update_name}: Callable[..., int]"
-    yield (_WATCHES if machine.watches else "") + _MEMBERS
+    asked = (_WATCHES if machine.watches else "") + (_READINGS if machine.readings else "")
+    yield asked + (_MARGINS if ir.margins_of(machine) else "") + _MEMBERS
 
 
 def _described(machine: ir.Machine, field: ir.Slot | ir.Array) -> str:
@@ -262,9 +271,18 @@ def _questions(layout: Layout) -> Iterator[str]:
     updates = [f"update_{channel}" for channel in range(len(machine.channels))]
     if machine.watches:
         yield from _watches(layout)
+    margins = ir.margins_of(machine)
+    if margins:
+        function = Function("margins()")
+        function.line(f"return {names.tuple_of(layout.value(each.signal) for each in margins)}")
+        yield from function.text()
+    if machine.readings:
+        yield from _readings(layout)
     members = [
         *updates,
         *(["watches"] if machine.watches else []),
+        *(["margins"] if margins else []),
+        *(["readings"] if machine.readings else []),
         "update",
         "advance",
         "reset",
@@ -274,6 +292,12 @@ def _questions(layout: Layout) -> Iterator[str]:
         "take_events",
     ]
     yield f"{INDENT}return Monitor({', '.join(members)})"
+
+
+def _readings(layout: Layout) -> list[str]:
+    function = Function("readings()")
+    function.line(f"return {names.tuple_of(map(layout.value, layout.machine.readings))}")
+    return function.text()
 
 
 def _watches(layout: Layout) -> list[str]:

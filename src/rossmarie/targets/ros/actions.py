@@ -29,7 +29,7 @@ _STATUS_LEVELS = {
     reactions.Level.ERROR: "ERROR",
 }
 
-Sending = reactions.Publish | reactions.Call | reactions.SendGoal
+Sending = reactions.Publish | reactions.Retrace | reactions.Call | reactions.SendGoal
 Doing = reactions.Log | reactions.Diagnose | reactions.Hook | reactions.Reset
 Sent = tuple[str, Interface]
 """The type of what is sent, as in ROS."""
@@ -37,7 +37,10 @@ Sent = tuple[str, Interface]
 
 def _sent(effect: Sending) -> Sent:
     match effect:
-        case reactions.Publish(message_type=message_type):
+        case (
+            reactions.Publish(message_type=message_type)
+            | reactions.Retrace(message_type=message_type)
+        ):
             return message_type, Interface.MESSAGE
         case reactions.Call(service_type=service_type):
             return service_type, Interface.SERVICE
@@ -90,7 +93,7 @@ class TasksText:
         """The C++ type of what is sent."""
         kind = self.dialect.cpp_type(*_sent(effect))
         match effect:
-            case reactions.Publish():
+            case reactions.Publish() | reactions.Retrace():
                 return kind
             case reactions.Call():
                 return f"{kind}::Request"
@@ -105,7 +108,17 @@ class TasksText:
         lines = map(_assignment, task.effect.assignments)
         body = indented([f"{kind} message;", *lines, "return message;"])
         words = comments.in_c(f"{place(task.span)}  {effect_words(self.machine, task.effect)}")
-        return f"// {words}\n{kind} {self._makers()[index]}()\n{{\n{body}\n}}\n\n"
+        made = f"// {words}\n{kind} {self._makers()[index]}()\n{{\n{body}\n}}\n\n"
+        if not isinstance(task.effect, reactions.Retrace):
+            return made
+        numbers = enumerate(task.effect.numbers)
+        puts = [f"assign(message{names.member(path)}, pose[{number}]);" for number, path in numbers]
+        head = f"void {self._putter(index)}({kind} &message, const double *pose)"
+        return f"{made}{head}\n{{\n{indented(puts)}\n}}\n\n"
+
+    def _putter(self, index: int) -> str:
+        """The function that puts a pose into the message of a task."""
+        return self._makers()[index].replace("make_", "put_", 1)
 
     def _task(self, index: int) -> list[str]:
         """The lines that make the object of a task."""
@@ -122,7 +135,9 @@ class TasksText:
         """The class of a task, and what it is made of."""
         effect = self.machine.reactions.tasks[index].effect
         match effect:
-            case reactions.Publish() | reactions.Call() | reactions.SendGoal():
+            case (
+                reactions.Publish() | reactions.Retrace() | reactions.Call() | reactions.SendGoal()
+            ):
                 return self._sender(index, effect)
             case reactions.CancelGoal():
                 return "CancelTask", [self._shared(index), _is_resent(effect), _report(index)]
@@ -154,6 +169,9 @@ class TasksText:
                 member = names.command_members(self.machine)[command]
                 word = names.command_classes(self.machine)[command]
                 return f"CommandTask<{word}>", [member, _period(effect), message]
+            case reactions.Retrace(topic=topic):
+                where = [needs.MIDDLEWARE, names.relative(topic)]
+                return f"RetraceTask<{kind}>", [*where, message, self._putter(index)]
             case reactions.Call(service=service):
                 arguments = [needs.MIDDLEWARE, names.relative(service), message, _report(index)]
                 return f"CallTask<{kind}>", arguments

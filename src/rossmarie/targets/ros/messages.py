@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
 from rossmarie.ir import reactions
@@ -51,6 +51,7 @@ def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
     topic, name = layout.machine.channels[channel], layout.channel_names[channel]
     fields = types.fields_of(layout.machine, channel)
     lines = [line for field in fields for line in _field(layout, name, field)]
+    lines += [line for field in fields for line in _points(layout, name, field, fields)]
     has_array = any(field.array is not None for field in fields)
     message = f"const Message &{'message' if fields else ''}"
     timeout = types.duration(_timeout(layout, channel))
@@ -81,6 +82,9 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
     assert field.array is not None, "a field is a slot or an array"
     array = layout.machine.arrays[field.array]
     kept = f"arrays.{channel}_{field.name}"
+    if ir.POINTS in array.path:
+        yield f"{target} = {kept}.data();"
+        return
     if array.list is not None:
         its_list = f"message{names.member(layout.machine.lists[array.list].path)}"
         inside = names.member(array.path[array.path.index(ir.EACH) + 1 :])
@@ -95,10 +99,27 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
     yield f"values.{channel}.{field.count} = {kept}.size();"
 
 
+def _points(
+    layout: Layout, channel: str, last: types.Field, fields: Sequence[types.Field]
+) -> Iterator[str]:
+    """The lines that take the points of a cloud over, behind the last of their fields."""
+    machine = layout.machine
+    its_list = None if last.array is None else machine.arrays[last.array].list
+    if its_list is None or last.count is None or ir.POINTS not in machine.lists[its_list].path:
+        return
+    cloud = f"message{names.member(machine.lists[its_list].path[:-1])}"
+    yield f"values.{channel}.{last.count} = points({cloud}, {machine.lists[its_list].most}, {{"
+    for field in fields:
+        if field.array is not None and machine.arrays[field.array].list == its_list:
+            name = c99_names.string(str(machine.arrays[field.array].path[-1]))
+            yield f"    {{{name}, arrays.{channel}_{field.name}.data()}},"
+    yield "});"
+
+
 def _scalar(slot: ir.Slot) -> str:
     """A field as a double."""
     last = slot.path[-1] if slot.path else ""
-    assert not isinstance(last, ir.Each), "all elements are no scalar"
+    assert not isinstance(last, ir.Each | ir.Points), "all elements are no scalar"
     if not isinstance(last, str):
         whole = f"message{names.member(slot.path[:-1])}"
         return f"element({whole}, {_element_place(last, whole)})"
@@ -116,7 +137,7 @@ def _element_place(element: int | ir.ByName | ir.Listed, whole: str) -> str:
         case int():
             return str(element)
         case ir.ByName(key=key, names=path):
-            return f"place_of({c99_names.string(key)}, message{names.member(path)})"
+            return f"place_of({c99_names.string(key)}, message{names.member(path)}, {whole})"
         case ir.Listed(place=place, count=count):
             return f"place_among({place}, {count}, {whole})"
 

@@ -61,8 +61,9 @@ def _shared_kind(
             action = dialect.cpp_type(relays[server], Interface.ACTION)
             return f"Relay<{action}>", (resolved(server), resolved(unfiltered(server)))
         case (
-            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
-            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Retrace()
+            | reactions.Call() | reactions.Log() | reactions.Diagnose() | reactions.Hook()
+            | reactions.Reset()
         ):  # fmt: skip
             raise AssertionError(f"nothing is shared: {effect}")
 
@@ -98,7 +99,7 @@ def _offered(effect: reactions.Effect, dialect: Dialect) -> tuple[str, bool] | N
         case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
             return f"{server}{dialect.status_topic}", False
         case (
-            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Log()
-            | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Retrace()
+            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
         ):  # fmt: skip
             return None

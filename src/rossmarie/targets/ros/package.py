@@ -146,6 +146,7 @@ class PackageWriter:
         return {
             "arrays": messages.arrays(self._layout),
             "has_commands": has_commands,
+            "retraces": bool(self._machine.reactions.memories),
             "has_lists": bool(self._machine.lists),
             "functions": (*_FUNCTIONS, *(_BOUNDING if has_commands else ())),
         }
@@ -160,6 +161,7 @@ class PackageWriter:
         """The headers of the package, those of tasks where they are used."""
         used = ["messages.h", "parts.h", "task.h", f"{self._dialect.folder}/interfaces.h"]
         used += ["command_task.h"] if self._machine.reactions.commands else []
+        used += ["clouds.h"] if any(ir.POINTS in each.path for each in self._machine.lists) else []
         used += [part.header for part in self._parts()]
         return sorted(["hooks.h", *(f"{runtime.FOLDER}/{header}" for header in used)])
 

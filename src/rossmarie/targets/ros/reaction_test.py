@@ -58,9 +58,10 @@ def _limits(machine: ir.Machine, rule: int, task: int) -> Iterator[str]:
             for field in range(len(machine.reactions.commands[topic].fields)):
                 yield _limit(rule, topic, field, (factor, -math.inf, math.inf, math.inf))
         case (
-            reactions.Publish() | reactions.Call() | reactions.SetParameter()
-            | reactions.SwitchControllers() | reactions.SendGoal() | reactions.CancelGoal()
-            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            reactions.Publish() | reactions.Retrace() | reactions.Call()
+            | reactions.SetParameter() | reactions.SwitchControllers() | reactions.SendGoal()
+            | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose() | reactions.Hook()
+            | reactions.Reset()
         ):  # fmt: skip
             pass
 

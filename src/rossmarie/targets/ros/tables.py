@@ -55,12 +55,13 @@ def _rule(machine: ir.Machine, index: int, name: str) -> list[str]:
     values = [_value(machine, signal) for signal in rule.signals]
     inputs = [_rule_input(machine, used) for used in rule.inputs]
     is_latched = str(rule.release is None).lower()
+    parts = [f"{{{', '.join(values)}}}", f"{{{', '.join(inputs)}}}"]
+    if rule.categories:
+        parts.append(f"{{{', '.join(string(each.value) for each in rule.categories)}}}")
     return [
         f"rule_text({name}_rules[{index}], {is_latched}, // {rule.name}",
-        *(
-            f"          {part}"
-            for part in (f"{{{', '.join(values)}}},", f"{{{', '.join(inputs)}}}),")
-        ),
+        *(f"          {part}," for part in parts[:-1]),
+        f"          {parts[-1]}),",
     ]
 
 

@@ -92,7 +92,9 @@ def _add_enclave(
 def _of_node(machine: ir.Machine) -> Iterator[_Grant]:
     commands = _commands(machine)
     effects = [task.effect for task in machine.reactions.tasks]
-    sent = [each.topic for each in effects if isinstance(each, reactions.Publish)]
+    sent = [
+        each.topic for each in effects if isinstance(each, reactions.Publish | reactions.Retrace)
+    ]
     inputs = [each.topic for each in machine.channels]
     relayed = relayed_servers(machine)
     goals = reactions.SendGoal | reactions.CancelGoal
@@ -134,9 +136,9 @@ def _asked(effects: Sequence[reactions.Effect]) -> Iterator[str]:
                 yield f"{manager}/list_controllers"
                 yield f"{manager}/switch_controller"
             case (
-                reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.SendGoal()
-                | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose()
-                | reactions.Hook() | reactions.Reset()
+                reactions.Limit() | reactions.Scale() | reactions.Publish()
+                | reactions.Retrace() | reactions.SendGoal() | reactions.CancelGoal()
+                | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
             ):  # fmt: skip
                 pass
 

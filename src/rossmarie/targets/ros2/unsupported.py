@@ -29,9 +29,9 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
                 )
                 yield finding.at(task.span, help=finding.StateType(server=server))
             case (
-                reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Call()
-                | reactions.SetParameter() | reactions.SwitchControllers() | reactions.SendGoal()
-                | reactions.CancelGoal() | reactions.Log() | reactions.Diagnose()
-                | reactions.Hook() | reactions.Reset()
+                reactions.Limit() | reactions.Scale() | reactions.Publish()
+                | reactions.Retrace() | reactions.Call() | reactions.SetParameter()
+                | reactions.SwitchControllers() | reactions.SendGoal() | reactions.CancelGoal()
+                | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
             ):  # fmt: skip
                 pass

@@ -159,6 +159,9 @@ def expected_of_effect(machine: ir.Machine, effect: reactions.Effect) -> Iterato
             yield f"multiplied by {factor:.12g}"
         case reactions.Publish(period_ns=int(period_ns)):
             yield f"every {duration_text(period_ns)}"
+        case reactions.Retrace(topic=topic, period_ns=period_ns):
+            yield f"sent back on {topic}"
+            yield f"one every {duration_text(period_ns)}"
         case reactions.Log(text=text) | reactions.Diagnose(text=text):
             yield f'"{text}"'
         case reactions.Hook(name=name):

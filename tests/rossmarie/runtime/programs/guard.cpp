@@ -122,6 +122,7 @@ static void check_limit(Guard &guard)
     const auto verdicts = published<Verdict>("~verdicts");
     CHECK(verdicts.size() == 1);
     CHECK(verdicts.at(0).rule == "fast" && verdicts.at(0).change == Verdict::ACTIVATED);
+    CHECK((verdicts.at(0).categories == std::vector<std::string>{"operation", "task independent"}));
     CHECK(verdicts.at(0).cause == "level = 2; level > 1");
     CHECK(verdicts.at(0).values.at(0).value == 2.0);
     CHECK(verdicts.at(0).actions == std::vector<std::string>({"slow: limit /cmd_vel"}));

@@ -49,6 +49,9 @@
 #ifndef LISTS
 #define LISTS 0
 #endif
+#ifndef READINGS
+#define READINGS 0
+#endif
 #ifndef WATCHES
 #define WATCHES 0
 #endif

@@ -109,6 +109,17 @@ bool NAMED(has_all_inputs)(const monitor *m)
     return true;
 }
 
+#if READINGS
+
+double NAMED(reading)(const monitor *m, int reading)
+{
+    if (!m->started || reading < 0 || reading >= (int)READINGS)
+        return NAN;
+    return m->value[watched_values[reading]];
+}
+
+#endif
+
 #if WATCHES
 
 enum NAMED(truth) NAMED(watch)(const monitor *m, int watch)

@@ -17,6 +17,9 @@
 #ifndef ESCALATIONS
 #define ESCALATIONS 0
 #endif
+#ifndef RETRACES
+#define RETRACES 0
+#endif
 #ifndef YIELDING
 #define YIELDING 0
 #endif
@@ -26,7 +29,7 @@
 
 #include "instants.h"
 
-#if COMMANDS
+#if COMMANDS || RETRACES
 #include "binary64.h"
 #endif
 
@@ -67,6 +70,26 @@ typedef struct bound {
     double high;
     double ramp;
 } bound;
+
+/* A memory: where its poses begin among the numbers of all, and its readings among those of all;
+ * how many poses it keeps at most, and how many numbers each has; how far a pose has to be from the
+ * one before it, in m and in ns.
+ */
+typedef struct memory {
+    unsigned first;
+    unsigned reading;
+    unsigned most;
+    unsigned numbers;
+    double pose_gap;
+    int64_t pose_gap_ns;
+} memory;
+
+/* A task that sends the poses of a memory, one in each period. */
+typedef struct retrace {
+    index_t task;
+    index_t memory;
+    int64_t pose_period_ns;
+} retrace;
 
 /* By what a task multiplies all fields of a command, and how that fades. */
 typedef struct scale {

@@ -31,6 +31,8 @@ static void give_orders(reactor *r)
     r->decided = 0;
 }
 
+#include "retraces.h"
+
 /* --- time ---------------------------------------------------------------------------------- */
 
 /* Whether the instant is in range. When the clock is set back, what was a old stays a old. */
@@ -44,6 +46,10 @@ static bool set_clock(reactor *r, int64_t t_ns)
             r->since_ns[task] = t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
         }
     }
+#if RETRACES
+    if (t_ns < r->now_ns)
+        pose_set_back(r, t_ns);
+#endif
     r->now_ns = t_ns;
     return true;
 }
@@ -104,6 +110,9 @@ static void begin(reactor *r, unsigned task)
         r->state[task] = tasks[task].end;
     r->since_ns[task] = r->now_ns;
     r->reported[task] = false;
+#if RETRACES
+    pose_begin(r, task);
+#endif
     decide(r, task, NAMED(START), -1);
 }
 
@@ -282,6 +291,9 @@ static void settle(reactor *r, const NAMED(monitor) * m)
             start_stage(r, rule_order[i]);
         }
     }
+#if RETRACES
+    pose_send(r);
+#endif
     give_orders(r);
 }
 
@@ -294,10 +306,13 @@ const char *NAMED(reactor_init)(reactor *r, NAMED(perform) perform, void *user)
     memset(r, 0, sizeof *r);
     for (unsigned task = 0; task != TASKS; task++)
         r->since_ns[task] = NEVER;
+#if RETRACES
+    pose_forget(r);
+#endif
     r->now_ns = EARLIEST;
     r->perform = perform;
     r->user = user;
-#if COMMANDS
+#if COMMANDS || RETRACES
     return arithmetic_fault();
 #else
     return NULL;
@@ -343,6 +358,9 @@ void NAMED(react)(reactor *r, const NAMED(monitor) * m, const unsigned char *exe
             r->stage[rule] = 0;
         }
     }
+#if RETRACES
+    pose_record(r, m);
+#endif
     pass_resources_on(r);
     for (unsigned i = 0; i != RULES; i++)
         if (starts[rule_order[i]])
@@ -371,6 +389,9 @@ int64_t NAMED(reactor_next_wake)(const reactor *r)
         if (due_ns > r->now_ns)
             wake_ns = due_ns < wake_ns ? due_ns : wake_ns;
     }
+#if RETRACES
+    wake_ns = pose_wake(r, wake_ns);
+#endif
     return wake_ns;
 }
 

@@ -5,6 +5,7 @@
 
 #include <csignal>
 #include <cstdlib>
+#include <memory>
 
 #include "guard.h"
 #include "middleware.h"
@@ -26,13 +27,14 @@ int main(int argc, char **argv)
         const Parameters parameters;
         const Settings given = settings(parameters);
         Middleware middleware;
-        Guard guard(middleware, given);
+        // The stack has no room for long lists.
+        const auto guard = std::make_unique<Guard>(middleware, given);
         say::information("the node is active");
         while (ros::ok() && !is_ended && middleware.is_known_to_master()) {
-            middleware.queue().callAvailable(ros::WallDuration(guard.wait()));
-            guard.step();
+            middleware.queue().callAvailable(ros::WallDuration(guard->wait()));
+            guard->step();
         }
-        guard.stop_all();
+        guard->stop_all();
         ros::WallDuration(SENDING_S).sleep();
         if (!middleware.is_known_to_master()) {
             // roscpp does not register again; the launch file starts the node again, which does.

@@ -17,6 +17,6 @@ struct Verdict {
     Middleware::Time at;
     std::string cause, clears;
     std::vector<Value> values;
-    std::vector<std::string> actions, overruled;
+    std::vector<std::string> categories, actions, overruled;
 };
 } // namespace alarm_safety

@@ -1,0 +1,31 @@
+"""The categories that rules are filed under."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import listed
+from rossmarie.check.rules.errors import UnknownCategory
+from rossmarie.check.scopes.context import Context
+from rossmarie.ir.filing import SUBJECTS, TASKS, Category
+from rossmarie.syntax import ast
+
+_SUBJECTS = {each.value: each for each in SUBJECTS}
+_TASKS = {each.value.removeprefix("task "): each for each in TASKS}
+
+
+def check_categories(rule: ast.Rule, context: Context) -> tuple[Category, ...]:
+    """The categories of a rule; words that are none are reported."""
+    found = (
+        _known(rule.category, "category", _SUBJECTS, context),
+        _known(rule.task, "task", _TASKS, context),
+    )
+    return tuple(each for each in found if each is not None)
+
+
+def _known(
+    word: ast.Name | None, said: str, known: dict[str, Category], context: Context
+) -> Category | None:
+    if word is None or word.text in known:
+        return None if word is None else known[word.text]
+    finding = UnknownCategory(identifier=word.text, said=said, known=listed(tuple(known)))
+    context.report_unknown(finding, word, known)
+    return None

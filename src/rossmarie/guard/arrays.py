@@ -1,0 +1,28 @@
+"""Arrays of a policy: what is none is refused before anything is done."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.guard.mapping import MappingError
+
+Array = NDArray[Any]
+FLOATS = (np.float64, np.float32)
+
+
+def require_array(what: str, array: object) -> None:
+    """Raise `TypeError` for what is no array, `MappingError` for one that is not flat floats."""
+    if not isinstance(array, np.ndarray):
+        refuse(what, array)
+    elif array.ndim != 1:
+        raise MappingError(f"the {what} has the shape {array.shape}, not that of a flat array")
+    elif array.dtype not in FLOATS:
+        raise MappingError(f"the {what} holds {array.dtype}, not float64 or float32")
+
+
+def refuse(what: str, array: object) -> Array:
+    """Raise `TypeError`."""
+    raise TypeError(f"the {what} is a {type(array).__name__}, not an array of numpy")

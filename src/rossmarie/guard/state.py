@@ -1,0 +1,30 @@
+"""The state of a guard, for checkpoints, copies and tests."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.guard.decision import Before
+from rossmarie.ir import Verdict
+
+Sizes: TypeAlias = tuple[int, int | None]
+"""The numbers that an observation and an action have; None if there was no action yet."""
+
+
+@dataclass(frozen=True)
+class GuardState:
+    """All that a guard knows; `fingerprint` says of which rules, and in which kind of guard."""
+
+    fingerprint: str
+    sizes: Sizes | None
+    at_ns: int | None
+    causes: Mapping[int, Verdict]
+    known: Any
+    seen: tuple[Before, Before] = (None, None)
+    earlier: NDArray[np.float64] | None = None
+    is_decided: bool = False

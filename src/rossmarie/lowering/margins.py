@@ -1,0 +1,144 @@
+"""The margins of conditions as signals: how far a condition is from becoming true.
+
+Takes truths that were lowered. A margin is positive while its condition is false, and negative
+while it is true: what robustness is in signal temporal logic, of the requirement that the condition
+stays false. Negation is carried down to the comparisons, so that each margin is a difference, or
+the least or greatest of others.
+"""
+
+from __future__ import annotations
+
+from rossmarie import ir
+from rossmarie.lowering.nodes import Nodes, Shown
+
+_Key = tuple[int, bool]
+"""A truth, and whether its negation is meant."""
+
+_UPWARDS = (ir.Comparison.GREATER, ir.Comparison.GREATER_OR_EQUAL)
+_DOWNWARDS = (ir.Comparison.LESS, ir.Comparison.LESS_OR_EQUAL)
+
+
+class Margins:
+    """Makes the signals of margins; equal ones are shared."""
+
+    def __init__(self, nodes: Nodes) -> None:
+        self._nodes = nodes
+        self._known: dict[_Key, int] = {}
+
+    def of(self, truth: int) -> int:
+        """The signal of the margin of a condition, which was checked to have one."""
+        for key in self._needed((truth, False)):
+            if key not in self._known:
+                self._known[key] = self._made(*key)
+        return self._known[truth, False]
+
+    def _needed(self, key: _Key) -> list[_Key]:
+        """A truth and all below it, operands first: they have lesser indexes."""
+        found: set[_Key] = set()
+        waiting = [key]
+        while waiting:
+            each = waiting.pop()
+            if each not in found:
+                found.add(each)
+                waiting += self._operands(*each)
+        return sorted(found)
+
+    def _operands(self, truth: int, negated: bool) -> tuple[_Key, ...]:
+        match self._nodes.truths[truth].node:
+            case ir.Not(operand=operand):
+                return ((operand, not negated),)
+            case ir.And(operands=operands) | ir.Or(operands=operands):
+                return tuple((operand, negated) for operand in operands)
+            case ir.Quantified(element=element) if self._against_a_constant(element) is not None:
+                return ()
+            case ir.Held(operand=operand) | ir.Quantified(element=operand):
+                return ((operand, negated),)
+            case (
+                ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
+                | ir.Oscillates() | ir.Since() | ir.Recurs()
+            ):  # fmt: skip
+                return ()
+
+    def _made(self, truth: int, negated: bool) -> int:
+        shown = self._shown(truth, negated)
+        below = [self._known[key] for key in self._operands(truth, negated)]
+        match self._nodes.truths[truth].node:
+            case ir.Compare() as compared:
+                return self._of_comparison(compared, negated, shown)
+            case ir.Between(signal=signal, low=low, high=high):
+                if negated:
+                    inside = self._gap(signal, low, shown), self._gap(high, signal, shown)
+                    return self._nodes.apply(ir.Function.MINIMUM, inside, shown)
+                outside = self._gap(low, signal, shown), self._gap(signal, high, shown)
+                return self._nodes.apply(ir.Function.MAXIMUM, outside, shown)
+            case ir.Not() | ir.Held():
+                return below[0]
+            case ir.And():
+                return self._extreme(below, is_least=negated, shown=shown)
+            case ir.Or():
+                return self._extreme(below, is_least=not negated, shown=shown)
+            case ir.Quantified(quantifier=quantifier, element=element):
+                is_least = (quantifier is ir.Quantifier.ANY) is not negated
+                compared = self._against_a_constant(element)
+                if compared is not None:
+                    return self._of_extreme_element(compared, is_least, negated, shown)
+                return self._nodes.signal(ir.Fold(_folding(is_least), below[0]), shown)
+            case (
+                ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Since()
+                | ir.Recurs()
+            ) as node:  # fmt: skip
+                raise AssertionError(f"checked: {type(node).__name__} has no distance")
+
+    def _of_comparison(self, node: ir.Compare, negated: bool, shown: Shown) -> int:
+        assert node.comparison in (*_UPWARDS, *_DOWNWARDS), "checked"
+        if (node.comparison in _UPWARDS) is not negated:
+            return self._gap(node.right, node.left, shown)
+        return self._gap(node.left, node.right, shown)
+
+    def _against_a_constant(self, truth: int) -> ir.Compare | None:
+        """The comparison of a number with a constant that a truth is."""
+        node = self._nodes.truths[truth].node
+        if isinstance(node, ir.Compare) and any(map(self._is_constant, (node.left, node.right))):
+            return node
+        return None
+
+    def _of_extreme_element(
+        self, node: ir.Compare, is_least: bool, negated: bool, shown: Shown
+    ) -> int:
+        """The least or greatest margin of elements that are compared with a constant: that of the
+        least or greatest element. A subtraction from each would make those unknown that are
+        infinite, as where a laser sees nothing.
+        """
+        holds_above = (node.comparison in _UPWARDS) is not negated
+        left = self._folded(node.left, is_least is not holds_above, shown)
+        right = self._folded(node.right, is_least is holds_above, shown)
+        return self._of_comparison(ir.Compare(node.comparison, left, right), negated, shown)
+
+    def _folded(self, signal: int, is_least: bool, shown: Shown) -> int:
+        """The least or greatest of a number of elements; a constant is the same for all."""
+        if self._is_constant(signal):
+            return signal
+        return self._nodes.signal(ir.Fold(_folding(is_least), signal), shown)
+
+    def _is_constant(self, signal: int) -> bool:
+        return isinstance(self._nodes.signals[signal].node, ir.Constant)
+
+    def _gap(self, left: int, right: int, shown: Shown) -> int:
+        return self._nodes.apply(ir.Function.SUBTRACT, (left, right), shown)
+
+    def _extreme(self, operands: list[int], *, is_least: bool, shown: Shown) -> int:
+        function = ir.Function.MINIMUM if is_least else ir.Function.MAXIMUM
+        first, *rest = operands
+        for other in rest:
+            first = self._nodes.apply(function, (first, other), shown)
+        return first
+
+    def _shown(self, truth: int, negated: bool) -> Shown:
+        """The words of a margin, with the place of its condition."""
+        found = self._nodes.truths[truth]
+        text = f"not ({found.text})" if negated else found.text
+        return Shown(f"margin of {text}", found.span)
+
+
+def _folding(is_least: bool) -> ir.Folding:
+    return ir.Folding.MINIMUM if is_least else ir.Folding.MAXIMUM

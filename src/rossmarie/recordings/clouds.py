@@ -1,0 +1,63 @@
+"""The points of recorded clouds, as columns: numpy takes all points of a message at once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from rosbags.interfaces import Nodetype
+from rosbags.typesys.base import normalize_fieldname
+from rosbags.typesys.store import Typestore
+
+from rossmarie.ir import POINTS, Array, List, Path, clouds
+
+_CLOUD = "sensor_msgs/msg/PointCloud2"
+_NEEDED = frozenset(
+    ("height", "width", "fields", "is_bigendian", "point_step", "row_step", "data")
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class CloudReader:
+    """Reads the points of one cloud in a message: `columns` are the arrays of the machine, with the
+    names of their fields.
+    """
+
+    path: Path
+    most: int
+    columns: Mapping[int, str]
+
+    def read(self, message: Any) -> dict[int, NDArray[np.float64]]:
+        """The columns. Raises `UnreadableCloudError`."""
+        words = [normalize_fieldname(str(step)) for step in self.path]
+        cloud = attrgetter(".".join(words))(message) if words else message
+        found = clouds.columns(cloud, tuple(self.columns.values()), self.most)
+        return dict(zip(self.columns, found, strict=True))
+
+
+def is_of_points(array: Array) -> bool:
+    """Say whether an array is a field of the points of a cloud."""
+    return POINTS in array.path
+
+
+def cloud_readers(arrays: Mapping[int, Array], lists: Sequence[List]) -> Iterator[CloudReader]:
+    """A reader for each cloud whose points some `arrays` are."""
+    by_list: dict[int, dict[int, str]] = {}
+    for index, array in arrays.items():
+        if array.list is not None and is_of_points(array):
+            by_list.setdefault(array.list, {})[index] = str(array.path[-1])
+    for number, found in by_list.items():
+        its_list = lists[number]
+        yield CloudReader(its_list.path[: its_list.path.index(POINTS)], its_list.most, found)
+
+
+def holds_cloud(description: Any, store: Typestore) -> bool:
+    """Say whether a description, as rosbags has it, is that of a cloud."""
+    kind, content = description
+    if kind != Nodetype.NAME or content != _CLOUD or content not in store.fielddefs:
+        return False
+    return {name for name, _ in store.fielddefs[content][1]} >= _NEEDED

@@ -1,0 +1,138 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* Memories of poses: recorded while no rule retraces them, and sent back the newest first. */
+
+#if RETRACES
+
+/* Pose i that a memory keeps, the oldest first. */
+static unsigned pose_place(const reactor *r, unsigned k, unsigned i)
+{
+    return memories[k].first + (r->poses_oldest[k] + i) % memories[k].most * memories[k].numbers;
+}
+
+static bool is_known_pose(unsigned k, const double *pose)
+{
+    for (unsigned i = 0; i != memories[k].numbers; i++)
+        if (!isfinite(pose[i]))
+            return false;
+    return true;
+}
+
+/* Whether a pose is far enough from the last one that is kept. */
+static bool is_new_pose(const reactor *r, unsigned k, const double *pose)
+{
+    const double *last = NULL;
+    bool differs = false;
+    double square = 0.0;
+    if (r->poses_kept[k] == 0)
+        return true;
+    last = &r->poses[pose_place(r, k, r->poses_kept[k] - 1u)];
+    for (unsigned i = 0; i != memories[k].numbers; i++)
+        differs = differs || pose[i] != last[i];
+    for (unsigned axis = 0; axis != 3; axis++)
+        square += (pose[axis] - last[axis]) * (pose[axis] - last[axis]);
+    return differs && square >= memories[k].pose_gap * memories[k].pose_gap &&
+           r->now_ns - r->pose_recorded_ns[k] >= memories[k].pose_gap_ns;
+}
+
+/* Record the poses of the monitor; of a memory that is full the oldest makes room. */
+static void pose_record(reactor *r, const NAMED(monitor) * m)
+{
+    for (unsigned k = 0; k != MEMORIES; k++) {
+        double pose[MOST_NUMBERS] = {0.0};
+        bool is_used = false;
+        for (unsigned i = pose_rules[k]; i != pose_rules[k + 1]; i++)
+            is_used = is_used || r->engaged[pose_users[i]];
+        for (unsigned i = 0; i != memories[k].numbers; i++)
+            pose[i] = NAMED(reading)(m, (int)pose_readings[memories[k].reading + i]);
+        r->poses_known[k] = is_known_pose(k, pose);
+        if (is_used || !r->poses_known[k] || !is_new_pose(r, k, pose))
+            continue;
+        if (r->poses_kept[k] == memories[k].most) {
+            r->poses_oldest[k] = (index_t)((r->poses_oldest[k] + 1u) % memories[k].most);
+            r->poses_kept[k]--;
+        }
+        memcpy(&r->poses[pose_place(r, k, r->poses_kept[k])], pose,
+               memories[k].numbers * sizeof *pose);
+        r->poses_kept[k]++;
+        r->pose_recorded_ns[k] = r->now_ns;
+    }
+}
+
+/* From when on a task sends its next pose; NEVER if it has none, or nobody knows where the robot
+ * is.
+ */
+static int64_t pose_due(const reactor *r, unsigned i)
+{
+    const unsigned k = retraces[i].memory;
+    if (r->state[retraces[i].task] != HOLDING || r->poses_kept[k] == 0 || !r->poses_known[k])
+        return NEVER;
+    return r->pose_sent_ns[i] == NEVER ? EARLIEST : r->pose_sent_ns[i] + retraces[i].pose_period_ns;
+}
+
+/* The earlier one of an instant and when a task sends its next pose. */
+static int64_t pose_wake(const reactor *r, int64_t wake_ns)
+{
+    for (unsigned i = 0; i != RETRACES; i++)
+        if (pose_due(r, i) > r->now_ns && pose_due(r, i) < wake_ns)
+            wake_ns = pose_due(r, i);
+    return wake_ns;
+}
+
+static void pose_send(reactor *r)
+{
+    for (unsigned i = 0; i != RETRACES; i++) {
+        const unsigned k = retraces[i].memory;
+        if (pose_due(r, i) > r->now_ns)
+            continue;
+        r->poses_kept[k]--;
+        memcpy(r->poses_sent[i], &r->poses[pose_place(r, k, r->poses_kept[k])],
+               memories[k].numbers * sizeof *r->poses);
+        r->pose_sent_ns[i] = r->now_ns;
+        decide(r, retraces[i].task, NAMED(RETRACE), -1);
+    }
+}
+
+/* A task that starts sends its first pose at once. */
+static void pose_begin(reactor *r, unsigned task)
+{
+    for (unsigned i = 0; i != RETRACES; i++)
+        if (retraces[i].task == task)
+            r->pose_sent_ns[i] = NEVER;
+}
+
+static int64_t set_back(int64_t since_ns, int64_t now_ns, int64_t t_ns)
+{
+    const int64_t age_ns = now_ns - since_ns;
+    return since_ns == NEVER ? NEVER : t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
+}
+
+static void pose_set_back(reactor *r, int64_t t_ns)
+{
+    for (unsigned i = 0; i != RETRACES; i++)
+        r->pose_sent_ns[i] = set_back(r->pose_sent_ns[i], r->now_ns, t_ns);
+    for (unsigned k = 0; k != MEMORIES; k++)
+        r->pose_recorded_ns[k] = set_back(r->pose_recorded_ns[k], r->now_ns, t_ns);
+}
+
+static void pose_forget(reactor *r)
+{
+    for (unsigned i = 0; i != RETRACES; i++)
+        r->pose_sent_ns[i] = NEVER;
+    for (unsigned k = 0; k != MEMORIES; k++)
+        r->pose_recorded_ns[k] = NEVER;
+}
+
+int NAMED(retraced)(const reactor *r, int task, double pose[])
+{
+    for (unsigned i = 0; i != RETRACES; i++) {
+        const unsigned numbers = memories[retraces[i].memory].numbers;
+        if ((int)retraces[i].task == task) {
+            memcpy(pose, r->poses_sent[i], numbers * sizeof *pose);
+            return (int)numbers;
+        }
+    }
+    return 0;
+}
+
+#endif

@@ -1,0 +1,139 @@
+// Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
+//
+// The points of a cloud: from its bytes to columns of numbers. A cloud says itself where its
+// numbers are, and nothing of that is trusted.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+// A field of points that the rules read, and the room for it.
+struct PointColumn {
+    const char *name;
+    double *room;
+};
+
+namespace clouds {
+
+constexpr std::size_t UNKNOWN = SIZE_MAX; // more than any list may have
+constexpr std::array<const char *, 3> AXES{"x", "y", "z"};
+constexpr std::array<std::size_t, 9> SIZES{0, 1, 1, 2, 2, 4, 4, 4, 8}; // by type, INT8 is 1
+
+// Where a number is in the bytes of a point, and of which type; the type 0 is no number.
+struct Place {
+    std::size_t offset = 0;
+    std::size_t type = 0;
+};
+
+template <class Number, class Bits> double as(std::uint64_t bits)
+{
+    static_assert(sizeof(Number) == sizeof(Bits), "the same bits");
+    const auto part = static_cast<Bits>(bits);
+    Number number;
+    std::memcpy(&number, &part, sizeof number);
+    return static_cast<double>(number);
+}
+
+inline double number_at(const std::uint8_t *bytes, std::size_t type, bool is_big)
+{
+    std::uint64_t bits = 0;
+    const std::size_t size = SIZES[type];
+    for (std::size_t i = 0; i != size; i++)
+        bits = bits << 8U | bytes[is_big ? i : size - 1 - i];
+    switch (type) {
+    case 1:
+        return as<std::int8_t, std::uint8_t>(bits);
+    case 2:
+        return as<std::uint8_t, std::uint8_t>(bits);
+    case 3:
+        return as<std::int16_t, std::uint16_t>(bits);
+    case 4:
+        return as<std::uint16_t, std::uint16_t>(bits);
+    case 5:
+        return as<std::int32_t, std::uint32_t>(bits);
+    case 6:
+        return as<std::uint32_t, std::uint32_t>(bits);
+    case 7:
+        return as<float, std::uint32_t>(bits);
+    default:
+        return as<double, std::uint64_t>(bits);
+    }
+}
+
+// How many fields of the points have a name; `place` is that of the last one, if it is one number.
+template <class Cloud> std::size_t find(const Cloud &cloud, const char *name, Place &place)
+{
+    std::size_t found = 0;
+    for (const auto &field : cloud.fields) {
+        if (field.name != name)
+            continue;
+        found++;
+        place = Place{};
+        const std::size_t type = field.datatype;
+        if (type == 0 || type >= SIZES.size() ||
+            field.count > 1) // PCL writes 0 for one number, too
+            continue;
+        if (std::uint64_t{field.offset} + SIZES[type] <= cloud.point_step)
+            place = {field.offset, type};
+    }
+    return found;
+}
+
+// Whether all points lie in the bytes that there are, and none over others.
+template <class Cloud> bool is_whole(const Cloud &cloud, std::size_t most)
+{
+    const std::uint64_t rows = cloud.height, columns = cloud.width;
+    if (rows == 0 || columns == 0)
+        return true;
+    if (rows > most / columns)
+        return false;
+    const std::uint64_t row = columns * cloud.point_step; // below 2^64, as is all that follows
+    if (rows > 1 && cloud.row_step < row)
+        return false;
+    return (rows - 1) * cloud.row_step + row <= cloud.data.size();
+}
+
+} // namespace clouds
+
+// Fills the columns with the points that have a place, and gives how many these are; UNKNOWN if
+// there are more than `most`, with those without a place, or if the cloud cannot be read.
+template <class Cloud, std::size_t COLUMNS>
+std::size_t points(const Cloud &cloud, std::size_t most, const PointColumn (&columns)[COLUMNS])
+{
+    std::array<clouds::Place, COLUMNS> places{};
+    for (std::size_t i = 0; i != COLUMNS; i++)
+        if (clouds::find(cloud, columns[i].name, places[i]) != 1 || places[i].type == 0)
+            return clouds::UNKNOWN;
+    std::array<clouds::Place, clouds::AXES.size()> axes{};
+    for (std::size_t i = 0; i != axes.size(); i++) {
+        const std::size_t found = clouds::find(cloud, clouds::AXES[i], axes[i]);
+        if (found > 1 || (found == 1 && axes[i].type == 0))
+            return clouds::UNKNOWN;
+    }
+    if (!clouds::is_whole(cloud, most))
+        return clouds::UNKNOWN;
+    if (cloud.width == 0) // of no row, or of billions
+        return 0;
+    std::size_t count = 0;
+    for (std::size_t row = 0; row != cloud.height; row++) {
+        for (std::size_t column = 0; column != cloud.width; column++) {
+            const std::uint8_t *point =
+                cloud.data.data() + row * cloud.row_step + column * cloud.point_step;
+            const auto number = [&cloud, point](const clouds::Place &place) {
+                return clouds::number_at(point + place.offset, place.type, cloud.is_bigendian);
+            };
+            bool is_there = true;
+            for (const clouds::Place &axis : axes)
+                is_there = is_there && (axis.type == 0 || !std::isnan(number(axis)));
+            if (!is_there)
+                continue;
+            for (std::size_t i = 0; i != COLUMNS; i++)
+                columns[i].room[count] = number(places[i]);
+            count++;
+        }
+    }
+    return count;
+}
