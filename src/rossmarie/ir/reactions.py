@@ -221,7 +221,6 @@ POSES = (3, 7)
 """The numbers of a position, and of a position and a quaternion."""
 
 
-
 # --- plans -----------------------------------------------------------------------------------
 
 
