@@ -62,32 +62,21 @@ static void sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
     m->window_count[k]++;
 }
 
-/* How many samples stand before sample i by size; of equals, the earlier. */
-static unsigned window_rank(const monitor *m, unsigned k, unsigned i)
-{
-    const double x = m->window_value[k][window_place(m, k, i)];
-    unsigned before = 0;
-    for (unsigned j = 0; j != m->window_count[k]; j++) {
-        const double other = m->window_value[k][window_place(m, k, j)];
-        if (other < x || (other == x && j < i))
-            before++;
-    }
-    return before;
-}
-
 /* The middle of a window by size, of two the lower or the upper; unknown if any sample is. */
 static inline double window_middle(const monitor *m, unsigned k, unsigned is_upper)
 {
     const unsigned count = m->window_count[k];
-    double found = NAN;
+    double by_size[MOST_SAMPLES];
     for (unsigned i = 0; i != count; i++) {
         const double x = m->window_value[k][window_place(m, k, i)];
         if (isnan(x))
             return NAN;
-        if (window_rank(m, k, i) == (count - 1 + is_upper) / 2)
-            found = x;
+        unsigned place = i;
+        for (; place != 0 && by_size[place - 1] > x; place--)
+            by_size[place] = by_size[place - 1];
+        by_size[place] = x;
     }
-    return found;
+    return count == 0 ? NAN : by_size[(count - 1 + is_upper) / 2];
 }
 
 /* The sum of a window, added from the oldest sample to the newest; unknown of none. */
