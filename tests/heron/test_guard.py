@@ -182,3 +182,14 @@ def test_arrays_elements_texts_and_instants_are_read(tmp_path: Path) -> None:
     assert set(guard.active) == {"near", "ahead", "late", "service"}
     guarded.pass_time(guard, 3 * SECOND, lambda: guarded.publish(topics["scan"], scan))
     assert "silent" in guard.active
+
+
+def test_a_message_that_starts_a_time_is_followed_when_that_is_over(tmp_path: Path) -> None:
+    guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s for 0.03 sec then { slow; };")
+    guarded.speed(0.0)
+    guarded.pass_time(guard, SECOND // 5, lambda: None)
+    guarded.speed(2.0)
+    guarded.pass_time(guard, SECOND // 4, lambda: None)
+    assert [verdict.at_ns for verdict in guard.verdicts] == [SECOND // 5 + 30_000_000]
+    assert guard.active == ("r",)
+    assert guard.due_ns > guarded.now_ns
