@@ -248,7 +248,9 @@ _RULES = (
 _NUMBERS = (
     Fault("infinity counts as known", "return x - (x - x);", "return x;"),
     Fault(
-        "a missing element is no minimum's matter", "isnan(a) || isnan(b) ? NAN", "isnan(b) ? NAN"
+        "a missing element is no minimum's matter",
+        "isnan(a) || isnan(b) ? NAN : a < b",
+        "isnan(b) ? NAN : a < b",
     ),
     Fault(
         "a maximum for a minimum",
@@ -374,8 +376,8 @@ EQUIVALENT = (
     Equivalent(
         Fault(
             "a minimum asks whether its first operand is missing",
-            "isnan(a) || isnan(b) ? NAN",
-            "isnan(a) ? NAN",
+            "isnan(a) || isnan(b) ? NAN : a < b",
+            "isnan(a) ? NAN : a < b",
         ),
         "a comparison with a missing operand is false, and gives the second",
     ),
