@@ -34,6 +34,7 @@ RULES = """\
 rule old: if age(fix) > 0.3 sec or (speed > 1 m/s for 0.3 sec) then { slow; };
 rule near: if any(ranges < 1 m) and not (speed > 0.5 m/s for 0.2 sec) then { slow; }
     clear for 0.4 sec;
+rule clear: if all(p in path: p.pose.position.x > 0.5 m) then { slow; };
 rule between: if all(ranges in [0.25, 2] m) then { stop; } clear when age(fix) < 0.2 sec;
 rule sunk: if (speed in [-1, 0.25] m/s for 0.2 sec) and ok then { stop; } latched until reset;
 """

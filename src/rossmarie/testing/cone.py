@@ -234,12 +234,15 @@ def _quantified(
     is_any = node.quantifier is ir.Quantifier.ANY
     deciding = made if is_any else ~made
     decided = _some(deciding & is_known, found)
-    unclear = _some(~is_known, found) | (found.starts == found.ends)
+    unclear = _some(~is_known, found)
     inputs = ir.supports(machine).truths[truth].inputs
     may_be_lost = any(machine.inputs[used].timeout_ns is not None for used in inputs)
     unknown = TruthValue.LOST if may_be_lost else TruthValue.UNKNOWN
     otherwise = np.where(unclear, int(unknown), int(not is_any))
-    return np.where(decided, int(is_any), otherwise).astype(np.int8)[found.rows]
+    of_elements = np.where(decided, int(is_any), otherwise)[found.rows]
+    # No threshold matters to what has no elements: an array, a list, or one that is not known.
+    is_empty = (found.starts == found.ends)[found.rows]
+    return np.where(is_empty, history.truths[:, truth], of_elements).astype(np.int8)
 
 
 def _some(flags: NDArray[np.bool_], found: Elements) -> NDArray[np.bool_]:

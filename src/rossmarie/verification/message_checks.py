@@ -27,7 +27,7 @@ from rossmarie.verification.stages import (
     counts,
     stages,
 )
-from rossmarie.verification.turning_points import followed, followed_on
+from rossmarie.verification.turning_points import followed
 
 ELEMENTS = 3
 """Up to how many elements of an array are looked at."""
@@ -265,7 +265,7 @@ class MessageChecks:
             *self._computed(channel),
             *self._tests(channel),
             *self._samples(channel),
-            *self._turning_points(channel),
+            *followed(self._layout, self._definitions, channel),
         ]
 
     def _fields(self, channel: int) -> tuple[fields.Field, ...]:
@@ -353,10 +353,6 @@ class MessageChecks:
                 instant = f"m->before_ns[{k}] == ({kept}_ns[{k}] : old.latest_ns[{k}])"
                 about = f"the instant of the sample of `{text}` before"
                 yield claim(f"isnan(m->before[{k}]) || {instant}", about)
-
-    def _turning_points(self, channel: int) -> Iterator[str]:
-        for k in followed_on(self._layout, channel):
-            yield from followed(self._layout, self._definitions, k)
 
 
 _ANY_NUMBERS = f"""\

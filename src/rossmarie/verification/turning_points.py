@@ -32,7 +32,13 @@ def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
         yield "}"
 
 
-def followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
+def followed(layout: Layout, definitions: Definitions, channel: int) -> Iterator[str]:
+    """The claims about all oscillations that a message on a channel brings a sample of."""
+    for k in followed_on(layout, channel):
+        yield from _followed(layout, definitions, k)
+
+
+def _followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
     """The claims about the k-th oscillation."""
     node, first = oscillation(layout, k), first_recent(layout, k)
     about = f"the turning points of `{layout.machine.truths[layout.oscillations[k]].text}`"
