@@ -83,5 +83,5 @@ def test_nothing_passes_before_all_inputs_have_arrived(tmp_path: Path) -> None:
     only_speed = "    at 0.3 s speed = 0.5 m/s;\n"
     assert failures(tmp_path, "/cmd_vel.linear.x in [0, 0] m/s at 0.2 s", only_speed) == []
     all_of_them = INPUTS.count("timeout")
-    assert all_of_them == 8
+    assert all_of_them == 9
     assert failures(tmp_path, "/cmd_vel.linear.x in [0, 0] m/s at 0.2 s") != []
