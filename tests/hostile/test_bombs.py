@@ -358,7 +358,11 @@ def test_values_that_are_known_at_launch_take_no_gigabytes(name: str, tmp_path: 
     assert done.returncode == 1
 
 
-@pytest.mark.parametrize("text", ["x = " + "(" * 9_000, "x = " + "not " * 20_000 + "1"])
+@pytest.mark.parametrize(
+    "text",
+    ["x = " + "(" * 9_000, "x = " + "not " * 20_000 + "1", "x = y" + ".z" * 900],
+    ids=["brackets", "operators", "names"],
+)
 def test_python_that_is_too_deep_is_told(text: str, tmp_path: Path) -> None:
     path = tmp_path / "old.py"
     path.write_text(text)

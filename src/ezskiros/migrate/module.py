@@ -56,6 +56,8 @@ from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.tree_context import Wanted as WantedSkills
 from ezskiros.migrate.values import BASIC, known_of
 
+_TOO_DEEP = errors.UnreadableSource(said="its parts lie too deep in each other")
+
 
 def migrate_text(
     path: str,
@@ -76,8 +78,7 @@ def migrate_text(
     file = SourceFile(path, text)
     deep = too_deep(text)
     if deep is not None:
-        found = errors.UnreadableSource(said="its parts lie too deep in each other")
-        return Migrated(file, text, diagnostics=[found.at(Span(file, deep, deep + 1))])
+        return Migrated(file, text, diagnostics=[_TOO_DEEP.at(Span(file, deep, deep + 1))])
     try:
         module = cst.parse_module(text)
     except cst.ParserSyntaxError as problem:
@@ -90,6 +91,21 @@ def migrate_text(
     if refused is not None:
         said, span = refused
         return Migrated(file, text, diagnostics=[errors.UnreadableSource(said=said).at(span)])
+    try:
+        return _translated(file, module, world, inherited, ambiguous, skills, late)
+    except RecursionError:  # a name behind a name behind a name, hundreds of them
+        return Migrated(file, text, diagnostics=[_TOO_DEEP.at(Span(file, 0, 0))])
+
+
+def _translated(
+    file: SourceFile,
+    module: cst.Module,
+    world: str,
+    inherited: Collection[str],
+    ambiguous: Collection[str],
+    skills: Skills | None,
+    late: Collection[str],
+) -> Migrated:
     if skills is None:
         own = _File(file, module, world, inherited, ambiguous, Skills(), ()).migrated()
         bases = Bases(own.built)

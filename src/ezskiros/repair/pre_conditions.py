@@ -25,10 +25,14 @@ def with_pre_conditions(text: str, skill: str, conditions: Sequence[str]) -> str
     try:
         module = cst.parse_module(text)
         lines = [cst.parse_statement(each, module.config_for_parsing) for each in conditions]
+        return _with_conditions(module, skill, lines) if _has_names(module, lines) else None
     except (cst.ParserSyntaxError, RecursionError, ValueError):
         return None
-    if not _has_names(module, lines):
-        return None
+
+
+def _with_conditions(
+    module: cst.Module, skill: str, lines: Sequence[cst.BaseStatement]
+) -> str | None:
     adding = _Adding(skill, [each for each in lines if isinstance(each, cst.SimpleStatementLine)])
     changed = module.visit(adding)
     return changed.code if adding.is_done else None

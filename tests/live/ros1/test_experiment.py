@@ -49,10 +49,9 @@ def needs(_generation: str) -> Sequence[Wanted]:
     return [machine_of(NAVIGATION_RULES[Arm.ROSSMARIE])]
 
 
-pytestmark = pytest.mark.builds(by=needs)
+pytestmark = [pytest.mark.deep, pytest.mark.builds(by=needs)]
 
 
-@pytest.mark.deep
 @pytest.mark.parametrize("terrain", [Terrain.GENTLE, Terrain.STEEP])
 def test_an_experiment_has_the_same_outcome(
     ros1: Ros1,
