@@ -103,8 +103,11 @@ static void pose_begin(reactor *r, unsigned task)
 
 static int64_t set_back(int64_t since_ns, int64_t now_ns, int64_t t_ns)
 {
-    const int64_t age_ns = now_ns - since_ns;
-    return since_ns == NEVER ? NEVER : t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
+    int64_t age_ns = 0;
+    if (since_ns == NEVER)
+        return NEVER;
+    age_ns = now_ns - since_ns;
+    return t_ns - (age_ns < LONGEST ? age_ns : LONGEST);
 }
 
 static void pose_set_back(reactor *r, int64_t t_ns)
