@@ -206,7 +206,7 @@ def nanoseconds(rounds: Mapping[str, tuple[Round, int]]) -> dict[str, float]:
 
 
 def of_rtlola(operator: Operator, trace: Path, counted: int) -> str:
-    """What RTLola compiled to Rust takes, and whether it counts the same; or why it is left out."""
+    """Measure RTLola compiled to Rust, if it counts the same; else say why it is left out."""
     workload = Workload(BENCH, trace, SAMPLES, 1, 3)
     try:
         measured = rtlola_operator(workload, f"of_{operator.code}", specification(operator))

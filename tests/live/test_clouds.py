@@ -58,7 +58,7 @@ def test_the_points_of_clouds_are_looked_at(robot: Robot, start: Start) -> None:
 
 
 def is_unknown(columns: list[list[float]]) -> bool:
-    """Whether a number decides nothing: it is none, or the norm of what is infinite."""
+    """Say whether a number decides nothing: it is none, or the norm of what is infinite."""
     return not all(math.isfinite(number) for column in columns for number in column)
 
 

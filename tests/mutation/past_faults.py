@@ -178,4 +178,4 @@ INTERPRETER: Mapping[str, Sequence[Damage]] = {
         Damage("a sum begins anew", "reduce(operator.add, values)", "reduce(operator.sub, values)"),
     ),
 }
-"""By the module that has the fault."""
+"""Each module has its faults."""

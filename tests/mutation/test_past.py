@@ -32,7 +32,7 @@ from support.machines import Observation, Step, Update, observe
 STEPS = 1200
 FLAGS = (0.0, 0.0, 1.0, 1.0, math.nan)
 MOST_SECONDS = 5.0
-"""Of a processor, for a trace that takes a tenth of one: a fault may never end."""
+"""Seconds of a processor for a trace that takes a tenth of one: a fault may never end."""
 PACKAGE = "rossmarie.interpreter"
 SOURCES = Path(rossmarie.interpreter.__file__).parent
 
@@ -48,7 +48,7 @@ def trace() -> Sequence[Step]:
 
 
 def chosen() -> Iterator[Step]:
-    """What chance meets too seldom."""
+    """Traces for cases that chance meets too seldom."""
     yield sent(0, docked=0.0)
     for at_ms, speed in enumerate((0.0, 3.0, 0.0, 3.0)):  # two edges, and a jump back
         yield sent(at_ms * 10, speed=speed)

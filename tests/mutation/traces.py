@@ -134,8 +134,8 @@ def _number(random: Random, limits: Sequence[float]) -> float:
 
 
 def chosen_traces(machine: ir.Machine) -> list[list[Step]]:
-    """What chance meets too seldom: a limit that is reached, an unknown beside what is true, and
-    a swing that is just wide enough.
+    """Traces for cases that chance meets too seldom: a limit that is reached, an unknown beside
+    a truth, and a swing that is just wide enough.
     """
     swinging = [
         Update(n * 5 * _TICK, _messages(machine, {"/imu": (0.0, 0.0, 0.0, 1.0, y)}))

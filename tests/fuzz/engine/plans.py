@@ -60,7 +60,7 @@ class Stand:
 
 
 class Reactor:
-    """What is known of a reactor from outside: the rules that are to be carried out, the tasks that
+    """A reactor as it is known from outside: the rules that are to be carried out, the tasks that
     are performed.
     """
 

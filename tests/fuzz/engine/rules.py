@@ -102,7 +102,7 @@ RULES = (
 
 @dataclass(frozen=True)
 class Event:
-    """What a monitor reports."""
+    """The report of a monitor."""
 
     change: int
     at_ns: int

@@ -11,7 +11,7 @@ from rossmarie.types import List, Message, Type, Unknown
 
 MOST_ELEMENTS = 65_536
 MOST_POINTS = 1_048_576
-"""Of clouds: more than any sensor sends at once."""
+"""The greatest bound of a cloud: no sensor sends as many points at once."""
 
 
 def read_bound(declaration: ast.Input, type_: Type, field: str, collector: Collector) -> int | None:
