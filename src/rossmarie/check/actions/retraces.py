@@ -46,7 +46,7 @@ def checked_retrace(
     """
     context = targets.context
     type_ = _pose(effect, context)
-    sent = targets.topic(effect.target)
+    sent = targets.topic(effect.target, "geometry_msgs/PoseStamped")
     assignments = assignments_of(effect.assignments, sent, targets)
     numbers = None if sent is None or type_ is None else _numbers(effect, sent, type_, context)
     apart = _apart(effect, context)

@@ -112,15 +112,15 @@ class Targets:
 
     # --- types -------------------------------------------------------------------------------
 
-    def topic(self, target: ast.Target) -> Sent | None:
-        """The topic; None after reporting that its type is not known."""
+    def topic(self, target: ast.Target, example: str = "geometry_msgs/Twist") -> Sent | None:
+        """The topic; None after reporting that its type is not known, with one that it may have."""
         name = self.full_name(Kind.MESSAGE, target.name)
         topic = self.model.topics.get(name)
         written = self.stated.get((Kind.MESSAGE, name))
         if topic is not None:
             written = topic.declaration.message_type
         if written is None:
-            self._report_untyped(target.name, "topic", "geometry_msgs/Twist")
+            self._report_untyped(target.name, "topic", example)
             return None
         if _contradicts(target, written):
             return None

@@ -110,6 +110,8 @@ def _compared(node: ast.Expression, context: Context) -> Operand | None:
         case ast.Binary(left=left, right=right):
             sides = [operand_of(side, context) for side in (right, left)]
             known = [side for side in sides if side is not None]
+            if len({_unit(side).dimension for side in known}) > 1:
+                return None
             constant = [side for side in known if side.node in context.values]
             return next(iter((*constant, *known)), None)
         case ast.Membership(container=container, value=value):
