@@ -62,3 +62,14 @@ rule fast: if speed > 3 then { free; };
 rule wild: if speed > 4 then { quit; };
 """
 """Rules of which the first keeps the other waiting until its time is over and it fails."""
+
+RETRACED = """\
+input tip = topic /tip : geometry_msgs/Point timeout 1 sec;
+action back {
+    retrace tip on /back : geometry_msgs/Point up to 3 apart 1 cm, 0.1 sec at 2 Hz;
+}
+action again { retrace tip on /again : geometry_msgs/Point up to 3 apart 1 cm, 0.1 sec at 1 Hz; }
+rule far: if tip.x > 1 m then { back; };
+rule low: if tip.z < 0 m then { again; };
+"""
+"""Rules of which two send the poses of one memory."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Sequence
-from functools import cache
+from functools import lru_cache
 from importlib.resources import files
 from pathlib import Path
 
@@ -20,6 +20,9 @@ from ezskiros.ontology.world import Ontology
 
 VARIABLE = "EZSKIROS_ONTOLOGY"
 """Names the files and folders of the ontology, separated like those of PATH."""
+
+_MOST_LOADED = 64
+"""Ontologies that are kept. An editor loads one more at each change of a file."""
 
 _IMPORTS = pyoxigraph.NamedNode(OWL + "imports")
 _TYPE = RDF + "type"
@@ -81,7 +84,7 @@ def _read(
     return ontology, wrong
 
 
-@cache
+@lru_cache(maxsize=_MOST_LOADED)
 def _loaded(
     states: tuple[tuple[Path, int, int], ...], relations: bool
 ) -> tuple[Ontology, tuple[Diagnostic, ...]]:

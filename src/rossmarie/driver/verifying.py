@@ -60,11 +60,9 @@ def questions_of(
 
 
 def _programs(machine: ir.Machine) -> Iterator[Harness]:
-    """One about the monitor and, if rules do anything, one about the reactor; none about a reactor
-    that retraces, as nothing is stated of memories of poses.
-    """
+    """One about the monitor and, if rules do anything, one about the reactor."""
     yield harness(machine)
-    if machine.reactions.tasks and not machine.reactions.memories:
+    if machine.reactions.tasks:
         yield reactor_harness(machine)
 
 

@@ -24,10 +24,12 @@ ANY_REACTOR = """\
 
 _IN_RANGE = "    __CPROVER_assume(t_ns > EARLIEST && t_ns < LATEST);"
 
-CONTRACTS = """\
+SAME = """\
 /* The same number, or none in both. */
 static bool spec_same(double a, double b) { return (isnan(a) && isnan(b)) || a == b; }
+"""
 
+CONTRACTS = """\
 /* Of this, its check has shown no more than: a way of 0 or more, none while in force. */
 double __CPROVER_uninterpreted_way(unsigned, double);
 

@@ -12,10 +12,11 @@ from dataclasses import replace
 from rossmarie.ir import model as ir
 from rossmarie.ir import reactions
 from rossmarie.verification.check import Check, Written
-from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, CommandChecks
+from rossmarie.verification.command_checks import ANY_REACTOR, CONTRACTS, SAME, CommandChecks
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.order_checks import OrderChecks
 from rossmarie.verification.places import name_of
+from rossmarie.verification.pose_checks import PoseChecks
 from rossmarie.verification.program import PRELUDE, assertions, assumptions, claim
 from rossmarie.verification.reactor_definitions import overruler
 from rossmarie.verification.reactor_invariants import ReactorInvariants
@@ -33,6 +34,7 @@ class _Writer:
         self._name = name_of(machine)
         self._invariants = ReactorInvariants(machine.reactions)
         self._orders = OrderChecks(machine, self._name)
+        self._poses = PoseChecks(machine)
 
     def harness(self) -> Harness:
         fit = [*self._invariants.always(), *self._invariants.at_rest()]
@@ -47,7 +49,9 @@ class _Writer:
             f"static void must_fit(const reactor *r)\n{{\n{assertions(fit)}\n}}\n",
             self._contracts(),
             self._orders.text(),
+            SAME,
             CONTRACTS if self._found.commands else "",
+            self._poses.text(),
             *(each.text() for each in written),
         ]
         passes = max(len(self._found.tasks), len(self._found.plans), *fields) + 2
@@ -55,10 +59,20 @@ class _Writer:
         return Harness("\n".join(parts), checks, passes, "reactor_harness")
 
     def _written(self) -> Iterator[Written]:
+        yield from map(self._without_poses, self._of_tasks())
+        yield from self._poses.written()
+
+    def _of_tasks(self) -> Iterator[Written]:
         yield from CommandChecks(self._found, self._name).written()
         yield from self._calls()
         yield from self._parts()
         yield from self._orders.written()
+
+    def _without_poses(self, written: Written) -> Written:
+        check = written.check
+        return replace(
+            written, check=replace(check, replaced=(*check.replaced, *self._poses.parts()))
+        )
 
     def _calls(self) -> Iterator[Written]:
         """The functions that do nothing but to set or to tell."""

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
 from pathlib import Path
 
 import pytest
@@ -144,6 +146,17 @@ def test_a_namespace_may_be_called_like_an_attribute(tmp_path: Path) -> None:
 
 def test_the_same_files_are_loaded_once() -> None:
     assert load(HALL) is load(HALL)
+
+
+def test_what_files_were_long_ago_is_forgotten(tmp_path: Path) -> None:
+    """An editor loads a file once more at each change of it."""
+    path = tmp_path / "edited.ttl"
+    loaded = []
+    for version in range(70):
+        path.write_text(f"<{START}A> a <http://www.w3.org/2002/07/owl#Class> .{'#' * version}\n")
+        loaded.append(weakref.ref(load(path)))
+    gc.collect()
+    assert [each() is None for each in (loaded[0], loaded[-1])] == [True, False]
 
 
 def test_what_is_known_of_the_relations_of_skiros_can_be_left_out() -> None:

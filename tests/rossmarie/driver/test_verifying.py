@@ -38,18 +38,6 @@ def judged(tmp_path_factory: pytest.TempPathFactory) -> Questions:
     return replace(found, programs=(replace(program, checks=tuple(checks)),))
 
 
-def test_nothing_is_asked_about_a_reactor_that_retraces(tmp_path: Path) -> None:
-    path = tmp_path / "back.ross"
-    path.write_text(
-        "input tip = topic /tip : geometry_msgs/Point timeout 1 sec;\n"
-        "action back { retrace tip on /back : geometry_msgs/Point up to 9 apart 1 cm at 2 Hz; }\n"
-        "if tip.x > 1 m then { back; };\n"
-    )
-    questions = questions_of(path)
-    assert "back_reactor.c" in questions.files
-    assert not any("back_reactor.c" in program.text for program in questions.programs)
-
-
 def changed(questions: Questions, old: str, new: str) -> Questions:
     """As if the generator had written something else."""
     return replace(questions, files=damaged(questions.files, "monitor", old, new))

@@ -18,21 +18,30 @@ static bool is_known_pose(unsigned k, const double *pose)
     return true;
 }
 
+/* Whether a pose is far enough from the last one, which is that old. */
+static bool is_apart(unsigned k, const double *pose, const double *last, int64_t age_ns)
+{
+    const double x = pose[0] - last[0];
+    const double y = pose[1] - last[1];
+    const double z = pose[2] - last[2];
+    bool differs = false;
+    for (unsigned i = 0; i != memories[k].numbers; i++)
+        differs = differs || pose[i] != last[i];
+    return differs && x * x + y * y + z * z >= memories[k].pose_gap * memories[k].pose_gap &&
+           age_ns >= memories[k].pose_gap_ns;
+}
+
 /* Whether a pose is far enough from the last one that is kept. */
 static bool is_new_pose(const reactor *r, unsigned k, const double *pose)
 {
-    const double *last = NULL;
-    bool differs = false;
-    double square = 0.0;
+    double last[MOST_NUMBERS] = {0.0};
+    unsigned place = 0;
     if (r->poses_kept[k] == 0)
         return true;
-    last = &r->poses[pose_place(r, k, r->poses_kept[k] - 1u)];
+    place = pose_place(r, k, r->poses_kept[k] - 1u);
     for (unsigned i = 0; i != memories[k].numbers; i++)
-        differs = differs || pose[i] != last[i];
-    for (unsigned axis = 0; axis != 3; axis++)
-        square += (pose[axis] - last[axis]) * (pose[axis] - last[axis]);
-    return differs && square >= memories[k].pose_gap * memories[k].pose_gap &&
-           r->now_ns - r->pose_recorded_ns[k] >= memories[k].pose_gap_ns;
+        last[i] = r->poses[place + i];
+    return is_apart(k, pose, last, r->now_ns - r->pose_recorded_ns[k]);
 }
 
 /* Record the poses of the monitor; of a memory that is full the oldest makes room. */
@@ -41,6 +50,7 @@ static void pose_record(reactor *r, const NAMED(monitor) * m)
     for (unsigned k = 0; k != MEMORIES; k++) {
         double pose[MOST_NUMBERS] = {0.0};
         bool is_used = false;
+        unsigned place = 0;
         for (unsigned i = pose_rules[k]; i != pose_rules[k + 1]; i++)
             is_used = is_used || r->engaged[pose_users[i]];
         for (unsigned i = 0; i != memories[k].numbers; i++)
@@ -52,8 +62,9 @@ static void pose_record(reactor *r, const NAMED(monitor) * m)
             r->poses_oldest[k] = (index_t)((r->poses_oldest[k] + 1u) % memories[k].most);
             r->poses_kept[k]--;
         }
-        memcpy(&r->poses[pose_place(r, k, r->poses_kept[k])], pose,
-               memories[k].numbers * sizeof *pose);
+        place = pose_place(r, k, r->poses_kept[k]);
+        for (unsigned i = 0; i != memories[k].numbers; i++)
+            r->poses[place + i] = pose[i];
         r->poses_kept[k]++;
         r->pose_recorded_ns[k] = r->now_ns;
     }
@@ -83,11 +94,13 @@ static void pose_send(reactor *r)
 {
     for (unsigned i = 0; i != RETRACES; i++) {
         const unsigned k = retraces[i].memory;
+        unsigned place = 0;
         if (pose_due(r, i) > r->now_ns)
             continue;
         r->poses_kept[k]--;
-        memcpy(r->poses_sent[i], &r->poses[pose_place(r, k, r->poses_kept[k])],
-               memories[k].numbers * sizeof *r->poses);
+        place = pose_place(r, k, r->poses_kept[k]);
+        for (unsigned n = 0; n != memories[k].numbers; n++)
+            r->poses_sent[i][n] = r->poses[place + n];
         r->pose_sent_ns[i] = r->now_ns;
         decide(r, retraces[i].task, NAMED(RETRACE), -1);
     }

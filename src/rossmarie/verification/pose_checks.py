@@ -1,0 +1,490 @@
+"""Checks of the memories of poses (R16, R17), and the contracts that stand for them elsewhere.
+
+Takes a machine; gives C functions. The numbers come from the reactions, not from the tables that
+the generator makes. Elsewhere memories do nothing: they change only their own members, of which all
+other questions take any, and the one order that each retracing task gets is shown to have room.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from rossmarie.ir import model as ir
+from rossmarie.ir import reactions
+from rossmarie.verification.check import Check, Parts, Passes, Written
+from rossmarie.verification.formulas import literal
+from rossmarie.verification.invariants import Sentence
+from rossmarie.verification.places import name_of
+from rossmarie.verification.program import assertions, assumptions, claim
+
+_PARTS: Parts = (
+    ("pose_record", "ignore_pose_record"),
+    ("pose_wake", "same_wake"),
+    ("pose_send", "room_for_poses"),
+    ("pose_begin", "ignore_pose_begin"),
+    ("pose_set_back", "ignore_pose_set_back"),
+    ("pose_forget", "ignore_pose_forget"),
+)
+
+_IS_NEW: Parts = (("is_new_pose", "any_new_pose"),)
+_IS_APART: Parts = (("is_apart", "note_compared"),)
+_NOTE: Parts = (("decide", "note_sent"),)
+
+_RECORDED = ("poses", "pose_recorded_ns", "poses_oldest", "poses_kept", "poses_known")
+_SENT = ("poses_sent", "pose_sent_ns", "poses_kept")
+_TIMES = ("pose_sent_ns", "pose_recorded_ns")
+
+
+@dataclass(frozen=True)
+class _Memory:
+    """A memory, where its numbers begin, and the rules that retrace it."""
+
+    index: int
+    first: int
+    memory: reactions.Memory
+    rules: tuple[int, ...]
+
+    @property
+    def numbers(self) -> range:
+        """The numbers of each pose."""
+        return range(len(self.memory.readings))
+
+    @property
+    def end(self) -> int:
+        """The end of its numbers."""
+        return self.first + self.memory.most * len(self.memory.readings)
+
+    def pose(self, reactor: str, place: str) -> str:
+        """Where the numbers of the pose at a place begin; that of the oldest is 0."""
+        turned = f"({reactor}poses_oldest[{self.index}] + {place}) % {self.memory.most}u"
+        return f"{self.first}u + {turned} * {len(self.numbers)}u"
+
+
+class PoseChecks:
+    """Writes these checks for one reactor."""
+
+    def __init__(self, machine: ir.Machine) -> None:
+        found = machine.reactions
+        self._name = name_of(machine)
+        self._readings = len(machine.readings)
+        self._retraces = tuple(
+            (task, each.effect)
+            for task, each in enumerate(found.tasks)
+            if isinstance(each.effect, reactions.Retrace)
+        )
+        self._memories = tuple(self._placed(found))
+
+    def _placed(self, found: reactions.Reactions) -> Iterator[_Memory]:
+        first = 0
+        for index, memory in enumerate(found.memories):
+            tasks = {task for task, effect in self._retraces if effect.memory == index}
+            rules = tuple(r for r, plan in enumerate(found.plans) if tasks & set(plan.tasks))
+            placed = _Memory(index, first, memory, rules)
+            yield placed
+            first = placed.end
+
+    def parts(self) -> Parts:
+        """The contracts that stand for the memories where something else is asked."""
+        return _PARTS if self._memories else ()
+
+    def text(self) -> str:
+        """The contracts, and the invariants of memories."""
+        if not self._memories:
+            return ""
+        room = "\n".join(
+            claim(
+                f"r->state[{task}] != HOLDING || told.count[{task}] <= 1",
+                "there is room for the order to send a pose (R17)",
+            )
+            for task, _ in self._retraces
+        )
+        fits = list(self._fits())
+        return _CONTRACTS.format(
+            name=self._name,
+            readings=self._readings,
+            room=room,
+            suppose=assumptions(fits),
+            must=assertions(fits),
+        )
+
+    def _fits(self) -> Iterator[Sentence]:
+        yield Sentence("its clock is in range", "r->now_ns >= EARLIEST && r->now_ns < LATEST")
+        for each in self._memories:
+            kept, most = f"r->poses_kept[{each.index}]", each.memory.most
+            yield Sentence("a memory keeps no more poses than it may (R16)", f"{kept} <= {most}")
+            oldest = f"r->poses_oldest[{each.index}]"
+            yield Sentence("the oldest pose is one of the memory", f"{oldest} < {most}")
+            recorded = f"r->pose_recorded_ns[{each.index}]"
+            yield Sentence("what was recorded was so in the past", _is_past(recorded))
+            yield Sentence("it is known since when there are poses",
+                           f"{kept} == 0 || {recorded} != NEVER")  # fmt: skip
+        for index in range(len(self._retraces)):
+            sent = f"r->pose_sent_ns[{index}]"
+            yield Sentence("what was sent was so in the past", _is_past(sent))
+
+    # --- the checks --------------------------------------------------------------------------
+
+    def written(self) -> Iterator[Written]:
+        """All of them; none without memories."""
+        if not self._memories:
+            return
+        for each in self._memories:
+            about = f"poses of memory {each.index} are apart"
+            check = Check(f"poses_apart_{each.index}", about, is_arithmetic=True)
+            yield Written(check, self._apart(each))
+            about = f"a pose is new to memory {each.index}"
+            yield self._check(f"new_{each.index}", about, self._new(each), _IS_APART)
+            about = f"memory {each.index} records poses"
+            yield self._check(f"record_{each.index}", about, self._record(each), _IS_NEW)
+        lines = [_ANY_POSES, _RECORDS, "    must_be_poses(r);", _unchanged(*_RECORDED)]
+        about = "a look changes only what it records"
+        yield self._check("look", about, "\n".join(lines), _IS_NEW)
+        yield self._check("due", "when a task sends its next pose", self._due())
+        yield self._check("wake", "when the reactor looks for the next pose", self._wake())
+        about = "tasks send the newest poses"
+        yield self._check("send", about, self._send(), _NOTE)
+        lines = [_ANY_POSES, "    pose_send(&s);\n    must_be_poses(r);", _unchanged(*_SENT)]
+        about = "sending changes only what is sent"
+        yield self._check("sent", about, "\n".join(lines), _NOTE)
+        yield self._check("begin", "a task that starts sends at once", self._begin())
+        yield self._check("set_back", "poses keep their age", self._set_back())
+        yield self._check("forget", "memories begin empty", self._forget())
+        yield self._check("retraced", "the pose that is sent is told", self._retraced())
+
+    def _check(self, name: str, about: str, body: str, parts: Parts = ()) -> Written:
+        return Written(Check(f"poses_{name}", about, parts, self._loops()), body)
+
+    def _loops(self) -> Passes:
+        """No loop has more passes than memories, users, numbers of a pose or tasks that retrace."""
+        most = max(len(each.numbers) for each in self._memories)
+        memories, tasks = len(self._memories), len(self._retraces)
+        used = max(len(each.rules) for each in self._memories)
+        return (
+            ("is_known_pose.0", most + 1),
+            ("is_new_pose.0", most + 1),
+            ("pose_record.0", used + 1),
+            ("pose_record.1", most + 1),
+            ("pose_record.2", most + 1),
+            ("pose_record.3", memories + 1),
+            ("pose_wake.0", tasks + 1),
+            ("pose_send.0", most + 1),
+            ("pose_send.1", tasks + 1),
+            ("pose_begin.0", tasks + 1),
+            ("pose_set_back.0", tasks + 1),
+            ("pose_set_back.1", memories + 1),
+            ("pose_forget.0", tasks + 1),
+            ("pose_forget.1", memories + 1),
+            (f"{self._name}_retraced.0", tasks + 1),
+        )
+
+    def _apart(self, each: _Memory) -> str:
+        """R16: how far a pose has to be from the one before it."""
+        any_pose = ", ".join("nondet_double()" for _ in each.numbers)
+        differs = " || ".join(f"pose[{n}] != last[{n}]" for n in each.numbers)
+        square = " + ".join(f"(pose[{n}] - last[{n}]) * (pose[{n}] - last[{n}])" for n in range(3))
+        apart = literal(each.memory.apart)
+        far = f"{square} >= {apart} * {apart}"
+        late = f"age_ns >= INT64_C({each.memory.apart_ns})"
+        about = "a pose is apart from the one before it in space and time (R16)"
+        return "\n".join(
+            [
+                f"    const double pose[] = {{{any_pose}}}, last[] = {{{any_pose}}};",
+                "    const int64_t age_ns = nondet_instant();",
+                f"    const bool is_far = ({differs}) && {far} && {late};",
+                claim(f"is_apart({each.index}, pose, last, age_ns) == is_far", about),
+            ]
+        )
+
+    def _new(self, each: _Memory) -> str:
+        """R16: a pose is compared with the newest that is kept."""
+        index = each.index
+        newest = each.pose("r->", f"(r->poses_kept[{index}] - 1u)")
+        lines = [_ANY_POSES, f"    const double pose[{len(each.numbers)}];"]
+        lines += [f"    const unsigned newest = {newest};", "    compared_ns = NEVER;"]
+        lines.append(f"    is_new[{index}] = nondet_bool();")
+        lines.append(f"    const bool found = is_new_pose(r, {index}, pose);")
+        meant = f"r->poses_kept[{index}] == 0 || is_new[{index}]"
+        about = "a pose is new if it is the first, or apart from the last one (R16)"
+        lines.append(claim(f"found == ({meant})", about))
+        lines.append(f"    if (r->poses_kept[{index}] == 0)\n        return;")
+        same = [_same(f"compared[{n}]", f"r->poses[newest + {n}]") for n in each.numbers]
+        about = "it is compared with the newest pose (R16)"
+        lines.append(claim(" && ".join(["compared_to == pose", *same]), about))
+        age = f"r->now_ns - r->pose_recorded_ns[{index}]"
+        lines.append(claim(f"compared_ns == {age}", "it is known how old that is (R16)"))
+        return "\n".join(lines)
+
+    def _record(self, each: _Memory) -> str:
+        """R16: what is kept, wherever a pose is new."""
+        index, most = each.index, each.memory.most
+        reading = [f"read[{place}]" for place in each.memory.readings]
+        used = " || ".join(f"old.engaged[{rule}]" for rule in each.rules)
+        known = " && ".join(f"isfinite({number})" for number in reading)
+        lines = [
+            _ANY_POSES,
+            _RECORDS,
+            f"    const bool is_used = {used}, is_known = {known};",
+            f"    const bool is_recorded = !is_used && is_known && is_new[{index}];",
+            f"    const bool is_full = old.poses_kept[{index}] == {most};",
+            claim(f"r->poses_known[{index}] == is_known", "a pose is known if finite (R16)"),
+            claim(
+                f"r->poses_kept[{index}] == old.poses_kept[{index}] + (is_recorded && !is_full)",
+                "a new pose is kept, also instead of the oldest (R16)",
+            ),
+        ]
+        since = f"is_recorded ? old.now_ns : old.pose_recorded_ns[{index}]"
+        lines.append(
+            claim(f"r->pose_recorded_ns[{index}] == ({since})", "it is known since when (R16)")
+        )
+        oldest = f"(old.poses_oldest[{index}] + (is_recorded && is_full)) % {most}u"
+        lines.append(
+            claim(f"r->poses_oldest[{index}] == {oldest}", "the oldest makes room if full (R16)")
+        )
+        newest = each.pose("r->", f"(r->poses_kept[{index}] - 1u)")
+        lines.append(f"    const unsigned newest = {newest};")
+        for number, now in enumerate(reading):
+            same = _same(f"r->poses[newest + {number}]", now)
+            lines.append(claim(f"!is_recorded || {same}", "the new pose is the newest (R16)"))
+        lines.append("    const unsigned i = nondet_number();")
+        lines.append(f"    __CPROVER_assume(i >= {each.first}u && i < {each.end}u);")
+        inside = f"is_recorded && i >= newest && i < newest + {len(reading)}"
+        same = _same("r->poses[i]", "old.poses[i]")
+        lines.append(claim(f"({inside}) || {same}", "other poses stay as they were (R16)"))
+        return "\n".join(lines)
+
+    def _due_of(self, index: int, reactor: str, kept: str = "") -> str:
+        """R17: when a task sends, if its memory has so many poses."""
+        task, effect = self._retraces[index]
+        kept = kept or f"{reactor}poses_kept[{effect.memory}]"
+        holds = f"{reactor}state[{task}] == HOLDING"
+        sends = f"{holds} && {kept} != 0 && {reactor}poses_known[{effect.memory}]"
+        sent = f"{reactor}pose_sent_ns[{index}]"
+        later = f"{sent} + INT64_C({effect.period_ns})"
+        return f"({sends} ? {sent} == NEVER ? EARLIEST : {later} : NEVER)"
+
+    def _due(self) -> str:
+        lines = [_ANY_POSES]
+        for index in range(len(self._retraces)):
+            same = f"pose_due(r, {index}) == {self._due_of(index, 'r->')}"
+            lines.append(claim(same, "a task that holds sends in each period (R17)"))
+        lines.append(_unchanged())
+        return "\n".join(lines)
+
+    def _wake(self) -> str:
+        lines = [_ANY_POSES, "    const int64_t given_ns = nondet_instant();"]
+        lines.append("    const int64_t wake_ns = pose_wake(r, given_ns);")
+        lines.append(claim("wake_ns <= given_ns", "nothing else is missed (R13)"))
+        ends = ["wake_ns == given_ns"]
+        for index in range(len(self._retraces)):
+            due = self._due_of(index, "r->")
+            missed = f"{due} > r->now_ns && {due} < wake_ns"
+            lines.append(claim(f"!({missed})", "no pose is missed (R13)"))
+            ends.append(f"(wake_ns == {due} && {due} > r->now_ns)")
+        lines.append(claim(" || ".join(ends), "something is due then (R13)"))
+        lines.append(_unchanged())
+        return "\n".join(lines)
+
+    def _send(self) -> str:
+        lines = [_ANY_POSES, "    told = (orders){0};", "    pose_send(&s);"]
+        lines += [f"    unsigned kept_{each.index} = old.poses_kept[{each.index}];"
+                  for each in self._memories]  # fmt: skip
+        for index, (task, effect) in enumerate(self._retraces):
+            memory, kept = self._memories[effect.memory], f"kept_{effect.memory}"
+            lines.append(f"    if ({self._due_of(index, 'old.', kept)} <= old.now_ns) {{")
+            lines.append(f"        {kept}--;")
+            lines.append(f"        const unsigned newest = {memory.pose('old.', kept)};")
+            for n in memory.numbers:
+                same = _same(f"r->poses_sent[{index}][{n}]", f"old.poses[newest + {n}]")
+                lines.append(claim(same, "the newest pose goes first (R17)"))
+            since = f"r->pose_sent_ns[{index}]"
+            lines.append(claim(f"{since} == old.now_ns", "it is known when it was sent (R17)"))
+            lines.append(claim(f"told.count[{task}] == 1", "the task is told to send it (R17)"))
+            lines.append("    } else {")
+            for number in memory.numbers:
+                sent, was = (f"{each}poses_sent[{index}][{number}]" for each in ("r->", "old."))
+                lines.append(claim(_same(sent, was), "the pose that was sent is still told"))
+            lines.append(claim(f"{since} == old.pose_sent_ns[{index}]", "nothing was sent (R17)"))
+            lines.append(claim(f"told.count[{task}] == 0", "it sends when it is time (R17)"))
+            lines.append("    }")
+        for memory in self._memories:
+            same = f"r->poses_kept[{memory.index}] == kept_{memory.index}"
+            lines.append(claim(same, "what is sent is kept no more (R17)"))
+        return "\n".join(lines)
+
+    def _begin(self) -> str:
+        lines = [_ANY_POSES, "    const unsigned task = nondet_number();"]
+        lines.append("    pose_begin(&s, task);\n    must_be_poses(r);")
+        for index, (task, _) in enumerate(self._retraces):
+            meant = f"task == {task} ? NEVER : old.pose_sent_ns[{index}]"
+            same = f"r->pose_sent_ns[{index}] == ({meant})"
+            lines.append(claim(same, "it has sent nothing since it started (R17)"))
+        lines.append(_unchanged("pose_sent_ns"))
+        return "\n".join(lines)
+
+    def _set_back(self) -> str:
+        lines = [_ANY_POSES, "    const int64_t t_ns = nondet_instant();"]
+        lines.append("    __CPROVER_assume(t_ns > EARLIEST && t_ns < old.now_ns);")
+        lines.append("    pose_set_back(&s, t_ns);")
+        for member in self._instants():
+            age = f"old.now_ns - old.{member}"
+            kept = f"r->{member} == t_ns - ({age} < LONGEST ? {age} : LONGEST)"
+            never = f"old.{member} == NEVER ? r->{member} == NEVER : {kept}"
+            lines.append(claim(never, "ages stay (R14)"))
+        lines.append(_unchanged(*_TIMES))
+        lines.append("    s.now_ns = t_ns;\n    must_be_poses(r);")
+        return "\n".join(lines)
+
+    def _forget(self) -> str:
+        lines = ["    static reactor s;\n    const reactor *const r = &s;\n    pose_forget(&s);"]
+        lines += [claim(f"r->{each} == NEVER", "nothing was sent or recorded (R16)")
+                  for each in self._instants()]  # fmt: skip
+        lines += [claim(f"r->poses_kept[{each.index}] == 0", "a memory begins empty (R16)")
+                  for each in self._memories]  # fmt: skip
+        lines.append("    s.now_ns = EARLIEST;\n    must_be_poses(r);")
+        return "\n".join(lines)
+
+    def _instants(self) -> Iterator[str]:
+        yield from (f"pose_sent_ns[{index}]" for index in range(len(self._retraces)))
+        yield from (f"pose_recorded_ns[{each.index}]" for each in self._memories)
+
+    def _retraced(self) -> str:
+        most = max(len(each.numbers) for each in self._memories)
+        lines = [_ANY_POSES, f"    double pose[{most}];"]
+        lines.append("    const int task = nondet_integer();")
+        lines.append(f"    const int count = {self._name}_retraced(r, task, pose);")
+        none = []
+        for index, (task, effect) in enumerate(self._retraces):
+            numbers = self._memories[effect.memory].numbers
+            told = [_same(f"pose[{n}]", f"r->poses_sent[{index}][{n}]") for n in numbers]
+            holds = " && ".join([f"count == {len(numbers)}", *told])
+            lines.append(claim(f"task != {task} || ({holds})", "it is the pose sent last (R17)"))
+            none.append(f"task == {task}")
+        lines.append(claim(" || ".join([*none, "count == 0"]), "others send none (R17)"))
+        lines.append(_unchanged())
+        return "\n".join(lines)
+
+
+def _is_past(instant: str) -> str:
+    past = f"({instant} >= EARLIEST - LONGEST && {instant} <= r->now_ns)"
+    return f"{instant} == NEVER || {past}"
+
+
+def _same(one: str, other: str) -> str:
+    return f"spec_same({one}, {other})"
+
+
+def _unchanged(*members: str) -> str:
+    """Claims that every byte outside of these members is as it was."""
+    places = [f"(byte >= offsetof(reactor, {m}) && byte < offsetof(reactor, {m}) + sizeof s.{m})"
+              for m in members]  # fmt: skip
+    bytes_of = "((const unsigned char *){})[byte]"
+    same = f"{bytes_of.format('r')} == {bytes_of.format('&old')}"
+    return "\n".join(
+        [
+            "    const unsigned byte = nondet_number();",
+            "    __CPROVER_assume(byte < sizeof s);",
+            claim(" || ".join([*places, same]), "nothing else changes"),
+        ]
+    )
+
+
+_ANY_POSES = """\
+    reactor s = any();
+    const reactor *const r = &s;
+    any_readings();
+    suppose_poses(r);
+    const reactor old = s;"""
+
+_RECORDS = """\
+    for (unsigned k = 0; k != MEMORIES; k++)
+        is_new[k] = nondet_bool();
+    pose_record(&s, NULL);"""
+
+_CONTRACTS = """\
+static bool is_new[MEMORIES];
+static double compared[MOST_NUMBERS];
+static const double *compared_to;
+static int64_t compared_ns;
+
+bool note_compared(unsigned k, const double *pose, const double *last, int64_t age_ns)
+{{
+    for (unsigned n = 0; n != MOST_NUMBERS; n++)
+        compared[n] = last[n];
+    compared_to = pose;
+    compared_ns = age_ns;
+    return is_new[k];
+}}
+
+bool any_new_pose(const reactor *r, unsigned k, const double *pose)
+{{
+    (void)r;
+    (void)pose;
+    return is_new[k];
+}}
+
+static double read[{readings}];
+
+static void any_readings(void)
+{{
+    for (unsigned i = 0; i != {readings}; i++)
+        read[i] = nondet_double();
+}}
+
+double {name}_reading(const {name}_monitor *m, int reading)
+{{
+    (void)m;
+    __CPROVER_assert(reading >= 0 && reading < {readings}, "what is asked about is a reading");
+    return read[reading];
+}}
+
+static void suppose_poses(const reactor *r)
+{{
+{suppose}
+}}
+
+static void must_be_poses(const reactor *r)
+{{
+{must}
+}}
+
+void ignore_pose_record(reactor *r, const {name}_monitor *m)
+{{
+    (void)r;
+    (void)m;
+}}
+
+int64_t same_wake(const reactor *r, int64_t wake_ns)
+{{
+    (void)r;
+    return wake_ns;
+}}
+
+void room_for_poses(reactor *r)
+{{
+{room}
+}}
+
+void ignore_pose_begin(reactor *r, unsigned task)
+{{
+    (void)r;
+    (void)task;
+}}
+
+void ignore_pose_set_back(reactor *r, int64_t t_ns)
+{{
+    (void)r;
+    (void)t_ns;
+}}
+
+void ignore_pose_forget(reactor *r) {{ (void)r; }}
+
+/* For `decide`. */
+void note_sent(reactor *r, unsigned task, unsigned order, int32_t by_rule)
+{{
+    (void)r;
+    __CPROVER_assert(task < TASKS, "orders are about tasks");
+    __CPROVER_assert(order == {name}_RETRACE && by_rule == -1, "it is the order to send a pose");
+    told.count[task]++;
+}}
+"""

@@ -1,0 +1,93 @@
+"""Memories of poses in the generated reactor, proved by CBMC against R16 and R17, and faults."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from rossmarie.driver.verifying import Questions, prove, questions_of
+from rossmarie.report.proofs import Proofs
+from rossmarie.verification.prover import Prover, Verdict
+from support.damage import damaged
+from support.depth import deep
+from support.provers import real_prover
+from support.small_rules import RETRACED
+
+SECONDS = 120
+
+
+@pytest.fixture(scope="module")
+def questions(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+    path = tmp_path_factory.mktemp("rules") / "small.ross"
+    path.write_text(RETRACED)
+    return questions_of(path)
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    return real_prover()
+
+
+def proofs(prover: Prover, questions: Questions, name: str) -> Proofs:
+    """What comes of the checks whose names begin so."""
+    program = questions.programs[1]
+    checks = tuple(check for check in program.checks if check.name.startswith(f"reactor_{name}"))
+    assert checks
+    asked = replace(questions, programs=(replace(program, checks=checks),))
+    return prove(asked, prover, seconds=SECONDS)
+
+
+@pytest.mark.parametrize(
+    "name",
+    ["poses_due", "poses_forget",
+     *deep(["poses_apart", "poses_new", "poses_record", "poses_look", "poses_wake", "poses_sen",
+            "poses_begin", "poses_set_back", "poses_retraced", "set_clock", "next_wake", "init",
+            "settle", "react", "start"])],
+)  # fmt: skip
+def test_memories_of_poses_are_what_they_mean(
+    prover: Prover, questions: Questions, name: str
+) -> None:
+    found = proofs(prover, questions, name)
+    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+
+
+QUICK_FAULTS = (
+    ("r->poses_kept[k] == 0 || !r->poses_known[k]", "r->poses_kept[k] == 0", "due", "sends in"),
+)
+FAULTS = (
+    ("z * z >= memories", "z * z > memories", "apart", "apart from the one before"),
+    ("y * y + z * z", "y * y", "apart", "apart from the one before"),
+    ("r->poses_kept[k] - 1u);\n", "0);\n", "new", "it is compared with the newest pose"),
+    ("pose, last, r->now_ns - ", "pose, last, ", "new", "it is known how old that is"),
+    ("if (is_used || ", "if (", "record", "a new pose is kept"),
+    ("if (r->poses_kept[k] == memories[k].most)", "if (false)", "record", "a new pose is kept"),
+    ("(r->poses_oldest[k] + 1u)", "(r->poses_oldest[k] + 2u)", "record", "the oldest makes room"),
+    ("r->poses[place + i] = pose[i];", "r->poses[place] = pose[i];", "record", "is the newest"),
+    ("r->pose_recorded_ns[k] = r->now_ns;", "", "record", "it is known since when"),
+    ("r->poses_known[k] = is_known_pose(k, pose);", "r->poses_known[k] = true;", "record", "known"),
+    (
+        "        r->poses_kept[k]++;\n",
+        "        r->poses_kept[k]++;\n        r->opened = false;\n",
+        "look",
+        "nothing else changes",
+    ),
+    ("pose_due(r, i) < wake_ns", "true", "wake", "no pose is missed (R13)"),
+    ("r->poses[place + n];", "r->poses[place];", "send", "the newest pose goes first"),
+    ("r->pose_sent_ns[i] = r->now_ns;", "", "send", "it is known when it was sent"),
+    ("decide(r, retraces[i].task, NAMED(RETRACE), -1);", "", "send", "the task is told to send"),
+    ("if (retraces[i].task == task)", "if (true)", "begin", "it has sent nothing since"),
+    ("(age_ns < LONGEST ? age_ns : LONGEST)", "age_ns", "set_back", "ages stay"),
+    ("r->pose_sent_ns[i] = NEVER;\n    for", "r->pose_sent_ns[i] = 0;\n    for", "forget", "sent"),
+    ("(int)retraces[i].task == task", "true", "retraced", "others send none"),
+)
+
+
+@pytest.mark.parametrize(("old", "new", "name", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
+def test_a_seeded_fault_is_refuted(
+    prover: Prover, questions: Questions, old: str, new: str, name: str, expected: str
+) -> None:
+    faulty = replace(questions, files=damaged(questions.files, "reactor", old, new))
+    found = proofs(prover, faulty, f"poses_{name}")
+    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
+    assert any(expected in reason for reason in reasons), found.outcomes
