@@ -77,7 +77,7 @@ FAULTS = (
     ("r->pose_sent_ns[i] = r->now_ns;", "", "send", "it is known when it was sent"),
     ("decide(r, retraces[i].task, NAMED(RETRACE), -1);", "", "send", "the task is told to send"),
     ("if (retraces[i].task == task)", "if (true)", "begin", "it has sent nothing since"),
-    ("(age_ns < LONGEST ? age_ns : LONGEST)", "age_ns", "set_back", "ages stay"),
+    ("age_ns = now_ns - since_ns;", "age_ns = t_ns - since_ns;", "set_back", "ages stay"),
     ("r->pose_sent_ns[i] = NEVER;\n    for", "r->pose_sent_ns[i] = 0;\n    for", "forget", "sent"),
     ("(int)retraces[i].task == task", "true", "retraced", "others send none"),
 )
