@@ -83,10 +83,10 @@ def migrate_text(
         module = cst.parse_module(text)
     except cst.ParserSyntaxError as problem:
         return Migrated(file, text, diagnostics=[_unreadable(file, problem)])
-    except (RecursionError, ValueError) as problem:
+    except (RecursionError, ValueError, cst.CSTLogicError) as problem:
         said = str(problem).partition("\n")[0] or type(problem).__name__
-        found = errors.UnreadableSource(said=said)
-        return Migrated(file, text, diagnostics=[found.at(Span(file, 0, 0))])
+        said, span = refusal(file) or (said, Span(file, 0, 0))
+        return Migrated(file, text, diagnostics=[errors.UnreadableSource(said=said).at(span)])
     refused = refusal(file)
     if refused is not None:
         said, span = refused

@@ -26,7 +26,7 @@ def with_pre_conditions(text: str, skill: str, conditions: Sequence[str]) -> str
         module = cst.parse_module(text)
         lines = [cst.parse_statement(each, module.config_for_parsing) for each in conditions]
         return _with_conditions(module, skill, lines) if _has_names(module, lines) else None
-    except (cst.ParserSyntaxError, RecursionError, ValueError):
+    except (cst.ParserSyntaxError, cst.CSTLogicError, RecursionError, ValueError):
         return None
 
 
