@@ -16,9 +16,23 @@ from rosbags.typesys.store import Typestore
 from rossmarie.ir import POINTS, Array, List, Path, clouds
 
 _CLOUD = "sensor_msgs/msg/PointCloud2"
-_NEEDED = frozenset(
-    ("height", "width", "fields", "is_bigendian", "point_step", "row_step", "data")
-)  # fmt: skip
+_FIELD = "sensor_msgs/msg/PointField"
+_UINT8, _UINT32, _BOOL, _STRING = (
+    (Nodetype.BASE, (kind, 0)) for kind in ("uint8", "uint32", "bool", "string")
+)
+_NEEDED: Mapping[str, Mapping[str, Any]] = {
+    _CLOUD: {
+        "height": _UINT32,
+        "width": _UINT32,
+        "fields": (Nodetype.SEQUENCE, ((Nodetype.NAME, _FIELD), 0)),
+        "is_bigendian": _BOOL,
+        "point_step": _UINT32,
+        "row_step": _UINT32,
+        "data": (Nodetype.SEQUENCE, (_UINT8, 0)),
+    },
+    _FIELD: {"name": _STRING, "offset": _UINT32, "datatype": _UINT8, "count": _UINT32},
+}
+"""The fields that are read, as rosbags has them: a recording brings definitions of its own."""
 
 
 @dataclass(frozen=True)
@@ -57,7 +71,10 @@ def cloud_readers(arrays: Mapping[int, Array], lists: Sequence[List]) -> Iterato
 
 def holds_cloud(description: Any, store: Typestore) -> bool:
     """Say whether a description, as rosbags has it, is that of a cloud."""
-    kind, content = description
-    if kind != Nodetype.NAME or content != _CLOUD or content not in store.fielddefs:
+    if description != (Nodetype.NAME, _CLOUD):
         return False
-    return {name for name, _ in store.fielddefs[content][1]} >= _NEEDED
+    for kind, needed in _NEEDED.items():
+        has = dict(store.fielddefs[kind][1]) if kind in store.fielddefs else {}
+        if any(has.get(name) != field for name, field in needed.items()):
+            return False
+    return True

@@ -85,6 +85,29 @@ def test_a_cloud_of_too_many_points_is_lost(tmp_path: Path) -> None:
     assert "it has more than 2 points" in found[0]
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        (b"string name", b"string nome"),
+        (b"uint8 datatype", b"int64 datatype"),
+        (b"uint8[] data", b"int16[] data"),
+        (b"uint32 height", b"string height"),
+    ],
+)
+def test_what_is_called_a_cloud_and_defined_otherwise_is_none(
+    tmp_path: Path, old: bytes, new: bytes
+) -> None:
+    """A recording brings the definitions of its messages, and may be damaged there."""
+    path = write_kind(tmp_path, "bag", recorded(ROS1, [plain_cloud([{"x": 1.0}])]))
+    content = path.read_bytes()
+    assert old in content
+    assert len(old) == len(new)
+    path.write_bytes(content.replace(old, new))
+    updates, found = replay(path, reads("x"))
+    assert not any(update.channels[0].arrays for update in updates)
+    assert any("points" in str(each) for each in found)
+
+
 def test_a_table_has_no_points(tmp_path: Path) -> None:
     path = tmp_path / "drive.csv"
     path.write_text("time,scan.points[0].x,/battery\n0,1,2\n")
