@@ -16,16 +16,8 @@ from rossmarie.verification.check import Check, Parts, Passes, Written
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import Sentence
 from rossmarie.verification.places import name_of
+from rossmarie.verification.pose_contracts import CONTRACTS, PARTS
 from rossmarie.verification.program import assertions, assumptions, claim
-
-_PARTS: Parts = (
-    ("pose_record", "ignore_pose_record"),
-    ("pose_wake", "same_wake"),
-    ("pose_send", "room_for_poses"),
-    ("pose_begin", "ignore_pose_begin"),
-    ("pose_set_back", "ignore_pose_set_back"),
-    ("pose_forget", "ignore_pose_forget"),
-)
 
 _IS_NEW: Parts = (("is_new_pose", "any_new_pose"),)
 _IS_APART: Parts = (("is_apart", "note_compared"),)
@@ -86,7 +78,7 @@ class PoseChecks:
 
     def parts(self) -> Parts:
         """The contracts that stand for the memories where something else is asked."""
-        return _PARTS if self._memories else ()
+        return PARTS if self._memories else ()
 
     def text(self) -> str:
         """The contracts, and the invariants of memories."""
@@ -100,7 +92,7 @@ class PoseChecks:
             for task, _ in self._retraces
         )
         fits = list(self._fits())
-        return _CONTRACTS.format(
+        return CONTRACTS.format(
             name=self._name,
             readings=self._readings,
             room=room,
@@ -400,91 +392,3 @@ _RECORDS = """\
     for (unsigned k = 0; k != MEMORIES; k++)
         is_new[k] = nondet_bool();
     pose_record(&s, NULL);"""
-
-_CONTRACTS = """\
-static bool is_new[MEMORIES];
-static double compared[MOST_NUMBERS];
-static const double *compared_to;
-static int64_t compared_ns;
-
-bool note_compared(unsigned k, const double *pose, const double *last, int64_t age_ns)
-{{
-    for (unsigned n = 0; n != MOST_NUMBERS; n++)
-        compared[n] = last[n];
-    compared_to = pose;
-    compared_ns = age_ns;
-    return is_new[k];
-}}
-
-bool any_new_pose(const reactor *r, unsigned k, const double *pose)
-{{
-    (void)r;
-    (void)pose;
-    return is_new[k];
-}}
-
-static double read[{readings}];
-
-static void any_readings(void)
-{{
-    for (unsigned i = 0; i != {readings}; i++)
-        read[i] = nondet_double();
-}}
-
-double {name}_reading(const {name}_monitor *m, int reading)
-{{
-    (void)m;
-    __CPROVER_assert(reading >= 0 && reading < {readings}, "what is asked about is a reading");
-    return read[reading];
-}}
-
-static void suppose_poses(const reactor *r)
-{{
-{suppose}
-}}
-
-static void must_be_poses(const reactor *r)
-{{
-{must}
-}}
-
-void ignore_pose_record(reactor *r, const {name}_monitor *m)
-{{
-    (void)r;
-    (void)m;
-}}
-
-int64_t same_wake(const reactor *r, int64_t wake_ns)
-{{
-    (void)r;
-    return wake_ns;
-}}
-
-void room_for_poses(reactor *r)
-{{
-{room}
-}}
-
-void ignore_pose_begin(reactor *r, unsigned task)
-{{
-    (void)r;
-    (void)task;
-}}
-
-void ignore_pose_set_back(reactor *r, int64_t t_ns)
-{{
-    (void)r;
-    (void)t_ns;
-}}
-
-void ignore_pose_forget(reactor *r) {{ (void)r; }}
-
-/* For `decide`. */
-void note_sent(reactor *r, unsigned task, unsigned order, int32_t by_rule)
-{{
-    (void)r;
-    __CPROVER_assert(task < TASKS, "orders are about tasks");
-    __CPROVER_assert(order == {name}_RETRACE && by_rule == -1, "it is the order to send a pose");
-    told.count[task]++;
-}}
-"""
