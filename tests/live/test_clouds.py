@@ -6,9 +6,8 @@ import math
 from collections.abc import Callable
 from random import Random
 from types import SimpleNamespace
-from typing import Any
 
-from support.clouds import LIES, plain_cloud, random_cloud, truthful
+from support.clouds import LIES, as_json, plain_cloud, random_cloud, truthful
 from support.live import Process, Robot, until
 
 Start = Callable[..., Process]
@@ -60,8 +59,3 @@ def test_the_points_of_clouds_are_looked_at(robot: Robot, start: Start) -> None:
 def is_unknown(columns: list[list[float]]) -> bool:
     """Say whether a number decides nothing: it is none, or the norm of what is infinite."""
     return not all(math.isfinite(number) for column in columns for number in column)
-
-
-def as_json(cloud: SimpleNamespace) -> dict[str, Any]:
-    fields = [vars(field) for field in cloud.fields]
-    return {**vars(cloud), "fields": fields, "data": cloud.data.hex()}

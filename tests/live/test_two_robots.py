@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from support.clouds import as_json, plain_cloud
 from support.live import LIMIT, Process, Robot, Ros, until
 
 NAMESPACES = ("/robot1", "/robot2")
@@ -99,3 +100,25 @@ def test_two_nodes_do_not_share_a_file_of_latched_rules(
     until(lambda: "is used by another node" in second.said(), "it says why it does not start")
     assert set(robots[1].commands(0.5)) <= {0.0}
     robots[0].stays_at(1.0)
+
+
+def test_lists_and_clouds_of_one_robot_are_not_those_of_the_other(
+    robots: Pair, begin: Callable[..., Process]
+) -> None:
+    one, other = robots
+    for namespace in NAMESPACES:
+        begin(namespace)
+
+    def active(robot: Robot) -> set[str]:
+        return {"crowded", "failing"} & set(robot.state().get("active", ()))
+
+    def sees(robot: Robot, x: float) -> None:
+        point = {"x": x, "intensity": 101.0}
+        robot.set(cloud=as_json(plain_cloud([point], ("x", "y", "z", "intensity"))))
+
+    sees(one, 0.5)
+    other.set(parts=[("motor", "ERROR")])
+    until(lambda: (active(one), active(other)) == ({"crowded"}, {"failing"}), "each has its own")
+    sees(other, 0.5)
+    sees(one, 5.0)
+    until(lambda: (active(one), active(other)) == (set(), {"crowded", "failing"}), "they change")

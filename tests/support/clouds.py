@@ -106,6 +106,12 @@ def plain_cloud(
     )
 
 
+def as_json(cloud: SimpleNamespace) -> dict[str, Any]:
+    """A cloud as robots of live tests take it."""
+    fields = [vars(field) for field in cloud.fields]
+    return {**vars(cloud), "fields": fields, "data": cloud.data.hex()}
+
+
 def _field(name: str, offset: int, datatype: int, count: int) -> SimpleNamespace:
     return SimpleNamespace(name=name, offset=offset, datatype=datatype, count=count)
 
