@@ -65,7 +65,7 @@ OPERATORS = (
         (
             "output n: UInt64 := if speed > 0.9 then 0 "
             "else n.offset(by: -1).defaults(to: 1000000) + 1",
-            "n < 200",
+            "n <= 200",
         ),
     ),
     Operator(
@@ -275,6 +275,7 @@ def page() -> str:
             "RTLola, compiled to Rust, gets a specification that says the same by counting",
             "samples, or by a window of so many samples: at a steady rate that is the same. Where",
             "it counts another number of active samples, the difference is given.",
+            "rtlola2rust 0.1.0 implements no windows of so many samples.",
             "",
             "| condition | C99: ns a sample | to a comparison | worst: ns a sample "
             "| from Python, one call a sample | without a C compiler | RTLola in Rust |",

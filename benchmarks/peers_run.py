@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import time
@@ -15,6 +16,8 @@ from workload import c2po_rules, lola_rules
 
 HERE = Path(__file__).parent
 TIME_LIMIT_S = 600
+_PLACE = re.compile(r"thread '.*panicked at ")
+"""The line of a program in Rust that says where it ended; the reason follows."""
 
 
 @dataclass(frozen=True)
@@ -172,6 +175,7 @@ def _finished(command: Sequence[object]) -> str:
     except subprocess.TimeoutExpired:
         raise NotMeasuredError(f"{name} took more than {TIME_LIMIT_S} s") from None
     if done.returncode != 0:
-        reason = (done.stderr.strip().splitlines() or ["no message"])[0]
+        said = [each for each in done.stderr.splitlines() if each and not _PLACE.match(each)]
+        reason = (said or ["no message"])[0]
         raise NotMeasuredError(f"{name} ended with {done.returncode}: {reason}")
     return done.stdout
