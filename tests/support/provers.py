@@ -7,9 +7,11 @@ import signal
 import subprocess
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from rossmarie.driver.verifying import Questions, prove
+from rossmarie.report.proofs import Proofs
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.prover import (
@@ -18,13 +20,36 @@ from rossmarie.verification.prover import (
     ProverError,
     Verdict,
 )
+from support.damage import damaged
 from support.parts import PROVER, require
+
+SECONDS = 120
+"""No solver is given more of a processor for one question."""
+
+NO_CHANGE = ("", "")
 
 
 def real_prover() -> Prover:
     """CBMC; without it the test is skipped."""
     require(PROVER)
     return Prover()
+
+
+def proofs_of_reactor(
+    prover: Prover, questions: Questions, old: str, new: str, *names: str
+) -> Proofs:
+    """Ask the questions about a reactor whose names begin so, after a change of its C."""
+    files = questions.files if not old else damaged(questions.files, "reactor", old, new)
+    program = questions.programs[1]
+    checks = tuple(check for check in program.checks if check.name.startswith(names))
+    assert checks
+    changed = replace(questions, files=files, programs=(replace(program, checks=checks),))
+    return prove(changed, prover, seconds=SECONDS)
+
+
+def refuted(proofs: Proofs) -> list[str]:
+    """The sentences that do not hold."""
+    return [reason for each in proofs.having(Verdict.REFUTED) for reason in each.reasons]
 
 
 @dataclass(frozen=True)

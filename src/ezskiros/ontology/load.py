@@ -21,7 +21,7 @@ from ezskiros.ontology.world import Ontology
 VARIABLE = "EZSKIROS_ONTOLOGY"
 """Names the files and folders of the ontology, separated like those of PATH."""
 
-_MOST_LOADED = 64
+_MOST_LOADED = 16
 """Ontologies that are kept. An editor loads one more at each change of a file."""
 
 _IMPORTS = pyoxigraph.NamedNode(OWL + "imports")

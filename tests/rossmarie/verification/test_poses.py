@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
-from rossmarie.driver.verifying import Questions, prove, questions_of
-from rossmarie.report.proofs import Proofs
+from rossmarie.driver.verifying import Questions, questions_of
 from rossmarie.verification.prover import Prover, Verdict
-from support.damage import damaged
 from support.depth import deep
-from support.provers import real_prover
+from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
 from support.small_rules import RETRACED
-
-SECONDS = 120
 
 
 @pytest.fixture(scope="module")
@@ -29,15 +23,6 @@ def prover() -> Prover:
     return real_prover()
 
 
-def proofs(prover: Prover, questions: Questions, name: str) -> Proofs:
-    """What comes of the checks whose names begin so."""
-    program = questions.programs[1]
-    checks = tuple(check for check in program.checks if check.name.startswith(f"reactor_{name}"))
-    assert checks
-    asked = replace(questions, programs=(replace(program, checks=checks),))
-    return prove(asked, prover, seconds=SECONDS)
-
-
 @pytest.mark.parametrize(
     "name",
     ["poses_due", "poses_forget",
@@ -48,7 +33,7 @@ def proofs(prover: Prover, questions: Questions, name: str) -> Proofs:
 def test_memories_of_poses_are_what_they_mean(
     prover: Prover, questions: Questions, name: str
 ) -> None:
-    found = proofs(prover, questions, name)
+    found = proofs_of_reactor(prover, questions, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -87,7 +72,5 @@ FAULTS = (
 def test_a_seeded_fault_is_refuted(
     prover: Prover, questions: Questions, old: str, new: str, name: str, expected: str
 ) -> None:
-    faulty = replace(questions, files=damaged(questions.files, "reactor", old, new))
-    found = proofs(prover, faulty, f"poses_{name}")
-    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
-    assert any(expected in reason for reason in reasons), found.outcomes
+    found = proofs_of_reactor(prover, questions, old, new, f"reactor_poses_{name}")
+    assert any(expected in reason for reason in refuted(found)), found.outcomes

@@ -2,20 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import pytest
 
-from rossmarie.driver.verifying import Questions, prove, questions_of
-from rossmarie.report.proofs import Proofs
+from rossmarie.driver.verifying import Questions, questions_of
 from rossmarie.verification.prover import Prover, Verdict
-from support.damage import damaged
 from support.depth import deep
-from support.provers import real_prover
+from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
 from support.small_rules import AT_ONCE, BOUNDED, LATE, OVERRULED
-
-SECONDS = 120
-NO_CHANGE = ("", "")
 
 
 @pytest.fixture(scope="module")
@@ -54,16 +47,6 @@ def prover() -> Prover:
     return real_prover()
 
 
-def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str) -> Proofs:
-    """What comes of some checks of the reactor after a change of the generated C."""
-    files = questions.files if not old else damaged(questions.files, "reactor", old, new)
-    program = questions.programs[1]
-    checks = tuple(check for check in program.checks if check.name.startswith(names))
-    assert checks
-    changed = replace(questions, files=files, programs=(replace(program, checks=checks),))
-    return prove(changed, prover, seconds=SECONDS)
-
-
 @pytest.mark.parametrize(
     "name",
     ["bounded",
@@ -74,7 +57,7 @@ def proofs(prover: Prover, questions: Questions, old: str, new: str, *names: str
 def test_the_reactor_is_what_reactions_mean(
     prover: Prover, questions: Questions, name: str
 ) -> None:
-    found = proofs(prover, questions, *NO_CHANGE, f"reactor_{name}")
+    found = proofs_of_reactor(prover, questions, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -83,7 +66,7 @@ def test_the_reactor_is_what_reactions_mean(
     ["next_wake", *deep(["set_clock", "stage_over", "start", "escalate", "pass_on", "settle"])],
 )
 def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Questions, name: str) -> None:
-    found = proofs(prover, waiting, *NO_CHANGE, f"reactor_{name}")
+    found = proofs_of_reactor(prover, waiting, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -91,7 +74,7 @@ def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Questions, n
 def test_what_fails_at_once_is_what_reactions_mean(
     prover: Prover, failing: Questions, name: str
 ) -> None:
-    found = proofs(prover, failing, *NO_CHANGE, f"reactor_{name}")
+    found = proofs_of_reactor(prover, failing, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -196,9 +179,8 @@ FAULTS_OF_WHAT_IS_LATE = (
 def test_a_seeded_fault_of_waiting_is_refuted(
     prover: Prover, waiting: Questions, old: str, new: str, name: str, expected: str
 ) -> None:
-    found = proofs(prover, waiting, old, new, f"reactor_{name}")
-    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
-    assert any(expected in reason for reason in reasons), found.outcomes
+    found = proofs_of_reactor(prover, waiting, old, new, f"reactor_{name}")
+    assert any(expected in reason for reason in refuted(found)), found.outcomes
 
 
 @pytest.mark.deep
@@ -206,24 +188,21 @@ def test_a_seeded_fault_of_what_fails_at_once_is_refuted(
     prover: Prover, failing: Questions
 ) -> None:
     fault = "if (tasks[task].fails_at_once)"
-    found = proofs(prover, failing, fault, "if (false)", "reactor_start_2_0")
-    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
-    assert any("a task is in a state" in reason for reason in reasons), found.outcomes
+    found = proofs_of_reactor(prover, failing, fault, "if (false)", "reactor_start_2_0")
+    assert any("a task is in a state" in reason for reason in refuted(found)), found.outcomes
 
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), deep(FAULTS_OF_WHAT_IS_LATE))
 def test_a_seeded_fault_of_what_is_late_is_refuted(
     prover: Prover, late: Questions, old: str, new: str, name: str, expected: str
 ) -> None:
-    found = proofs(prover, late, old, new, f"reactor_{name}")
-    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
-    assert any(expected in reason for reason in reasons), found.outcomes
+    found = proofs_of_reactor(prover, late, old, new, f"reactor_{name}")
+    assert any(expected in reason for reason in refuted(found)), found.outcomes
 
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
 def test_a_seeded_fault_is_refuted(
     prover: Prover, questions: Questions, old: str, new: str, name: str, expected: str
 ) -> None:
-    found = proofs(prover, questions, old, new, f"reactor_{name}")
-    reasons = [reason for each in found.having(Verdict.REFUTED) for reason in each.reasons]
-    assert any(expected in reason for reason in reasons), found.outcomes
+    found = proofs_of_reactor(prover, questions, old, new, f"reactor_{name}")
+    assert any(expected in reason for reason in refuted(found)), found.outcomes
