@@ -121,9 +121,19 @@ FAULTS = (
     ("decide(r, task, NAMED(STOP), -1);", "", "release_0", "its tasks are forgotten"),
     ("decide(r, task, NAMED(START), -1);", "", "start_0_0", "was told to start"),
     ("append_started(r, task);", "", "start_1_0", "what is in force has started"),
-    ("started[count] = (index_t)task;", "", "append_started", "what starts is the last"),
-    ("if (started[i] != task)", "", "append_started", "a task that started is noted once"),
-    ("started[count++] = started[i];", ";", "append_started", "what has started is still"),
+    ("r->started[first + count] = (index_t)task;", "", "append_started", "what starts is the last"),
+    (
+        "if (r->started[first + i] != task)",
+        "",
+        "append_started",
+        "a task that started is noted once",
+    ),
+    (
+        "r->started[first + count++] = r->started[first + i];",
+        ";",
+        "append_started",
+        "what has started is still",
+    ),
     (
         "r->started_count[rule] = (index_t)(count + 1);",
         "r->started_count[rule] = (index_t)(count + 1);\n    r->opened = false;",

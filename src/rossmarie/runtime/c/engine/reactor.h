@@ -14,10 +14,9 @@
 /* No task gets more than two orders in one call: overruled and failed. */
 static void decide(reactor *r, unsigned task, unsigned order, int32_t by_rule)
 {
-    NAMED(decision) *made = &r->decisions[r->decided];
-    made->task = (index_t)task;
-    made->order = (index_t)order;
-    made->by_rule = by_rule;
+    r->decisions[r->decided].task = (index_t)task;
+    r->decisions[r->decided].order = (index_t)order;
+    r->decisions[r->decided].by_rule = by_rule;
     r->decided++;
 }
 
@@ -92,12 +91,12 @@ static int32_t overruler(const reactor *r, unsigned task)
 static void append_started(reactor *r, unsigned task)
 {
     const unsigned rule = tasks[task].rule;
-    index_t *started = &r->started[rule_tasks[rule]];
+    const unsigned first = rule_tasks[rule];
     unsigned count = 0;
     for (unsigned i = 0; i != r->started_count[rule]; i++)
-        if (started[i] != task)
-            started[count++] = started[i];
-    started[count] = (index_t)task;
+        if (r->started[first + i] != task)
+            r->started[first + count++] = r->started[first + i];
+    r->started[first + count] = (index_t)task;
     r->started_count[rule] = (index_t)(count + 1);
 }
 
@@ -170,9 +169,8 @@ static void escalate(reactor *r)
 /* What is in force is undone, last started first, and all is forgotten. */
 static void release(reactor *r, unsigned rule)
 {
-    const index_t *started = &r->started[rule_tasks[rule]];
     for (unsigned i = r->started_count[rule]; i != 0; i--) {
-        const unsigned task = started[i - 1];
+        const unsigned task = r->started[rule_tasks[rule] + i - 1];
         if (is_in_force(r, task)) {
             decide(r, task, NAMED(STOP), -1);
             r->since_ns[task] = r->now_ns;
