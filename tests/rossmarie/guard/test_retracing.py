@@ -20,7 +20,7 @@ action back {
         up to 3 apart 15 cm at 5 Hz;
 }
 action slow { limit /speed : geometry_msgs/Twist { linear.x in [-0.1, 0.1] m/s; }; }
-rule outside: if tip.position.x > 0.75 m then { slow; back; };
+rule outside: if tip.position.x > 0.75 m then { slow; back; } feedback margin in cm;
 """
 TURN = (0.0, 0.0, 0.0, 1.0)
 
@@ -69,6 +69,12 @@ def test_a_saved_guard_has_its_memory(guard: Guard) -> None:
     assert poses(guard, 0.8, 0.8) == first != []
     guard.restart()
     assert poses(guard, 0.8, 0.8) == []
+
+
+def test_margins_are_told_beside_what_memories_ask(guard: Guard) -> None:
+    poses(guard, 0.0, 0.5)
+    decision = guard.step(round(0.1 * SECOND), np.array([0.5, 0.0, 0.5, *TURN]), np.array([0.4]))
+    assert decision.margin.tolist() == pytest.approx([25.0])
 
 
 def test_nothing_is_sent_while_nobody_knows_where_the_robot_is(guard: Guard) -> None:

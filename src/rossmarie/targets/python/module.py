@@ -278,8 +278,7 @@ def _questions(layout: Layout) -> Iterator[str]:
         yield from function.text()
     if machine.readings:
         yield from _readings(layout)
-    members = [
-        *updates,
+    named = [
         *(["watches"] if machine.watches else []),
         *(["margins"] if margins else []),
         *(["readings"] if machine.readings else []),
@@ -291,7 +290,10 @@ def _questions(layout: Layout) -> Iterator[str]:
         "active",
         "take_events",
     ]
-    yield f"{INDENT}return Monitor({', '.join(members)})"
+    yield f"{INDENT}return Monitor("
+    by_name = (f"{member}={member}" for member in named)
+    yield from (f"{INDENT}{INDENT}{member}," for member in (*updates, *by_name))
+    yield f"{INDENT})"
 
 
 def _readings(layout: Layout) -> list[str]:
