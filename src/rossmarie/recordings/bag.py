@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.ir import EARLIEST_NS, LATEST_NS, Array, Batch, Machine, Slot
 from rossmarie.recordings.batches import Assembly
+from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.decoding import Decoder
 from rossmarie.recordings.definitions import UndefinedTypeError, typestore_for
 from rossmarie.recordings.elements import never_found
@@ -260,4 +261,7 @@ def _report_missing(
         kind=kind_text(missing),
         reason=f"this is how the recorded {connection.message_type} is defined",
     )
-    collector.add(finding.at(input_span(machine, missing.input)))
+    other_cloud = FieldNotRecorded.OtherCloud(message_type=connection.message_type)
+    is_of_cloud = isinstance(missing, Array) and is_of_points(missing)
+    where = input_span(machine, missing.input)
+    collector.add(finding.at(where, help=other_cloud if is_of_cloud else None))

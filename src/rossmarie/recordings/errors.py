@@ -96,6 +96,10 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
         says = "add a column `{column}`"
         column: str
 
+    class OtherCloud(Remark):
+        says = "record again with clouds as ROS defines {message_type}"
+        message_type: str
+
     class Points(Remark):
         says = "a table holds no clouds: replay the bag, or the MCAP file"
 
