@@ -9,12 +9,13 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.observer import Observer, attended
-from heron.experiments.runner import Node, run
+from heron.experiments.runner import Node, Turns
 from heron.guard import Guard
 from heron.robot import (
     Arm,
@@ -57,9 +58,13 @@ class Standing:
     guard: Guard | None
     period_ns = STEP_NS
 
+    @cached_property
+    def _turns(self) -> Turns:
+        return Turns(self.base, self.nodes)
+
     def tick(self, now_ns: int) -> None:  # noqa: ARG002
         """One step later."""
-        run(self.base, self.nodes, self.base.now_ns + STEP_NS, lambda: False)
+        self._turns.step()
 
 
 def pick_up(

@@ -26,16 +26,29 @@ class Waiting(Protocol):
     due_ns: int
 
 
+class Turns:
+    """The turns of nodes; those of one instant in the order in which the nodes stand."""
+
+    def __init__(self, physics: Physics, nodes: Sequence[Node]) -> None:
+        self._physics = physics
+        self._turns = [
+            (node.tick, node.period_ns, node if isinstance(node, Waiting) else None)
+            for node in nodes
+        ]
+
+    def step(self) -> None:
+        """What is due speaks, then the physics goes one step."""
+        now_ns = self._physics.now_ns
+        for tick, period_ns, waiting in self._turns:
+            if now_ns % period_ns == 0 and (waiting is None or now_ns >= waiting.due_ns):
+                tick(now_ns)
+        self._physics.step()
+
+
 def run(
     physics: Physics, nodes: Sequence[Node], until_ns: int, is_over: Callable[[], bool]
 ) -> None:
-    """Let time pass. Nodes of one instant have their turns in the order in which they stand."""
-    turns = [
-        (node.tick, node.period_ns, node if isinstance(node, Waiting) else None) for node in nodes
-    ]
+    """Let time pass."""
+    step = Turns(physics, nodes).step
     while physics.now_ns < until_ns and not is_over():
-        now_ns = physics.now_ns
-        for tick, period_ns, waiting in turns:
-            if now_ns % period_ns == 0 and (waiting is None or now_ns >= waiting.due_ns):
-                tick(now_ns)
-        physics.step()
+        step()

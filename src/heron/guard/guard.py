@@ -40,8 +40,11 @@ class InProcessGuard:
         self._intake = Intake(self._core, readings)
         self.is_acting = False
         """True while any task of a rule is in force."""
+        self.is_restricting = False
+        """True while any command topic is bounded, or taken over by a rule."""
         self.verdicts: list[Verdict] = []
         self.occurrences: list[Occurrence] = []
+        self._latched: tuple[str, ...] | None = None
         self._awaited = {used.channel for used in machine.inputs if used.timeout_ns is not None}
         self._first: dict[int, Message] = {}
         self._has_begun = self._is_open = False
@@ -74,12 +77,9 @@ class InProcessGuard:
     @property
     def latched(self) -> tuple[str, ...]:
         """Those of them that wait for an operator."""
-        return waiting(self._machine, self.active)
-
-    @property
-    def is_restricting(self) -> bool:
-        """True while any command topic is bounded, or taken over by a rule."""
-        return any(each.is_restricting for each in self._filters.values())
+        if self._latched is None:
+            self._latched = waiting(self._machine, self.active)
+        return self._latched
 
     @property
     def told(self) -> Sequence[tuple[int, str]]:
@@ -179,6 +179,7 @@ class InProcessGuard:
     def _follow(self, now_ns: int, told: Told) -> None:
         """Do what follows from what the core told, at the same instant."""
         self._is_following = True
+        self._latched = None
         self._carry_out(now_ns, told)
         while self._reports:
             task, success = self._reports.pop(0)
@@ -236,6 +237,7 @@ class InProcessGuard:
             if self._has_begun and now_ns >= self._wake_ns:
                 self._wake(now_ns)
             command.receive(now_ns, message)
+            self._note_restriction()
 
         return receive
 
@@ -245,6 +247,11 @@ class InProcessGuard:
             command.update(now_ns)
             is_idle = is_idle and command.is_idle
         self._filters_due_ns = NEVER if is_idle else now_ns + UPDATE_PERIOD_NS
+        self._note_restriction()
+
+    def _note_restriction(self) -> None:
+        """Witnesses ask at every step: it is noted whenever a filter may have changed."""
+        self.is_restricting = any(each.is_restricting for each in self._filters.values())
 
 
 def _make_relays(machine: Machine, carrier: Carrier) -> dict[str, Relay]:
