@@ -204,6 +204,22 @@ def graph(
 
 
 @app.command()
+def export(
+    rules: Rules,
+    out: Annotated[
+        Path,
+        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
+    ] = Path("rules.json"),
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Write for other programs what a rules file reads, asks and does."""
+    from rossmarie.cli.export import run_export
+
+    run_export(rules, out, system or [], messages or [])
+
+
+@app.command()
 def failures(rules: Rules, system: Systems = None, messages: MessageFolders = None) -> None:
     """Tell for each input which rules become active when it is lost."""
     from rossmarie.cli.failures import run_failures

@@ -1,12 +1,13 @@
 """Names of the parts of a guard, by which its users, other nodes and reports know them."""
 
-from rossmarie.naming.effects import effect_words
+from rossmarie.naming.effects import effect_words, is_block
 from rossmarie.naming.identifiers import c_identifier, public_prefix
 from rossmarie.naming.node import node_name, relayed_servers, unfiltered
 
 __all__ = [
     "c_identifier",
     "effect_words",
+    "is_block",
     "node_name",
     "public_prefix",
     "relayed_servers",

@@ -1,0 +1,27 @@
+"""`rossmarie export`: tell other programs of a rules file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import typer
+
+from rossmarie.cli.output import output
+from rossmarie.cli.saving import refuse_report
+from rossmarie.driver import RulesError, compile_file
+from rossmarie.driver.rules_file import rules_file
+
+
+def run_export(
+    rules: Path, out: Path, systems: Sequence[Path], message_folders: Sequence[Path]
+) -> None:
+    """Check a rules file, and write what others may know of it to `out`."""
+    refuse_report(out, (rules, *systems))
+    output.try_file(out)
+    try:
+        compiled = compile_file(rules, systems=systems, message_folders=message_folders)
+    except RulesError as error:
+        output.reject(error.diagnostics)
+    output.save(out, rules_file(compiled.machine, compiled.sources, out))
+    typer.echo(f"wrote {out}")
