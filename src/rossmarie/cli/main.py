@@ -16,11 +16,15 @@ from dslkit.command_line import Format
 from dslkit.parameters import Group
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
+    CoverageFile,
     Licenses,
     ListOfSources,
     Maintainers,
     MessageFolders,
     Only,
+    OptionalOutFile,
+    OutFile,
+    ProofsFile,
     Recordings,
     ReviewPage,
     Rules,
@@ -190,10 +194,7 @@ def graph(
     format: Annotated[  # noqa: A002
         GraphFormat, choice(GraphFormat, "How it is drawn.")
     ] = GraphFormat.TEXT,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
-    ] = None,
+    out: OptionalOutFile = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -206,10 +207,7 @@ def graph(
 @app.command()
 def export(
     rules: Rules,
-    out: Annotated[
-        Path,
-        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
-    ] = Path("rules.json"),
+    out: OutFile = Path("rules.json"),
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -230,20 +228,9 @@ def failures(rules: Rules, system: Systems = None, messages: MessageFolders = No
 @app.command()
 def report(
     rules: Rules,
-    out: Annotated[
-        Path,
-        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
-    ] = Path("report.html"),
-    verification: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="A report of what was proved, as JSON.", readable=False),
-    ] = None,
-    coverage: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="A report of what was exercised, as JSON.", readable=False
-        ),
-    ] = None,
+    out: OutFile = Path("report.html"),
+    verification: ProofsFile = None,
+    coverage: CoverageFile = None,
     date: Annotated[
         str | None,
         typer.Option(metavar="YYYY-MM-DD", help="The day that the file bears; else today, in UTC."),
@@ -398,10 +385,7 @@ def model(
     recording: Annotated[
         Path, typer.Argument(metavar="RECORDING", help="Any recording.", readable=False)
     ],
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written),
-    ] = None,
+    out: OptionalOutFile = None,
 ) -> None:
     """Write the system model of a recording: its topics and their types."""
     from rossmarie.cli.replay import write_model_of

@@ -111,6 +111,17 @@ ListOfSources = Annotated[
         parser=written,
     ),
 ]
+_OUT = typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written)
+OutFile = Annotated[Path, _OUT]
+OptionalOutFile = Annotated[Path | None, _OUT]
+ProofsFile = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="A report of what was proved, as JSON.", readable=False),
+]
+CoverageFile = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="A report of what was exercised, as JSON.", readable=False),
+]
 ReviewPage = Annotated[
     Path | None,
     typer.Option(
