@@ -162,7 +162,7 @@ class Builder(TestBuilder):
         return ast.Condition(self.name(parts[0]), parts[2], documentation, self._span(parts))
 
     def rule(self, parts: list[Any]) -> ast.Rule:
-        """`rule NAME: always if CONDITION while SKILLS unless RULES then { STEP; ... } CONTRACT`; all
+        """`rule NAME: always if CONDITION while SKILLS unless RULES then { STEP; } CONTRACT`; all
         but the condition and the steps may be missing.
         """
         name = self.name(parts[1]) if _is(parts, 2, ":") else None

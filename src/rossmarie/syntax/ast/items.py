@@ -281,7 +281,8 @@ class Rule:
     CONTRACT category WORD task WORD feedback AMOUNT mitigates HAZARD` -- all but the condition and
     the steps is optional.
 
-    More than one contract is reported by the checker. `always` is the place of that word.
+    More than one contract is reported by the checker. `always` is the place of that word. A rule
+    that was `made_from` an exemption stands for it; nobody wrote it.
     """
 
     name: Name | None
@@ -298,6 +299,7 @@ class Rule:
     always: Span | None = None
     scope: tuple[Doing, ...] = ()
     exemptions: tuple[Exemption, ...] = ()
+    made_from: Exemption | None = None
 
     @property
     def actions(self) -> tuple[Name, ...]:
