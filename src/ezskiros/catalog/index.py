@@ -11,6 +11,7 @@ from ezskiros.check import tree_errors as tree_check_errors
 from ezskiros.confinement import errors as confinement_errors
 from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
+from ezskiros.export import errors as export_errors
 from ezskiros.hosts import owl_errors, skiros2_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.migrate import implementation_errors
@@ -18,7 +19,7 @@ from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
 from ezskiros.planning import errors as planning_errors
 from ezskiros.skills import errors as skills_errors
-from ezskiros.skills import load_errors, parameter_errors, tree_errors
+from ezskiros.skills import load_errors, parameter_errors, permit_errors, tree_errors
 from ezskiros.trees import errors as launch_errors
 
 DIAGNOSTICS: tuple[type[Template], ...] = (
@@ -26,6 +27,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *ontology_errors.ALL,
     *skills_errors.ALL,
     *parameter_errors.ALL,
+    *permit_errors.ALL,
     *confinement_errors.ALL,
     *condition_errors.ALL,
     *world_errors.ALL,
@@ -40,6 +42,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *implementation_errors.ALL,
     *drawing_errors.ALL,
     *planning_errors.ALL,
+    *export_errors.ALL,
     *skiros2_errors.ALL,
     *owl_errors.ALL,
     *catalog_errors.ALL,
