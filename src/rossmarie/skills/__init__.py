@@ -6,6 +6,8 @@ still true of the files that it was made from.
 
 from rossmarie.skills.closed import Closure
 from rossmarie.skills.model import (
+    Child,
+    Limit,
     Parameter,
     Permission,
     Place,
@@ -14,13 +16,17 @@ from rossmarie.skills.model import (
     SkillClass,
     SkillFile,
     Source,
+    Use,
+    UseKind,
 )
 from rossmarie.skills.read import LARGEST_FILE, UnreadableSkills, parse_skills, read_text
 from rossmarie.skills.sources import OutOfDate, changed_source, span_at
 
 __all__ = [
     "LARGEST_FILE",
+    "Child",
     "Closure",
+    "Limit",
     "OutOfDate",
     "Parameter",
     "Permission",
@@ -31,6 +37,8 @@ __all__ = [
     "SkillFile",
     "Source",
     "UnreadableSkills",
+    "Use",
+    "UseKind",
     "changed_source",
     "parse_skills",
     "read_text",

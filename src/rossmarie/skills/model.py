@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -59,14 +60,27 @@ class Parameter:
 
 
 @dataclass(frozen=True)
+class Limit:
+    """The end of what is permitted: `value` in `unit`, which is `si` in SI."""
+
+    value: float
+    unit: str
+    si: float
+
+    def __str__(self) -> str:
+        """`30 N`."""
+        return f"{self.value:g} {self.unit}"
+
+
+@dataclass(frozen=True)
 class Permission:
-    """What a skill permits, such as `contact`: `things` are pairs of a parameter and a class. The
-    limit is in words, such as `30 N`.
+    """What a skill permits, such as `contact`: `things` are pairs of a parameter and a class; the
+    parameter is None where the description names a class.
     """
 
     kind: str
-    things: tuple[tuple[str, str], ...]
-    limit: str | None
+    things: tuple[tuple[str | None, str], ...]
+    limit: Limit | None
     place: Place | None
 
     def __str__(self) -> str:
@@ -76,16 +90,46 @@ class Permission:
         return f"{self.kind}{things}" + (f" up to {self.limit}" if self.limit else "")
 
 
+class UseKind(enum.Enum):
+    """The kind of something that a skill commands."""
+
+    TOPIC = "topic"
+    SERVER = "server"
+
+
+@dataclass(frozen=True)
+class Use:
+    """A topic or an action server that a skill commands; its type, if the description says it."""
+
+    kind: UseKind
+    name: str
+    type: str | None
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class Child:
+    """A skill in a behavior tree. `arguments` are the parameters that it gets from those of the
+    compound. `retried` tells that the tree can start it again after it has failed.
+    """
+
+    skill: str
+    place: Place | None
+    is_retried: bool
+
+
 @dataclass(frozen=True)
 class Skill:
     """A skill, by the name of its description; `parents` are the descriptions that it is derived
-    from.
+    from, `children` all skills in its trees.
     """
 
     name: str
     parents: tuple[str, ...]
     parameters: Mapping[str, Parameter]
     permits: tuple[Permission, ...]
+    uses: tuple[Use, ...]
+    children: tuple[Child, ...]
     place: Place | None
 
 

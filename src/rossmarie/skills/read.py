@@ -7,7 +7,7 @@ where. Keys that the format does not have are passed over.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Protocol, TypeVar
 
@@ -15,6 +15,8 @@ from dslkit.source import SourceFile, ending
 from rossmarie.skills.closed import circle_among
 from rossmarie.skills.json_reader import Json, UnreadableJson, parse_json
 from rossmarie.skills.model import (
+    Child,
+    Limit,
     Parameter,
     Permission,
     Place,
@@ -23,6 +25,8 @@ from rossmarie.skills.model import (
     SkillClass,
     SkillFile,
     Source,
+    Use,
+    UseKind,
 )
 
 FORMAT = "ezskiros/skills"
@@ -34,6 +38,9 @@ LONGEST_PERIOD = 3600.0
 """Seconds between two messages of a context."""
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
 """The types of parameters that are no things."""
+
+_STARTING_AGAIN = ("retry",)
+"""Nodes of a tree that start a child again after it has failed."""
 
 _DIGEST = re.compile(r"[0-9a-f]{64}")
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
@@ -194,8 +201,34 @@ def _property(item: Json) -> Property:
 def _skill(item: Json) -> Skill:
     parameters = _by_name(item.get("parameters"), _parameter)
     permits = item.get("permits").each(lambda each: _permission(each, parameters))
-    parents = item.get("parents").each(_name)
-    return Skill(_name(item.get("name")), parents, parameters, permits, _place_of(item))
+    return Skill(
+        name=_name(item.get("name")),
+        parents=item.get("parents").each(_name),
+        parameters=parameters,
+        permits=permits,
+        uses=item.get("uses").each(_use),
+        children=tuple(_children(item.get("trees"))),
+        place=_place_of(item),
+    )
+
+
+def _use(item: Json) -> Use:
+    kind = item.get("kind").one_of(*(each.value for each in UseKind))
+    name = _matching(item.get("name"), _TOPIC, "a name such as /cmd_vel")
+    return Use(UseKind(kind), name, item.get("type").optional(Json.text), _place_of(item))
+
+
+def _children(trees: Json) -> Iterator[Child]:
+    """The skills in all trees, whatever is between them and the root."""
+    waiting = [(each, False) for each in reversed(list(trees.elements()))]
+    while waiting:
+        node, is_retried = waiting.pop()
+        skill, control = node.find("skill"), node.find("control")
+        if skill is not None:
+            yield Child(_name(skill), _place_of(node), is_retried)
+            continue
+        again = is_retried or (control is not None and control.text() in _STARTING_AGAIN)
+        waiting += [(each, again) for each in reversed(list(node.get("children").elements()))]
 
 
 def _parameter(item: Json) -> Parameter:
@@ -211,16 +244,16 @@ def _permission(item: Json, parameters: Mapping[str, Parameter]) -> Permission:
     )
 
 
-def _thing(item: Json, parameters: Mapping[str, Parameter]) -> tuple[str, str]:
+def _thing(item: Json, parameters: Mapping[str, Parameter]) -> tuple[str | None, str]:
     parameter = item.get("parameter")
-    if parameter.text() not in parameters:
+    name = parameter.optional(Json.text)
+    if name is not None and name not in parameters:
         parameter.fail("is no parameter of the skill")
-    return parameter.text(), _class_name(item.get("class"))
+    return name, _class_name(item.get("class"))
 
 
-def _limit(item: Json) -> str:
-    item.get("si").number()
-    return f"{item.get('value').number():g} {item.get('unit').text()}"
+def _limit(item: Json) -> Limit:
+    return Limit(item.get("value").number(), item.get("unit").text(), item.get("si").number())
 
 
 def _place_of(item: Json) -> Place | None:

@@ -1,0 +1,19 @@
+"""The command `crosscheck`, which is also `python -m crosscheck`."""
+
+from __future__ import annotations
+
+from dslkit.garbage import look_seldom
+from dslkit.signals import end_at_once
+
+
+def main() -> None:
+    """Run the command line. What is imported for it takes a while, and may be interrupted."""
+    end_at_once()
+    look_seldom()
+    from crosscheck.cli.main import main as run
+
+    run()
+
+
+if __name__ == "__main__":
+    main()

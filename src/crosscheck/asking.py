@@ -1,0 +1,64 @@
+"""What is asked of z3: a state of the machine in which a skill is known to run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import z3
+
+from rossmarie import ir
+from rossmarie.analysis.activity import becomes_active
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.terms import YES
+
+
+def runs(state: ArbitraryState, skill: str) -> z3.BoolRef:
+    """Say that the context is there, and tells that a skill runs. Others may run beside it."""
+    return z3.And(YES, *_told(state, skill, is_running=True))
+
+
+def stands_still(state: ArbitraryState, skill: str) -> z3.BoolRef:
+    """Say that the context is there, and tells that a skill does not run, nor one that is asked for
+    together with it.
+    """
+    return z3.And(YES, *_told(state, skill, is_running=False))
+
+
+def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
+    """Say that one of these rules becomes active, if none was."""
+    return z3.Or([becomes_active(state, rule) for rule in rules])
+
+
+def _told(state: ArbitraryState, skill: str, *, is_running: bool) -> Iterator[z3.BoolRef]:
+    asked = questions(state.machine)
+    for slot, step in asked.items():
+        number = state.slot(slot)
+        yield number.known
+        if skill in step.skills and not (is_running and step.arguments):
+            yield number.value == (1 if is_running else 0)
+    contexts = {state.machine.slots[slot].input for slot in asked}
+    for index, truth in enumerate(state.machine.truths):
+        if isinstance(truth.node, ir.AgeReaches) and truth.node.input in contexts:
+            yield state.truth(index).false
+
+
+def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
+    """The slots that ask which skills run, and what each asks."""
+    found = {}
+    for index, slot in enumerate(machine.slots):
+        step = slot.path[0] if slot.path else None
+        if isinstance(step, ir.Doing):
+            found[index] = step
+    return found
+
+
+def asked_by(machine: ir.Machine, rule: int) -> tuple[ir.Doing, ...]:
+    """What the condition of a rule asks of the skills that run, each once."""
+    asked, found = questions(machine), dict[ir.Doing, None]()
+    for truth in ir.reachable_truths(machine, machine.rules[rule].condition):
+        node = machine.truths[truth].node
+        if isinstance(node, ir.Flag):
+            signal = machine.signals[node.signal].node
+            if isinstance(signal, ir.Read) and signal.slot in asked:
+                found[asked[signal.slot]] = None
+    return tuple(found)

@@ -1,0 +1,12 @@
+"""Every diagnostic class: the one list that pages, SARIF and tests go by."""
+
+from __future__ import annotations
+
+from crosscheck import errors
+from crosscheck.catalog import errors as catalog_errors
+from dslkit.catalog import Catalog
+from dslkit.diagnostics import Template
+
+DIAGNOSTICS: tuple[type[Template], ...] = (*errors.ALL, *catalog_errors.ALL)
+
+CATALOG = Catalog("crosscheck", "crosscheck.catalog", DIAGNOSTICS)

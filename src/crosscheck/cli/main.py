@@ -1,0 +1,105 @@
+"""The `crosscheck` command: one function per subcommand.
+
+Exit codes: 0 all is well (warnings may have been printed), 1 something was found, 2 the command
+itself was called wrongly or a file could not be read, 70 a defect of this tool.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from crosscheck.cli.output import output
+from dslkit.command_line import Format
+from dslkit.parameters import Group
+
+app = typer.Typer(
+    help="Rules and skills of one robot, looked at together.",
+    cls=Group,
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    rich_markup_mode="markdown",
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+Rules = Annotated[
+    Path,
+    typer.Argument(
+        metavar="RULES", help="A .ross file that names a file of skills.", readable=False
+    ),
+]
+Systems = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--system", metavar="FILE", help="A system model beside those imported.", readable=False
+    ),
+]
+MessageFolders = Annotated[
+    list[Path] | None,
+    typer.Option("--messages", metavar="DIR", help="A folder with .msg files.", readable=False),
+]
+
+
+@app.callback()
+def crosscheck(version: Annotated[bool, output.version_option()] = False) -> None:
+    """Rules and skills of one robot, looked at together."""
+
+
+@app.command()
+def check(
+    rules: Rules,
+    form: Annotated[
+        Format, typer.Option("--format", help="How findings are printed.")
+    ] = Format.TEXT,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Find what only rules and skills together can tell."""
+    from crosscheck.check import check_robot
+
+    found = check_robot(rules, systems=system or [], message_folders=messages or [])
+    output.print_diagnostics(found, form, file_count=1)
+    raise typer.Exit(output.exit_code(found))
+
+
+@app.command()
+def show(
+    rules: Rules,
+    svg: Annotated[
+        Path | None, typer.Option("--svg", metavar="FILE", help="Write a picture instead.")
+    ] = None,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Show which skill uses what, which rules guard it, and which interrupt it."""
+    from crosscheck.cli.showing import run_show
+
+    run_show(rules, svg, system or [], messages or [])
+
+
+@app.command()
+def impact(
+    skill: Annotated[str, typer.Argument(metavar="SKILL", help="The name of a description.")],
+    rules: Rules,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """List what a change of one description can break: trees and rules."""
+    from crosscheck.cli.showing import run_impact
+
+    run_impact(skill, rules, system or [], messages or [])
+
+
+@app.command()
+def explain(
+    code: Annotated[str, typer.Argument(metavar="CODE", help="Such as CHK102.")],
+) -> None:
+    """Explain a diagnostic."""
+    output.explain(code)
+
+
+def main() -> None:
+    """Run the command line."""
+    output.run(app)

@@ -1,0 +1,25 @@
+"""The voice of the `crosscheck` command."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from dslkit.command_line import CommandLine
+
+if TYPE_CHECKING:  # for `explain` and SARIF only
+    from dslkit.catalog import Catalog
+
+
+def _catalog() -> Catalog:
+    from crosscheck.catalog import CATALOG
+
+    return CATALOG
+
+
+output = CommandLine(
+    tool="crosscheck",
+    subject="your robot",
+    internal_code="CHK900",
+    unreadable=frozenset({"ROSS801", "ROSS802"}),
+    catalog=_catalog,
+)

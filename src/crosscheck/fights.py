@@ -1,0 +1,69 @@
+"""Rules and skills that fight: the rule ends the skill, which clears the rule, and the tree starts
+the skill again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import z3
+
+from crosscheck.asking import acts, stands_still
+from crosscheck.errors import Fight
+from crosscheck.robot import Robot
+from crosscheck.taking import Taking, takings
+from dslkit.diagnostics import Diagnostic
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.ir import Machine
+from rossmarie.skills import Child, Skill
+
+
+def find_fights(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
+    """A warning for each rule and each skill that it ends and that a tree starts again."""
+    for skill in robot.skills.skills.values():
+        again = _started_again(robot, skill)
+        if again is None:
+            continue
+        told: set[int] = set()
+        for taking in takings(robot.machine, skill.uses):
+            if taking.rule not in told and _is_cleared_at_once(robot.machine, taking.rule):
+                told.add(taking.rule)
+                if _acts_only_with(inquiry, taking.rule, skill.name):
+                    yield _finding(robot, skill, taking, again)
+
+
+def _started_again(robot: Robot, skill: Skill) -> Child | None:
+    """A place in a tree at which a skill is started again after it has failed."""
+    children = (child for each in robot.skills.skills.values() for child in each.children)
+    return next((each for each in children if each.skill == skill.name and each.is_retried), None)
+
+
+def _is_cleared_at_once(machine: Machine, rule: int) -> bool:
+    """Say whether nothing holds a rule once its condition is false."""
+    release = machine.rules[rule].release
+    if release is None:
+        return False
+    node = machine.truths[release].node
+    return getattr(node, "value", False) is True
+
+
+def _acts_only_with(inquiry: Inquiry, rule: int, skill: str) -> bool:
+    """Say whether it is proved that a rule is not active once a skill has ended."""
+    about = inquiry.about(rule)
+
+    def acts_without(state: ArbitraryState) -> z3.BoolRef:
+        return z3.And(stands_still(state, skill), acts(state, 0))
+
+    return about.is_impossible(acts_without)
+
+
+def _finding(robot: Robot, skill: Skill, taking: Taking, again: Child) -> Diagnostic:
+    rule = robot.machine.rules[taking.rule]
+    action = robot.machine.reactions.actions[taking.task.action].name
+    ended = Fight.Ended(action=action, skill=skill.name, thing=taking.use.name)
+    return Fight(rule=rule.name, skill=skill.name).at(
+        rule.head,
+        ended.at(taking.task.span),
+        Fight.Started().at(robot.span_of(again.place)),
+    )

@@ -1,0 +1,76 @@
+"""What depends on the description of one skill: trees, permissions and rules (thesis, Paper IV,
+section 7: dependencies and changes).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from crosscheck.asking import asked_by
+from crosscheck.exemptions import exemptions_of
+from crosscheck.robot import Robot
+from crosscheck.taking import takings
+from dslkit.source import Span
+from rossmarie.skills import Skill
+
+
+@dataclass(frozen=True)
+class Dependent:
+    """Something that a change of a skill may break: what it is, how it depends, and where."""
+
+    what: str
+    how: str
+    span: Span
+
+
+def dependents(robot: Robot, skill: Skill) -> Iterator[Dependent]:
+    """All that depends on a skill: what is derived from it, the compounds that lead to it, and the
+    rules that ask for it, are not applied while it runs, or take away what it uses.
+    """
+    below = {each.name for each in _derived(robot, skill)} | {skill.name}
+    for name in sorted(below - {skill.name}):
+        derived = robot.skills.skills[name]
+        yield Dependent(f"skill {name}", f"is derived from {skill.name}", _place(robot, derived))
+    yield from _compounds(robot, below)
+    yield from _rules(robot, skill)
+
+
+def _derived(robot: Robot, skill: Skill) -> Iterator[Skill]:
+    for each in robot.skills.skills.values():
+        if skill.name in each.parents:
+            yield each
+            yield from _derived(robot, each)
+
+
+def _place(robot: Robot, skill: Skill) -> Span:
+    return robot.span_of(skill.place)
+
+
+def _compounds(robot: Robot, names: set[str]) -> Iterator[Dependent]:
+    """The compounds with a tree that has one of some skills, and those above them."""
+    waiting, seen = sorted(names), set(names)
+    while waiting:
+        name = waiting.pop(0)
+        for each in robot.callers(name):
+            child = next(child for child in each.children if child.skill == name)
+            how = f"has {name} in its tree"
+            yield Dependent(f"skill {each.name}", how, robot.span_of(child.place))
+            if each.name not in seen:
+                seen.add(each.name)
+                waiting.append(each.name)
+
+
+def _rules(robot: Robot, skill: Skill) -> Iterator[Dependent]:
+    for number, rule in enumerate(robot.machine.rules):
+        for step in asked_by(robot.machine, number) if rule.exempts is None else ():
+            if skill.name in step.skills:
+                yield Dependent(f"rule {rule.name}", f"asks for {step}", rule.head)
+    for exempted in exemptions_of(robot):
+        if skill in exempted.skills:
+            name = robot.machine.rules[exempted.rule].name
+            how = f"is not applied while {skill.name} runs"
+            yield Dependent(f"rule {name}", how, exempted.written.span)
+    for taking in takings(robot.machine, skill.uses):
+        rule = robot.machine.rules[taking.rule]
+        yield Dependent(f"rule {rule.name}", f"can take {taking.use.name} away", rule.head)

@@ -1,0 +1,95 @@
+"""Permissions that rules do not grant: they hinder a skill before it has done all that it may."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import z3
+
+from crosscheck.asking import runs
+from crosscheck.errors import NotGranted
+from crosscheck.kinds import (
+    KINDS,
+    Kind,
+    by_dimension,
+    is_within,
+    permissions_of,
+    signals_of,
+    widest,
+)
+from crosscheck.robot import Robot
+from dslkit.diagnostics import Diagnostic
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.ir import Machine, reactions
+from rossmarie.skills import Limit, Permission, Skill
+
+
+def find_not_granted(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
+    """A warning for each permission and each rule that hinders the skill all the same."""
+    for skill in robot.skills.skills.values():
+        names = {use.name for use in skill.uses}
+        hindering = [
+            rule for rule in range(len(robot.machine.rules)) if names & touched(robot.machine, rule)
+        ]
+        for kind in KINDS:
+            farthest = widest(permissions_of(skill, kind), kind)
+            if farthest is None:
+                continue
+            permission, limit = farthest
+            for rule in hindering:
+                if _hinders(robot, inquiry, skill, rule, limit, kind):
+                    yield _finding(robot, skill, permission, rule)
+
+
+def touched(machine: Machine, rule: int) -> set[str]:
+    """The topics and servers on which a rule has an effect."""
+    plans = machine.reactions.plans
+    tasks = plans[rule].tasks if plans else ()
+    found = set()
+    for task in tasks:
+        match machine.reactions.tasks[task].effect:
+            case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
+                found.add(machine.reactions.commands[topic].topic)
+            case reactions.Publish(topic=name) | reactions.Retrace(topic=name):
+                found.add(name)
+            case reactions.SendGoal(server=name) | reactions.CancelGoal(server=name):
+                found.add(name)
+            case (
+                reactions.Call() | reactions.SetParameter() | reactions.SwitchControllers()
+                | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+            ):  # fmt: skip
+                pass
+    return found
+
+
+def _hinders(
+    robot: Robot, inquiry: Inquiry, skill: Skill, rule: int, limit: Limit, kind: Kind
+) -> bool:
+    """Say whether a rule can be active while a skill runs, and does only what it may."""
+    machine = robot.machine
+    signals = by_dimension(signals_of(machine, rule, kind), machine, limit)
+    if not signals:
+        return False
+
+    def acts_within(state: ArbitraryState) -> z3.BoolRef:
+        return z3.And(
+            runs(state, skill.name),
+            is_within(state, signals, limit, kind),
+            state.truth(machine.rules[rule].condition).true,
+        )
+
+    return inquiry.is_possible(acts_within, settled=True)
+
+
+def _finding(robot: Robot, skill: Skill, permission: Permission, rule: int) -> Diagnostic:
+    hindering = robot.machine.rules[rule]
+    written = robot.program.rules[rule].condition.span
+    found = NotGranted(
+        skill=skill.name,
+        permission=str(permission),
+        rule=hindering.name,
+        condition=" ".join(written.text.split()),
+    )
+    label = NotGranted.Acting(skill=skill.name).at(written)
+    return found.at(robot.span_of(permission.place), label)

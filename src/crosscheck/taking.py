@@ -1,0 +1,51 @@
+"""What a rule takes away from a skill: a topic whose commands do not pass, a server whose goals are
+cancelled.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from rossmarie.ir import Machine, reactions
+from rossmarie.naming import is_block
+from rossmarie.skills import Use, UseKind
+
+
+@dataclass(frozen=True)
+class Taking:
+    """A rule, the task by which it takes something away, and what that is to the skill."""
+
+    rule: int
+    task: reactions.Task
+    use: Use
+
+
+def takings(machine: Machine, uses: Sequence[Use]) -> Iterator[Taking]:
+    """All that rules take away of what a skill uses. Escalations need not come."""
+    wanted = {(use.kind, use.name): use for use in uses}
+    for rule, plan in enumerate(machine.reactions.plans):
+        for index in dict.fromkeys(task for stage in plan.stages for task in stage):
+            task = machine.reactions.tasks[index]
+            taken = _taken(machine, task.effect)
+            if taken in wanted:
+                yield Taking(rule, task, wanted[taken])
+
+
+def _taken(machine: Machine, effect: reactions.Effect) -> tuple[UseKind, str] | None:
+    commands = machine.reactions.commands
+    match effect:
+        case reactions.Limit(topic=topic) if is_block(commands[topic], effect):
+            return UseKind.TOPIC, commands[topic].topic
+        case reactions.Scale(topic=topic, factor=0.0):
+            return UseKind.TOPIC, commands[topic].topic
+        case reactions.Publish(command=command) if command is not None:
+            return UseKind.TOPIC, commands[command].topic
+        case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
+            return UseKind.SERVER, server
+        case (
+            reactions.Limit() | reactions.Scale() | reactions.Publish() | reactions.Retrace()
+            | reactions.Call() | reactions.SetParameter() | reactions.SwitchControllers()
+            | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
+            return None

@@ -1,0 +1,19 @@
+"""Functions that one package asks of another that it does not know: by entry points.
+
+The package that offers one names it in its metadata (`[project.entry-points."ezskiros.check"]`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from importlib.metadata import entry_points
+from typing import Any
+
+
+def extension(group: str, name: str) -> Callable[..., Any] | None:
+    """The function that an installed package offers under a name; None if none does."""
+    found = next(iter(entry_points(group=group, name=name)), None)
+    if found is None:
+        return None
+    loaded: Callable[..., Any] = found.load()
+    return loaded
