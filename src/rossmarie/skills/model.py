@@ -1,4 +1,4 @@
-"""What a file of skills says, as far as rules ask."""
+"""The contents of a file of skills, as far as rules ask."""
 
 from __future__ import annotations
 
@@ -74,8 +74,8 @@ class Limit:
 
 @dataclass(frozen=True)
 class Permission:
-    """What a skill permits, such as `contact`: `things` are pairs of a parameter and a class; the
-    parameter is None where the description names a class.
+    """A permission of a skill, such as `contact`. `things` are pairs of a parameter and a class;
+    the parameter is None where the description names a class.
     """
 
     kind: str
