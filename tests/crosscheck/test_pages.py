@@ -1,0 +1,32 @@
+"""The page of each diagnostic: its example has that finding, what to write instead has not."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from crosscheck import catalog
+from support.markdown import Block, blocks
+from support.robots import codes, found_with, put_example
+
+PAGES = [
+    page
+    for page in sorted((Path(catalog.__file__).parent / "pages").glob("*.md"))
+    if page.stem != "CHK900"
+]
+
+
+def of(page: Path, heading: str, language: str) -> list[Block]:
+    found = blocks(page.read_text(encoding="utf-8"))
+    return [block for block in found if (block.language, block.heading) == (language, heading)]
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
+def test_the_example_has_the_finding_and_the_other_has_not(page: Path, tmp_path: Path) -> None:
+    modules = {str(block.name): block.text for block in of(page, "Example", "python")}
+    robot = put_example(tmp_path, modules)
+    (wrong,) = of(page, "Example", "ross")
+    assert page.stem in codes(found_with(robot, wrong.text))
+    (right,) = of(page, "Write instead", "ross")
+    assert page.stem not in codes(found_with(robot, right.text))
