@@ -13,6 +13,7 @@ from importlib.resources import files
 
 import pytest
 
+import crosscheck.catalog
 import ezskiros.catalog
 import rossmarie.catalog
 from dslkit.catalog import Catalog, UnknownCodeError
@@ -85,7 +86,9 @@ EZSKIROS = Tool(
         "catalog": {9},
     },
 )
-TOOLS = (ROSSMARIE, EZSKIROS)
+# 0 files, 1 exemptions and permissions, 2 rules against skills, 3 topics, 9 defects of the tool.
+CROSSCHECK = Tool(crosscheck.catalog.CATALOG, "CHK", {"errors": {0, 1, 2, 3}, "catalog": {9}})
+TOOLS = (ROSSMARIE, EZSKIROS, CROSSCHECK)
 SECTIONS = ["What it means", "Example", "Write instead"]
 
 each_tool = pytest.mark.parametrize("tool", TOOLS, ids=lambda tool: tool.catalog.tool)

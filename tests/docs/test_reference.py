@@ -13,6 +13,8 @@ import typer
 import rossmarie.syntax
 from dslkit.catalog import Catalog
 from dslkit.diagnostics import Template
+from crosscheck.catalog import CATALOG as CROSSCHECK
+from crosscheck.cli.main import app as crosscheck_app
 from ezskiros.catalog import CATALOG as EZSKIROS
 from ezskiros.cli.main import app as ezskiros_app
 from rossmarie.catalog import CATALOG as ROSSMARIE
@@ -35,6 +37,7 @@ EZSKIROS_COMMANDS = DOCS / "reference" / "ezskiros-command-line.md"
 CODES = {
     ROSSMARIE: DOCS / "reference" / "diagnostics.md",
     EZSKIROS: DOCS / "reference" / "ezskiros-diagnostics.md",
+    CROSSCHECK: DOCS / "reference" / "crosscheck.md",
 }
 SEMANTICS = DOCS / "explanation" / "semantics.md"
 RULE = "| --- | --- | --- | --- |"
@@ -129,7 +132,7 @@ def test_codes_that_pages_refer_to_exist(page: Path) -> None:
     outside_of_examples = re.sub(
         r"^```console\n.*?^```", "", read(page), flags=re.MULTILINE | re.DOTALL
     )
-    named = set(re.findall(r"\b(?:ROSS|EZS)\d{3}\b", outside_of_examples))
+    named = set(re.findall(r"\b(?:ROSS|EZS|CHK)\d{3}\b", outside_of_examples))
     assert named - {found.code for catalog in CODES for found in catalog.diagnostics} == set()
 
 
@@ -138,7 +141,11 @@ def test_codes_that_pages_refer_to_exist(page: Path) -> None:
 
 @pytest.mark.parametrize(
     ("tool", "page", "command_line"),
-    [("rossmarie", COMMANDS, app), ("ezskiros", EZSKIROS_COMMANDS, ezskiros_app)],
+    [
+        ("rossmarie", COMMANDS, app),
+        ("ezskiros", EZSKIROS_COMMANDS, ezskiros_app),
+        ("crosscheck", CODES[CROSSCHECK], crosscheck_app),
+    ],
 )
 def test_every_command_and_option_is_described(
     tool: str, page: Path, command_line: typer.Typer

@@ -69,9 +69,12 @@ def test_sarif_of_nothing_is_a_run_without_results() -> None:
     assert log["runs"][0]["results"] == []
 
 
-def test_sarif_refuses_a_code_without_a_rule() -> None:
-    with pytest.raises(KeyError):
-        render_sarif(FOUND, Tool("rossmarie", "0.1.0", ()))
+def test_sarif_has_findings_of_other_tools_without_a_rule() -> None:
+    log = json.loads(render_sarif(FOUND, Tool("rossmarie", "0.1.0", ())))
+    check_sarif(log)
+    results = log["runs"][0]["results"]
+    assert [each["ruleId"] for each in results] == [each.code for each in FOUND]
+    assert not any("ruleIndex" in each for each in results)
 
 
 def test_sarif_columns_count_code_points_and_paths_are_uris() -> None:

@@ -31,7 +31,7 @@ class Rule:
 
 @dataclass(frozen=True)
 class Tool:
-    """Who found it. `rules` has an entry for every code that can occur."""
+    """Who found it. `rules` has an entry for each of its codes; those of others have none."""
 
     name: str
     version: str
@@ -39,10 +39,7 @@ class Tool:
 
 
 def render_sarif(diagnostics: Sequence[Diagnostic], tool: Tool) -> str:
-    """A SARIF log with one run, in ASCII, ending in a line end.
-
-    Raises `KeyError` for a finding whose code is none of the tool's rules.
-    """
+    """A SARIF log with one run, in ASCII, ending in a line end."""
     index = {rule.code: number for number, rule in enumerate(tool.rules)}
     run: Json = {
         "tool": {
@@ -53,7 +50,7 @@ def render_sarif(diagnostics: Sequence[Diagnostic], tool: Tool) -> str:
             }
         },
         "columnKind": "unicodeCodePoints",
-        "results": [_result(found, index[found.code]) for found in diagnostics],
+        "results": [_result(found, index.get(found.code)) for found in diagnostics],
     }
     return json.dumps({"$schema": _SCHEMA, "version": "2.1.0", "runs": [run]}, indent=2) + "\n"
 
@@ -68,10 +65,10 @@ def _rule(rule: Rule) -> Json:
     }
 
 
-def _result(found: Diagnostic, rule_index: int) -> Json:
+def _result(found: Diagnostic, rule_index: int | None) -> Json:
     result: dict[str, Json] = {
         "ruleId": found.code,
-        "ruleIndex": rule_index,
+        **({} if rule_index is None else {"ruleIndex": rule_index}),
         "level": found.severity.value,
         "message": {"text": _message(found)},
         "locations": [{"physicalLocation": _location(found.primary.span)}],

@@ -7,7 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from dslkit.command_line import Format
-from dslkit.diagnostics import Collector, Severity
+from dslkit.diagnostics import Collector, Diagnostic, Severity
+from dslkit.extensions import extension
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # users wait for what is imported
@@ -59,11 +60,25 @@ def checked(paths: Sequence[Path], values: Path | None = None) -> Report:
     return reported(lambda collector: len(check_paths(paths, values, collector).files))
 
 
-def print_check(paths: Sequence[Path], values: Path | None, form: Format) -> int:
-    """Check, print what is found, and give the exit code."""
+def print_check(
+    paths: Sequence[Path], values: Path | None, form: Format, rules: Path | None = None
+) -> int:
+    """Check, print what is found, and give the exit code. With `rules`, what only these and the
+    skills together can tell is found as well.
+    """
+    together = None if rules is None else _looking_at_both()
     report = checked(paths, values)
-    output.print_diagnostics(report.diagnostics, form, file_count=file_count(report, paths))
-    return output.exit_code(report.diagnostics)
+    found = (*report.diagnostics, *(together(rules) if together is not None else ()))
+    output.print_diagnostics(found, form, file_count=file_count(report, paths))
+    return output.exit_code(found)
+
+
+def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:
+    """The check of rules and skills together, which is another package's."""
+    found = extension("ezskiros.check", "rules")
+    if found is None:
+        output.fail("`--rules` needs the package crosscheck, which is not installed", exit_code=2)
+    return found
 
 
 def file_count(report: Report, paths: Sequence[Path]) -> int:

@@ -67,6 +67,10 @@ def check(
     watched: Annotated[
         bool, typer.Option("--watch", help="Check again whenever a file changes.")
     ] = False,
+    rules: Annotated[
+        Path | None,
+        typer.Option("--rules", metavar="FILE", help="Also look at skills and rules together."),
+    ] = None,
     fixed: Annotated[
         bool, typer.Option("--fix", help="Add the pre-conditions that compound skills lack first.")
     ] = False,
@@ -82,7 +86,7 @@ def check(
     if watched:
         _check_again_and_again(paths, ontology or [], values, form)
         return
-    raise typer.Exit(print_check(paths, values, form))
+    raise typer.Exit(print_check(paths, values, form, rules))
 
 
 @app.command()

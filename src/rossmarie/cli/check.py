@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import typer
 
 from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
+from dslkit.extensions import extension
 from dslkit.writing import write_whole
 from rossmarie.cli.output import each_once, output
 from rossmarie.cli.progress import told_steps
@@ -23,6 +24,7 @@ def run_check(
     thorough: bool,
     toggle_s: float,
     witnesses: Path | None,
+    skills: bool,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
     only: Sequence[Category],
@@ -31,6 +33,7 @@ def run_check(
     is_tests = witnesses is not None and witnesses.suffix == ".ross"
     if is_tests and len(files) > 1:
         output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
+    together = _looking_at_both() if skills else None
     if witnesses is not None:
         (output.try_file if is_tests else output.try_folder)(witnesses)
     with told_steps("reading the rules") as on_step:
@@ -51,6 +54,8 @@ def run_check(
         found += analysis.diagnostics
         if target is not None:
             found += _for_target(path, target, systems, message_folders, only)
+        if together is not None:
+            found += together(path, systems=systems, message_folders=message_folders)
     told = each_once(found)
     output.print_diagnostics(told, form, file_count=len(files))
     if witnesses is not None and is_tests:
@@ -58,6 +63,14 @@ def run_check(
     elif witnesses is not None:
         _write(analyses, witnesses, form)
     raise typer.Exit(output.exit_code(told))
+
+
+def _looking_at_both() -> Callable[..., Sequence[Diagnostic]]:
+    """The check of rules and skills together, which is another package's."""
+    found = extension("rossmarie.check", "skills")
+    if found is None:
+        output.fail("`--skills` needs the package crosscheck, which is not installed", exit_code=2)
+    return found
 
 
 def _for_target(

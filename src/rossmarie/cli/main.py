@@ -31,6 +31,7 @@ from rossmarie.cli.options import (
     RulesFiles,
     Systems,
     TopicMap,
+    WithSkills,
     choice,
     ros_name,
     written,
@@ -79,6 +80,7 @@ def check(
             parser=written,
         ),
     ] = None,
+    skills: WithSkills = False,
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
@@ -86,9 +88,9 @@ def check(
     """Check rules files: names, types, units, what cannot work, and what rules mean together."""
     from rossmarie.cli.check import run_check
 
-    name = None if target is None else target.value
+    name, folders = None if target is None else target.value, messages or ()
     run_check(
-        files, format, name, thorough, toggle, witnesses, system or (), messages or (), only or ()
+        files, format, name, thorough, toggle, witnesses, skills, system or (), folders, only or ()
     )
 
 

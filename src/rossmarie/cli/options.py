@@ -118,6 +118,9 @@ ProofsFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="A report of what was proved, as JSON.", readable=False),
 ]
+WithSkills = Annotated[
+    bool, typer.Option("--skills", help="Also look at rules and skills together.")
+]
 CoverageFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="A report of what was exercised, as JSON.", readable=False),
