@@ -1,4 +1,4 @@
-"""What is asked of z3: a state of the machine in which a skill is known to run."""
+"""Claims about a state of the machine in which a skill is known to run, for z3."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
 
 
 def asked_by(machine: ir.Machine, rule: int) -> tuple[ir.Doing, ...]:
-    """What the condition of a rule asks of the skills that run, each once."""
+    """The questions of the condition of a rule to the skills that run, each once."""
     asked, found = questions(machine), dict[ir.Doing, None]()
     for truth in ir.reachable_truths(machine, machine.rules[rule].condition):
         node = machine.truths[truth].node

@@ -1,4 +1,4 @@
-"""What only rules and skills together can tell."""
+"""CHK0xx to CHK3xx: findings that only rules and skills together give."""
 
 from __future__ import annotations
 

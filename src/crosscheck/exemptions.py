@@ -1,4 +1,4 @@
-"""Exemptions and permissions: what rules let a skill do, against what its description permits."""
+"""Exemptions of rules against the permissions of the skills that they are for."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""What depends on the description of one skill: trees, permissions and rules (thesis, Paper IV,
-section 7: dependencies and changes).
+"""All that depends on the description of one skill: trees and rules (thesis, Paper IV, section 7:
+dependencies and changes).
 """
 
 from __future__ import annotations

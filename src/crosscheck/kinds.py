@@ -16,8 +16,8 @@ from rossmarie.units import UnknownUnitError, parse_unit
 
 @dataclass(frozen=True)
 class Kind:
-    """What is permitted: in words, the kinds of permissions that permit it, the units that such
-    numbers have, and an example. Of a closeness less is more.
+    """A kind of deed: in words, the kinds of permissions that permit it, the units of its numbers,
+    and an example. Of a closeness less is more.
     """
 
     words: str

@@ -1,5 +1,5 @@
-"""What a rule takes away from a skill: a topic whose commands do not pass, a server whose goals are
-cancelled.
+"""Things that a rule takes away from a skill: a topic whose commands do not pass, a server whose
+goals are cancelled.
 """
 
 from __future__ import annotations
