@@ -7,7 +7,6 @@ import re
 from pathlib import Path
 from typing import Any
 
-import pytest
 from hypothesis import given
 
 from dslkit.diagnostics import Diagnostic, Severity
