@@ -11,9 +11,16 @@ from typing import Any
 
 
 def extension(group: str, name: str) -> Callable[..., Any] | None:
-    """The function that an installed package offers under a name; None if none does."""
+    """The function that an installed package offers under a name; None if none does, or if its
+    package has gone.
+    """
     found = next(iter(entry_points(group=group, name=name)), None)
     if found is None:
         return None
-    loaded: Callable[..., Any] = found.load()
+    try:
+        loaded: Callable[..., Any] = found.load()
+    except ModuleNotFoundError as error:
+        if error.name != found.module.partition(".")[0]:
+            raise
+        return None
     return loaded

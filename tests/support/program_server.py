@@ -29,12 +29,14 @@ from typing import Any
 
 NUMBER = struct.Struct("q")
 _PACKAGES = {
+    "crosscheck": ("crosscheck", "rossmarie"),
     "ezskiros": ("ezskiros",),
     "ezskiros migrate": ("ezskiros.migrate",),
     "rossmarie": ("rossmarie",),
 }
 """Of which packages a command has all modules imported. Those of heron look at the environment."""
 _MODULES = {
+    "crosscheck": ("typer._adapters",),
     "ezskiros": ("typer._adapters",),
     "heron": ("heron.cli.main", "typer._adapters"),
     "rossmarie": ("_cffi_backend", "cffi.cparser", "typer._adapters"),

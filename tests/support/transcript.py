@@ -12,7 +12,7 @@ from pathlib import Path
 
 from support import command_line
 
-_PROGRAMS = ("rossmarie", "ezskiros")
+_PROGRAMS = ("rossmarie", "ezskiros", "crosscheck")
 _RUN = (*(f"{program} " for program in _PROGRAMS), "python ", "cat ", "echo $?")
 # Of words and quotations in which nothing has a meaning of its own.
 _PLAIN = re.compile(r"""(?:[\w@%+=:,./ -]|'[^']*'|"[^"$`\\]*")+""")
