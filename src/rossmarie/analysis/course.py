@@ -17,6 +17,7 @@ from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.once import once_each
+from rossmarie.analysis.skills import is_quantity, message_facts
 from rossmarie.analysis.state import shape_facts
 from rossmarie.analysis.terms import (
     FALSE,
@@ -254,11 +255,16 @@ class Course:
 
     @property
     def calm(self) -> list[z3.BoolRef]:
-        """The facts of a course on which every sensor sends what it measures."""
+        """The facts of a course on which every sensor sends what it measures. What only a skill
+        has is known only while that runs.
+        """
         found = []
+        machine = self.asked.machine
         for leg in self.legs:
             found += list(leg.sends.values())
-            found += [number.known for number in leg.slots.values()]
+            found += [
+                number.known for slot, number in leg.slots.items() if not is_quantity(machine, slot)
+            ]
             found += [cells[0].is_there for cells in leg.cells.values()]
         return found
 
@@ -321,6 +327,7 @@ class Course:
         found = []
         for index, number in leg.slots.items():
             found += slot_facts(machine, machine.slots[index], number.value, rounded=False)
+        found += message_facts(machine, leg.slots, lambda _: z3.BoolVal(True))
         for index, cells in leg.cells.items():
             found += shape_facts(cells)
             for cell in cells:

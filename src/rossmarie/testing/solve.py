@@ -29,6 +29,7 @@ from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_ro
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir.path import extent
 from rossmarie.testing.goals import Edge, edges, signals_of
+from rossmarie.testing.skills import answer_facts, first_asking
 from rossmarie.testing.whole import slot_behind
 from rossmarie.units import Unit, parse_unit
 
@@ -214,9 +215,12 @@ class World:
         return exactly(primitive, values)
 
     def _slot(self, slot: int) -> z3.ArithRef:
+        slot = first_asking(self.machine, slot)
         variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)
         term = self._real(variable)
         self._side += kind_facts(self.machine, self.machine.slots[slot], term)
+        slots = {each.index: one for each, one in self.variables.items() if each.kind == "slot"}
+        self._side += answer_facts(self.machine, slots)
         return term
 
     def _element_of(self, slot: ir.Slot) -> Variable | None:
