@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from rossmarie.analysis.draft import Draft, DraftLeg, Knob, witness_of
-from rossmarie.analysis.skills import is_quantity
+from rossmarie.analysis.quantities import is_quantity
 from rossmarie.analysis.witness import Claim, View, Witness, views
 from rossmarie.ir import AgeReaches, Count, Fold, Held, Kind, Machine, Read, supports
 from rossmarie.ir.carried import carries

@@ -13,9 +13,10 @@ from collections.abc import Sequence
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
-from rossmarie.analysis.skills import message_facts
+from rossmarie.analysis.quantities import quantity_facts
 from rossmarie.analysis.terms import Fact, Number, choice, free_fact, literal
 from rossmarie.ir import TruthValue
 
@@ -33,6 +34,7 @@ class ArbitraryState(Encoding):
         super().__init__(asked)
         self._settled = settled
         self._slots: dict[int, Number] = {}
+        self._calls = Calls(self.machine, "state")
         self._cells: dict[int, Sequence[Cell]] = {}
         self._before: dict[int, Fact] = {}
         self._elapsed: dict[int, z3.ArithRef] = {}
@@ -44,20 +46,13 @@ class ArbitraryState(Encoding):
             slot = self.machine.slots[index]
             value, known = z3.Real(f"slot{index}"), z3.Bool(f"slot{index}.known")
             self.facts += slot_facts(self.machine, slot, value, rounded=True)
+            self.facts += self._calls.facts(slot, value)
             self.facts.append(z3.Implies(known, self.is_fresh(slot.input)))
             self._slots[index] = Number(known, value)
-            self.facts += self._answers(index)
+            for other, number in self._slots.items():
+                pair = {index: self._slots[index], other: number}
+                self.facts += quantity_facts(self.machine, pair)
         return self._slots[index]
-
-    def _answers(self, index: int) -> list[z3.BoolRef]:
-        """What a slot that is new has to do with the others."""
-        new = self._slots[index]
-        others = (pair for pair in self._slots.items() if pair[0] != index)
-        pairs = [{index: new, other: number} for other, number in others]
-        return [fact for pair in pairs for fact in message_facts(self.machine, pair, self._fresh)]
-
-    def _fresh(self, slot: int) -> z3.BoolRef:
-        return self.is_fresh(self.machine.slots[slot].input)
 
     def cells(self, array: int) -> Sequence[Cell]:
         """As many elements as can matter, while the input is fresh."""

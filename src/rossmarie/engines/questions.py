@@ -33,7 +33,7 @@ class Questions:
         return name in self._channels and hasattr(value, "running")
 
     def answers(self, name: str, message: SkillMessage) -> dict[int, float]:
-        """What a message answers to all questions on the topic of an input, by slot."""
+        """The answers of a message to all questions on the topic of an input, by slot."""
         asked = self._of_channel[self._channels[name]]
         return {index: answer(self._steps[index], message) for index in asked}
 

@@ -93,7 +93,7 @@ class NamedValues:
         }
 
     def _answers(self, name: str, value: Value) -> dict[int, float]:
-        """What skills answer, by slot, where that is named: the topic, or one question."""
+        """Answers of skills, by slot, where these are named: by the topic, or by one question."""
         if self.questions.is_context(name, value):
             return self.questions.answers(name, cast("SkillMessage", value))
         asked = self.questions.named.get(name, ())

@@ -96,15 +96,6 @@ def answer(step: SkillStep, context: SkillMessage) -> float:
         return math.nan
 
 
-def implies(one: Doing, other: Doing) -> bool:
-    """Say whether a message that answers one question with yes does so with another."""
-    limits = dict(one.arguments)
-    return set(one.skills) <= set(other.skills) and all(
-        parameter in limits and set(limits[parameter]) <= set(classes)
-        for parameter, classes in other.arguments
-    )
-
-
 def _is_doing(step: Doing, running: RunningSkill) -> bool:
     if running.skill not in step.skills:
         return False

@@ -13,11 +13,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.analysis.skills import questions
 from rossmarie.ir.carried import carries, holds_flags
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.goals import visible_step
-from rossmarie.testing.skills import is_question, running_for
+from rossmarie.testing.skills import told_by_skills
 from rossmarie.testing.solve import Ramp, Values, Variable, World
 
 _ANGLES = {ir.Function.ROLL: "roll", ir.Function.PITCH: "pitch", ir.Function.YAW: "yaw"}
@@ -64,7 +63,9 @@ class Stage:
     ramp: Ramp
 
     def script(self, name: str, phases: Sequence[Phase]) -> Script:
-        """The events of phases; nothing is expected yet."""
+        """The events of phases; nothing is expected yet. There are none if no skills give the
+        answers that phases want.
+        """
         ends = list(itertools.accumulate(phase.length_ns for phase in phases))
         starts = [0, *ends[:-1]]
         events: list[ScriptedArrival | ScriptedReset] = list(self._beats(phases, starts, ends))
@@ -75,7 +76,7 @@ class Stage:
             if self.machine.rules[self.rule].release is None:
                 events.append(ScriptedReset(end_ns - self.beat_ns, self.rule))
         events.sort(key=_start)
-        return Script(name, tuple(events), (), None)
+        return Script(name, told_by_skills(self.machine, events) or (), (), None)
 
     # --- messages that keep inputs alive -----------------------------------------------------
 
@@ -85,9 +86,6 @@ class Stage:
         groups: dict[tuple[tuple[int, int], ...], list[int]] = {}
         for used in self._one_of_each_channel():
             channel = self.machine.inputs[used].channel
-            if self._asked(channel):
-                yield from self._contexts(channel, phases, starts, ends)
-                continue
             stretches: list[tuple[int, int]] = []
             for phase, start_ns, end_ns in zip(phases, starts, ends, strict=True):
                 if channel in phase.silent:
@@ -101,27 +99,6 @@ class Stage:
             topics = tuple(self._topic(used) for used in inputs)
             for first_ns, last_ns in stretches_of_group:
                 yield ScriptedArrival(first_ns, last_ns, self.beat_ns, names, topics, ())
-
-    def _contexts(
-        self, channel: int, phases: Sequence[Phase], starts: Sequence[int], ends: Sequence[int]
-    ) -> Iterator[ScriptedArrival]:
-        """The messages that tell which skills run: they say so again and again."""
-        asked, topic = self._asked(channel), self.machine.channels[channel].topic
-        talks = [channel not in phase.silent for phase in phases]
-        for index, (start_ns, end_ns) in enumerate(zip(starts, ends, strict=True)):
-            values = phases[index].values
-            answers = {slot: values.get(Variable("slot", slot), 0.0) for slot in asked}
-            running = running_for(self.machine, channel, answers)
-            if running is not None and talks[index]:
-                is_followed = any(talks[index + 1 : index + 2])
-                times = (start_ns, end_ns - is_followed * self.beat_ns, self.beat_ns)
-                yield ScriptedArrival(*times, (), (topic,), (), running)
-
-    def _asked(self, channel: int) -> list[int]:
-        """The slots of a channel by which the rule asks which skills run."""
-        variables = self.world.variables
-        asked = questions(self.machine, channel)
-        return [slot for slot in asked if Variable("slot", slot) in variables]
 
     def _one_of_each_channel(self) -> list[int]:
         found: dict[int, int] = {}
@@ -168,8 +145,7 @@ class Stage:
 
     def _setting(self, variable: Variable, value: float) -> Iterator[Setting]:
         if variable.kind == "slot":
-            if not is_question(self.machine, variable.index):
-                yield self._of_slot(variable.index, value)
+            yield self._of_slot(variable.index, value)
         elif variable.kind == "angle":
             node = self.machine.signals[variable.index].node
             assert isinstance(node, ir.Apply)

@@ -8,15 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rossmarie import ir
-from rossmarie.analysis.skills import questions
 from rossmarie.analysis.witness import Witness, other_text, views
 from rossmarie.interpreter import arithmetic
 from rossmarie.ir.carried import holds_flags
-from rossmarie.ir.script import Running, Script, ScriptedArrival, Setting, SettingValue
+from rossmarie.ir.script import Script, ScriptedArrival, Setting, SettingValue
 from rossmarie.testing.goals import edges
 from rossmarie.testing.orientation import ANGLES, UPRIGHT
 from rossmarie.testing.run import expectations_of
-from rossmarie.testing.skills import is_question, running_for
+from rossmarie.testing.skills import told_by_skills
 from rossmarie.units import parse_unit
 
 _DEGREES = parse_unit("deg")
@@ -35,8 +34,10 @@ def script_of(
     the rules; as they are in messages otherwise.
     """
     for is_plain in (False, True):
-        events = _Teller(machine, is_plain).events(witness)
-        script = Script(name, tuple(events), (), None)
+        events = told_by_skills(machine, _Teller(machine, is_plain).events(witness))
+        if events is None:
+            return None
+        script = Script(name, events, (), None)
         if all(is_shown(machine, witness, script, rule) for rule in rules):
             return script
     return None
@@ -61,27 +62,19 @@ class _Teller:
     last: dict[tuple[str, ir.Path, str | None], SettingValue] = field(default_factory=dict)
 
     def events(self, witness: Witness) -> list[ScriptedArrival]:
-        """All messages, in their order; those without news as repetitions. The skills that run are
-        told in each of theirs.
-        """
+        """All messages, in their order; those without news as repetitions."""
         instants: dict[int, list[int]] = {}
         told: list[ScriptedArrival] = []
         for sending in witness.events:
             settings: list[Setting] = []
-            running: Running | None = None
             for channel, values in sending.messages.items():
-                if questions(self.machine, channel):
-                    running = running_for(self.machine, channel, values.slots)
-                else:
-                    instants.setdefault(channel, []).append(sending.at_ns)
+                instants.setdefault(channel, []).append(sending.at_ns)
                 settings += self._news(channel, values)
-            if settings or running is not None:
+            if settings:
                 inputs = tuple(dict.fromkeys(setting.input for setting in settings))
-                topics = [setting.topic for setting in settings]
-                topics += [] if running is None else [running.topic]
+                topics = tuple(dict.fromkeys(setting.topic for setting in settings))
                 once = (sending.at_ns, sending.at_ns, None)
-                sent = tuple(dict.fromkeys(topics))
-                told.append(ScriptedArrival(*once, inputs, sent, tuple(settings), running))
+                told.append(ScriptedArrival(*once, inputs, topics, tuple(settings)))
         events = [*self._repeated(instants, told), *told]
         return sorted(events, key=lambda event: (event.first_ns, event.period_ns is None))
 
@@ -144,7 +137,7 @@ class _Teller:
             name = machine.inputs[array.input].name
             yield Setting(name, topic, array.path, told, None, unit)
         for index, raw in values.slots.items():
-            if index not in turned and not is_question(machine, index):
+            if index not in turned:
                 slot = machine.slots[index]
                 unit = self._unit(ir.Read(index), slot.unit)
                 value = self._value(slot, raw)

@@ -1,94 +1,77 @@
-"""Skills that run in tests that nobody wrote: they answer the questions of rules as wanted."""
+"""Answers about skills as tests say them: `doing Push(Object: skiros.Box)` for a flag."""
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Mapping
-
-import z3
+import dataclasses
+from collections.abc import Sequence
 
 from rossmarie import ir
-from rossmarie.analysis.skills import message_facts, questions
-from rossmarie.analysis.terms import YES, Number
-from rossmarie.ir.script import Running
-from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answer
+from rossmarie.ir.calls import covering, question_at
+from rossmarie.ir.script import Running, ScriptedArrival, ScriptedReset, Setting
 
-NOTHING = "doing nothing"
-"""The words of tests in which no skill runs."""
+Event = ScriptedArrival | ScriptedReset
 
-_MOST_TRIED = 1000
-"""Skills with arguments that are tried for one question."""
+DOING = "doing"
+"""The word that stands for the input that tells which skills run; alone it sends that once more."""
 
 
-def is_question(machine: ir.Machine, slot: int) -> bool:
-    """Say whether a slot asks which skills run."""
-    return slot in questions(machine, machine.inputs[machine.slots[slot].input].channel)
-
-
-def first_asking(machine: ir.Machine, slot: int) -> int:
-    """The first slot of a channel that asks the same of its skills: both have one answer. A slot
-    that asks nothing is its own.
+def told_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event, ...] | None:
+    """The events, in the order of time, with the skills that run where flags were set that ask for
+    them; None if no skills give these answers.
     """
-    asked = questions(machine, machine.inputs[machine.slots[slot].input].channel)
-    return next((index for index, step in asked.items() if step == asked.get(slot)), slot)
-
-
-def answer_facts(machine: ir.Machine, answers: Mapping[int, z3.ArithRef]) -> list[z3.BoolRef]:
-    """Say what answers of skills, by slot, have to do with each other where all are known."""
-    asked = {
-        slot: Number(YES, term) for slot, term in answers.items() if is_question(machine, slot)
-    }
-    return message_facts(machine, asked, lambda _: YES)
-
-
-def running_for(machine: ir.Machine, channel: int, answers: Mapping[int, float]) -> Running | None:
-    """The skills that give these answers, by slot, 1 or 0; None if none do. Questions without a
-    wanted answer may have any.
-    """
-    asked = questions(machine, channel)
-    wanted = {asked[slot]: number for slot, number in answers.items() if slot in asked}
-    denied = [step for step, number in wanted.items() if number == 0.0]
-    found: dict[RunningSkill, None] = {}
-    for step in sorted((step for step in wanted if step not in denied), key=_scope):
-        if _answer(step, tuple(found)) == 1.0:
+    names = _contexts(machine)
+    wanted: dict[ir.Doing, bool] = {}
+    found: list[Event] = []
+    for event in events:
+        if isinstance(event, ScriptedReset):
+            found.append(event)
             continue
-        skill = next((each for each in _candidates(step) if not _answers(denied, each)), None)
-        if skill is None:
-            return None
-        found[skill] = None
-    own = {slot: _answer(step, tuple(found)) for slot, step in asked.items()}
-    if any(own[slot] != number for slot, number in answers.items() if slot in asked):
-        return None  # two that ask the same have different answers, or one is not known
-    text = ", ".join(map(_text, found)) or NOTHING
-    return Running(machine.channels[channel].topic, tuple(found), text)
+        flags = [setting for setting in event.settings if question_at(setting.path) is not None]
+        running = None
+        if flags:
+            if not _note(flags, wanted):
+                return None
+            running = _running(machine, flags[0].topic, wanted)
+            if running is None:
+                return None
+        found.append(_told(event, names, running))
+    return tuple(found)
 
 
-def _scope(step: ir.Doing) -> tuple[int, int]:
-    """The least is that of the most special question, which answers others as well."""
-    return -len(step.arguments), sum(len(classes) for _, classes in step.arguments)
-
-
-def _answer(step: ir.Doing, skills: tuple[RunningSkill, ...]) -> float:
-    return answer(step, SkillContext(step.export, skills))
-
-
-def _answers(denied: list[ir.Doing], skill: RunningSkill) -> bool:
-    return any(_answer(step, (skill,)) != 0.0 for step in denied)
-
-
-def _candidates(step: ir.Doing) -> Iterator[RunningSkill]:
-    """Skills that a question is about, the shortest names first: they are the least special."""
-    parameters = [parameter for parameter, _ in step.arguments]
-    choices = itertools.product(
-        sorted(step.skills, key=len),
-        *(sorted(classes, key=len) for _, classes in step.arguments),
+def _contexts(machine: ir.Machine) -> frozenset[str]:
+    """The inputs that no rule declares: those that are asked which skills run."""
+    return frozenset(
+        machine.inputs[slot.input].name
+        for slot in machine.slots
+        if question_at(slot.path) is not None
     )
-    for skill, *kinds in itertools.islice(choices, _MOST_TRIED):
-        pairs = zip(parameters, kinds, strict=True)
-        yield RunningSkill(skill, tuple(SkillArgument(name, type=kind) for name, kind in pairs))
 
 
-def _text(skill: RunningSkill) -> str:
-    """A skill as tests write it."""
-    things = ", ".join(f"{each.parameter}: {each.type}" for each in skill.arguments)
-    return f"doing {skill.skill}({things})" if things else f"doing {skill.skill}"
+def _note(flags: Sequence[Setting], wanted: dict[ir.Doing, bool]) -> bool:
+    """Note the answers; False if one of them is that nobody knows."""
+    for setting in flags:
+        step = question_at(setting.path)
+        if step is None or not isinstance(setting.value, bool):
+            return False
+        wanted[step] = setting.value
+    return True
+
+
+def _running(machine: ir.Machine, topic: str, wanted: dict[ir.Doing, bool]) -> Running | None:
+    calls = covering(machine.calls, wanted)
+    if calls is None:
+        return None
+    text = ", ".join(call.text for call in calls) or f"{DOING} nothing"
+    return Running(topic, tuple(call.running for call in calls), text)
+
+
+def _told(
+    event: ScriptedArrival, contexts: frozenset[str], running: Running | None
+) -> ScriptedArrival:
+    inputs = [DOING if name in contexts else name for name in event.inputs]
+    return dataclasses.replace(
+        event,
+        inputs=tuple(dict.fromkeys(each for each in inputs if running is None or each != DOING)),
+        settings=tuple(each for each in event.settings if question_at(each.path) is None),
+        running=running,
+    )

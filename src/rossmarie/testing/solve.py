@@ -21,6 +21,7 @@ from fractions import Fraction
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
@@ -29,7 +30,6 @@ from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_ro
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir.path import extent
 from rossmarie.testing.goals import Edge, edges, signals_of
-from rossmarie.testing.skills import answer_facts, first_asking
 from rossmarie.testing.whole import slot_behind
 from rossmarie.units import Unit, parse_unit
 
@@ -87,6 +87,7 @@ class World:
 
     def __post_init__(self) -> None:
         self.length = self._length()
+        self.calls = Calls(self.machine, "world")
         for truth in self.truths:
             self.formula(truth)
 
@@ -215,12 +216,10 @@ class World:
         return exactly(primitive, values)
 
     def _slot(self, slot: int) -> z3.ArithRef:
-        slot = first_asking(self.machine, slot)
         variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)
         term = self._real(variable)
         self._side += kind_facts(self.machine, self.machine.slots[slot], term)
-        slots = {each.index: one for each, one in self.variables.items() if each.kind == "slot"}
-        self._side += answer_facts(self.machine, slots)
+        self._side += self.calls.facts(self.machine.slots[slot], term)
         return term
 
     def _element_of(self, slot: ir.Slot) -> Variable | None:

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.analysis.skills import message_facts
+from rossmarie.analysis.quantities import quantity_facts
 from rossmarie.analysis.terms import Number, constant
 from rossmarie.driver.analyze import analyze_file
 from rossmarie.ir import Doing
@@ -38,7 +38,7 @@ def test_the_facts_hold_in_every_message(seed: int) -> None:
         slot: Number(z3.BoolVal(not math.isnan(found)), constant(_finite(found)))
         for slot, found in enumerate(answers)
     }
-    facts = message_facts(draft.machine(), numbers, lambda _: z3.BoolVal(True))
+    facts = list(quantity_facts(draft.machine(), numbers))
     assert z3.is_true(z3.simplify(z3.And(facts)))
 
 
