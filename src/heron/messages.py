@@ -7,12 +7,13 @@ from __future__ import annotations
 
 import math
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from rosbags.interfaces import Nodetype
-from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 from rosbags.typesys.stores import ros1_noetic
 
@@ -30,6 +31,7 @@ __all__ = [
     "WrenchStamped",
     "full_name",
     "imu",
+    "instant",
     "joint_state",
     "laser_scan",
     "message_class",
@@ -68,6 +70,7 @@ Message = Any
 Floats = NDArray[np.float64]
 Angles = tuple[float, float, float]
 """The first, the last, and the step between them (rad)."""
+_DEFINITIONS = Path(__file__).parent / "rules" / "msg"
 _ZEROS = {"bool": False, "string": "", "float32": 0.0, "float64": 0.0}
 
 
@@ -108,9 +111,13 @@ def full_name(name: str) -> str:
 
 
 @cache
-def store() -> Typestore:
-    """All types that are known."""
-    return get_typestore(Stores.ROS1_NOETIC)
+def store(kind: Stores = Stores.ROS1_NOETIC) -> Typestore:
+    """All types that are known: those of ROS, and those that Heron has a definition of."""
+    known = get_typestore(kind)
+    for path in sorted(_DEFINITIONS.glob("*/msg/*.msg")):
+        name = f"{path.parts[-3]}/msg/{path.stem}"
+        known.register(get_types_from_msg(path.read_text(encoding="utf-8"), name))
+    return known
 
 
 # --- makers ----------------------------------------------------------------------------------
@@ -173,7 +180,12 @@ def _pose(x: float, y: float, yaw: float) -> Message:
 
 
 def _header(at_ns: int, frame: str) -> Message:
-    return Header(0, Time(*divmod(at_ns, 1_000_000_000)), frame)
+    return Header(0, instant(at_ns), frame)
+
+
+def instant(at_ns: int) -> Message:
+    """A time stamp."""
+    return Time(*divmod(at_ns, 1_000_000_000))
 
 
 def quaternion_about_z(yaw: float) -> Message:

@@ -39,6 +39,7 @@ SCAN = Topic("/scan", type_name(messages.LaserScan))
 JOINT_STATES = Topic("/joint_states", type_name(messages.JointState))
 GRAVITY_FREE = Topic("/arm/gravity_free", type_name(messages.Bool))
 ARM_STOP = Topic("/arm/stop", type_name(messages.Bool))
+SKILL_CONTEXT = Topic("/skill_context", "skill_context_msgs/SkillContext")
 REPLAN = Topic("/navigation/replan", type_name(messages.Bool))
 
 NAVIGATE = "/navigate"

@@ -36,18 +36,19 @@ class SkillTask:
             Setting(
                 ready.library,
                 ready.world,
-                tell=lambda event: self._events.append((self._now_ns * 1e-9, event)),
+                tell=lambda event: self.events.append((self._now_ns * 1e-9, event)),
                 clock=lambda: self._now_ns * 1e-9,
                 expansions=Expansions(ready.trees),
             ),
         )
-        self._events: list[tuple[float, Event]] = []
+        self.events: list[tuple[float, Event]] = []
+        """What happened to its skills, with the instants (s)."""
         self.outcome = Outcome.RUNNING
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
         """The skills of the task, and what has become of them."""
-        return tree_over_time(self._task.root, self._events)
+        return tree_over_time(self._task.root, self.events)
 
     def go_on(self, carrier: Carrier, began_ns: int) -> None:
         """In another scene, which has a carrier and a time of its own."""
