@@ -1,5 +1,6 @@
 """The experiments of the thesis: each in several arms, on the same seeds, with measures."""
 
+from heron.experiments.contact import ContactEpisode, ContactMeasures, run_contact
 from heron.experiments.human import HumanEpisode, HumanMeasures, run_human
 from heron.experiments.measures import NavigationMeasures
 from heron.experiments.navigation import NavigationEpisode, run_navigation
@@ -14,6 +15,8 @@ __all__ = [
     "EXPERIMENTS",
     "STUDIES",
     "USUAL",
+    "ContactEpisode",
+    "ContactMeasures",
     "Episode",
     "Experiment",
     "HumanEpisode",
@@ -27,6 +30,7 @@ __all__ = [
     "PlacingMeasures",
     "Settings",
     "Study",
+    "run_contact",
     "run_human",
     "run_navigation",
     "run_placing",

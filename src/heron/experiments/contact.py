@@ -51,6 +51,7 @@ _OVER = 0.95  # m: the height of ways over the table
 _INTO_BOARD = np.array([0.0, -1.0, 0.0])
 _NEAR_MARK = 0.01  # m
 _TOUCHED = 1.0  # N on the forearm
+_LIGHT, _PERMITTED = 15.0, 30.0  # N, as in the rules
 _EXEMPT = "_doing_"
 _SETTLING_STEPS = 250
 _SEEDED = ("cell", "bystander", "force")
@@ -61,9 +62,10 @@ class ContactMeasures:
     """Times in s, forces in N, lengths in m.
 
     `peak_force` is the greatest on the hand, `peak_on_person` that on the forearm, and
-    `peak_in_jam` that on the hand while the box stands against what is fixed: None where there was
-    no such contact. `wiped` is the share of the stains that is gone, `exemptions` how often rules
-    let contact be because of a skill.
+    `peak_in_jam` that on the hand while the box stands against what is fixed; `time_on_person` is
+    how long it was above 15 N, `time_in_jam` how long above 30 N. They are None where there was no
+    such contact. `wiped` is the share of the stains that is gone, `exemptions` how often rules let
+    contact be because of a skill.
     """
 
     is_completed: bool
@@ -73,7 +75,9 @@ class ContactMeasures:
     wiped: float
     peak_force: float
     peak_on_person: float | None
+    time_on_person: float | None
     peak_in_jam: float | None
+    time_in_jam: float | None
     exemptions: int
     reactions: Mapping[str, float]
     time_restricted: float
@@ -137,7 +141,10 @@ def varied_cell(encounter: Encounter, generator: np.random.Generator) -> CellPar
     found = replace(
         usual,
         friction=float(generator.uniform(0.42, 0.5)),
-        box_place=(x + float(generator.uniform(-0.02, 0.02)), y + float(generator.uniform(0, 0.01))),
+        box_place=(
+            x + float(generator.uniform(-0.02, 0.02)),
+            y + float(generator.uniform(0, 0.01)),
+        ),
         way=float(generator.uniform(0.14, 0.17)),
         board_friction=float(generator.uniform(0.35, 0.42)),
     )
@@ -230,7 +237,9 @@ def _measured(cell: _Cell, found: CellParameters, trace: Trace) -> ContactMeasur
         wiped=wiped,
         peak_force=float(force.max()),
         peak_on_person=_peak(pressed, present["collision"]),
+        time_on_person=_time_above(_LIGHT, pressed, present["collision"]),
         peak_in_jam=_peak(force, present["jam"]),
+        time_in_jam=_time_above(_PERMITTED, force, present["jam"]),
         exemptions=sum(_EXEMPT in each.rule for each in cell.occurrences),
         reactions=_reactions(trace, present, cell.occurrences),
         time_restricted=time_of(trace.columns["is_restricted"] > 0),
@@ -240,6 +249,10 @@ def _measured(cell: _Cell, found: CellParameters, trace: Trace) -> ContactMeasur
 
 def _peak(values: Floats, flags: Flags) -> float | None:
     return float(values[flags].max()) if flags.any() else None
+
+
+def _time_above(limit: float, values: Floats, flags: Flags) -> float | None:
+    return time_of(flags & (values > limit)) if flags.any() else None
 
 
 def _reactions(

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any, Protocol
 
+from heron.experiments.contact import ContactEpisode, run_contact
 from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.observer import Observer
@@ -20,7 +21,7 @@ from heron.experiments.settings import Settings
 from heron.experiments.trace import Trace
 from heron.scene import BaseParameters
 from heron.tasks import Outcome, TreeSkill
-from heron.variants import ARMS, VARIANTS, Arm, Person, Table, Terrain
+from heron.variants import ARMS, VARIANTS, Arm, Encounter, Person, Table, Terrain
 
 
 class Measures(Protocol):
@@ -92,6 +93,7 @@ ARM_NAMES: Mapping[Arm, str] = {
     Arm.COLLISION_MONITOR: "collision monitor",
     Arm.DEROS: "DeROS",
     Arm.ROSSMARIE: "ROSSMARie",
+    Arm.SKILL_AWARE: "ROSSMARie with skills",
 }
 
 
@@ -199,6 +201,7 @@ WITHOUT_NEED = Measure(
     1,
     attrgetter("time_restricted_without_need"),
 )
+EXEMPTIONS = Measure("exemptions", "uses of exemptions", "", 0, attrgetter("exemptions"))
 _TASK = (COMPLETED, DURATION, INTERVENTIONS)
 _RESTRICTIONS = (
     Measure("restricted", "restricted", "s", 1, attrgetter("time_restricted")),
@@ -242,6 +245,15 @@ def _of_person(episode: HumanEpisode) -> str:
     return f"somebody {episode.person.value}"
 
 
+def _of_contact(episode: ContactEpisode) -> str:
+    return _ENCOUNTERS[episode.encounter]
+
+
+_ENCOUNTERS = {
+    Encounter.COLLISION: "a forearm in its way",
+    Encounter.JAMMED: "the box gets jammed",
+    Encounter.MEANT: "all contact is meant",
+}
 _ON_BUMP = ("peak_front", "peak_drive", "peak_rear")
 _OVER_TORQUE = "time_over_torque"
 _USUAL_TORQUE = BaseParameters().torque
@@ -373,4 +385,51 @@ HUMAN = Experiment(
     opening=("close", 2.0),
 )
 
-EXPERIMENTS: Mapping[str, Experiment] = {one.name: one for one in (NAVIGATION, PLACING, HUMAN)}
+CONTACT = Experiment(
+    name="contact",
+    title="IV, contact that is meant",
+    about=(
+        "The arm pushes a box to a mark, and wipes a board. Both need more force than it may have "
+        "elsewhere. In between, somebody reaches over the table."
+    ),
+    run=run_contact,
+    describe=_of_contact,
+    own_measures=(
+        Measure("pushed", "box pushed", "m", 2, attrgetter("pushed")),
+        Measure("wiped", "board wiped", "%", 0, lambda measures: 100 * measures.wiped),
+        Measure("peak_force", "peak force on the hand", "N", 0, attrgetter("peak_force")),
+        Measure(
+            "peak_on_person", "peak force on the forearm", "N", 0, attrgetter("peak_on_person")
+        ),
+        Measure(
+            "time_on_person",
+            "forearm pressed with more than 15 N",
+            "s",
+            2,
+            attrgetter("time_on_person"),
+        ),
+        Measure("peak_in_jam", "peak force in the jam", "N", 0, attrgetter("peak_in_jam")),
+        Measure("time_in_jam", "above 30 N in the jam", "s", 2, attrgetter("time_in_jam")),
+        EXEMPTIONS,
+    ),
+    hazards={"collision": "forearm touched", "jam": "box jammed"},
+    harms={
+        Encounter.COLLISION: ("peak_on_person", "time_on_person"),
+        Encounter.JAMMED: ("peak_in_jam", "time_in_jam"),
+        Encounter.MEANT: (),
+    },
+    gains={},
+    acts_within={Encounter.COLLISION: {"collision": 0.1}, Encounter.JAMMED: {"jam": 0.3}},
+    signals=(
+        Signal("force", "force on the hand", "N", 1.0, 15.0, "force"),
+        Signal("pressed", "force on the forearm", "N"),
+        Signal("pushed", "box pushed", "cm", 100.0),
+        Signal("wiped", "board wiped", "%", 100.0),
+    ),
+    cameras=(Camera("table", distance=1.65, azimuth=211.0, elevation=-19.0, above=0.2),),
+    opening=("collision", 0.1),
+)
+
+EXPERIMENTS: Mapping[str, Experiment] = {
+    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT)
+}
