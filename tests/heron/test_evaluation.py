@@ -29,7 +29,8 @@ from heron.evaluation import (
     sources,
     write_page,
 )
-from heron.evaluation.claims import Verdict, claims_of
+from heron.evaluation.claim import Verdict
+from heron.evaluation.claims import claims_of
 from heron.evaluation.sample import samples_of
 from heron.evaluation.statistics import compare, median, share
 from heron.evaluation.study_section import slope_torque

@@ -25,6 +25,7 @@ _COLORS = {
     Arm.COLLISION_MONITOR: "#2e7d4f",
     Arm.DEROS: "#d1690f",
     Arm.ROSSMARIE: "#1f6fb4",
+    Arm.SKILL_AWARE: "#7d4fb0",
 }
 _MARKERS = "os^Dv"
 _WIDTH, _HEIGHT = 2.5, 2.3
@@ -95,7 +96,8 @@ def _draw(axes: Axes, sample: Sample, measure: Measure) -> None:
         axes.plot(
             place + np.asarray(spread), values, "o", color=_COLORS[arm], markersize=2.5, alpha=0.6
         )
-        axes.hlines(float(np.median(values)), place - 0.35, place + 0.35, color=_COLORS[arm])
+        if values:
+            axes.hlines(float(np.median(values)), place - 0.35, place + 0.35, color=_COLORS[arm])
     title = textwrap.fill(f"{measure.label} ({measure.unit})", _LETTERS)
     axes.set_title(title, fontsize=8)
     names = [ARM_NAMES[arm].replace(" ", "\n") for arm in sample.arms]
