@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Label
+from dslkit.source import SourceFile
 from rossmarie.check.actions.commands import CommandChecker
 from rossmarie.check.actions.effects import EffectChecker
 from rossmarie.check.actions.targets import Targets
@@ -29,6 +30,7 @@ from rossmarie.check.names.unused import warn_of_unused
 from rossmarie.check.operations.operands import duration_ns, require_condition, require_constant
 from rossmarie.check.rules.categories import check_categories
 from rossmarie.check.rules.errors import MissingTimeout
+from rossmarie.check.rules.exemptions import check_exemptions
 from rossmarie.check.rules.feedback import check_feedback
 from rossmarie.check.rules.hazards import declared_hazards
 from rossmarie.check.rules.last_resorts import check_last_resorts
@@ -44,7 +46,9 @@ from rossmarie.check.rules.unless import giving_way
 from rossmarie.check.scopes.context import Context, Uses
 from rossmarie.check.scopes.declarations import collect
 from rossmarie.check.scopes.errors import CircularCondition, CircularConstant
+from rossmarie.check.scopes.exemptions import is_of_exempted
 from rossmarie.check.scopes.trees import constant_of
+from rossmarie.check.skills.file import read_skills
 from rossmarie.check.system.field_units import check_read_units
 from rossmarie.check.system.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.system.message_rates import message_gaps
@@ -89,6 +93,7 @@ def check(
     context = Context(collector, declarations)
     model = read_system_model(declarations, options.message_folders, context.suggestions, collector)
     context.messages = model.messages
+    read_skills(context)
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)
@@ -114,8 +119,12 @@ def check(
         _program(actions, hazards, gaps, tests, context),
         feedback=feedback,
         categories=categories,
-        message_files=model.messages.read_files,
+        read_files=(*model.messages.read_files, *_skill_files(context)),
     )
+
+
+def _skill_files(context: Context) -> tuple[SourceFile, ...]:
+    return () if context.skills is None else (context.skills.source,)
 
 
 def _check_constants(context: Context) -> None:
@@ -177,9 +186,14 @@ def _check_condition(expression: ast.Expression, context: Context) -> None:
 
 
 def _check_rule(rule: ast.Rule, context: Context) -> tuple[Label, Uses]:
-    """Check a rule; give its place, and what it rests on."""
+    """Check a rule; give its place, and what it rests on. What an exemption has of the exempted
+    rule is checked there.
+    """
     uses = context.enter(None)
-    _check_condition(rule.condition, context)
+    if not is_of_exempted(rule):
+        _check_condition(rule.condition, context)
+    if rule.made_from is None:
+        check_exemptions(rule, context)
     use_actions(rule, context)
     for contract in rule.contracts:
         if isinstance(contract, ast.ClearWhen):
@@ -254,6 +268,8 @@ def _program(
         unless=found.unless,
         hazards=hazards,
         gaps=gaps,
+        skills=context.skills,
+        doing=context.doing,
         tests=tests,
         priorities=found.priorities,
     )

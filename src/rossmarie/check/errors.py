@@ -11,12 +11,14 @@ from rossmarie.check.operations import errors as operation_errors
 from rossmarie.check.operations import function_errors, list_errors, range_errors
 from rossmarie.check.rules import errors as rule_errors
 from rossmarie.check.scopes import errors as scope_errors
+from rossmarie.check.skills import errors as skill_errors
 from rossmarie.check.system import errors as system_errors
 from rossmarie.check.tests import errors as test_errors
 from rossmarie.check.units import errors as unit_errors
 
 _DECLARED: tuple[type[Template], ...] = (
     *scope_errors.ALL,
+    *skill_errors.ALL,
     *unit_errors.ALL,
     *name_errors.ALL,
     *operation_errors.ALL,

@@ -8,12 +8,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path as FilePath
 
-from dslkit.source import SourceFile
+from dslkit.source import SourceFile, Span
 from rossmarie.check.effects import CheckedEffect
+from rossmarie.ir import Path, Quantity
 from rossmarie.ir.filing import Category, LeftOut
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
+from rossmarie.skills import Closure, Place, SkillFile, span_at
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.types import Type
@@ -45,7 +49,8 @@ class CheckedInput:
 
     `topic` is the full name (`/imu/data`), `message_type` is `sensor_msgs/Imu`, `path` leads to the
     selected field (empty: the whole message; the `data` of a std_msgs message is part of it).
-    `most` is the number of elements that lists of the message may have.
+    `most` is the number of elements that lists of the message may have. A number of a skill has a
+    `question` instead of a path.
     """
 
     declaration: ast.Input
@@ -55,6 +60,58 @@ class CheckedInput:
     type: Type
     timeout_ns: int | None
     most: int | None = None
+    question: Quantity | None = None
+
+    @property
+    def base(self) -> Path:
+        """The way from the message to what the input selects."""
+        return self.path if self.question is None else (self.question,)
+
+
+PERIODS_OF_TIMEOUT = 5
+"""How many periods of the context are missed until it is lost, where the rules say no time."""
+
+
+@dataclass(frozen=True)
+class CheckedDoing:
+    """A question to the skills that run, closed: `skills` and the classes of each of `arguments`
+    hold all that are derived, sorted. `text` is how it is written; `permits` are the permissions
+    of the skill, in words.
+    """
+
+    skills: tuple[str, ...]
+    arguments: tuple[tuple[str, tuple[str, ...]], ...]
+    text: str
+    permits: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class CheckedSkills:
+    """The file of skills of a program. `timeout_ns` is that of its context."""
+
+    file: SkillFile
+    source: SourceFile
+    declaration: ast.Skills
+    timeout_ns: int
+
+    @property
+    def folder(self) -> FilePath:
+        """The folder of the file, to which its places are relative."""
+        return FilePath(self.source.path).parent
+
+    @cached_property
+    def classes(self) -> Closure:
+        """The classes, and those derived from them."""
+        return Closure({name: each.parents for name, each in self.file.classes.items()})
+
+    @cached_property
+    def skills(self) -> Closure:
+        """The skills, and those derived from them."""
+        return Closure({name: each.parents for name, each in self.file.skills.items()})
+
+    def span_at(self, place: Place | None) -> Span | None:
+        """A place in the skills, if it can be shown."""
+        return span_at(place, self.folder)
 
 
 @dataclass(frozen=True)
@@ -87,8 +144,9 @@ class CheckedProgram:
     were put in an order, `unless` of each rule those that it gives way to. `effects` are those of
     each action, `commands` the topics that may pass through the safety filter; `gaps` are those of
     topics whose rate is declared; `feedback` and `categories` are
-    those of each rule, `left_out` what a selection does not hold. `message_files` are the
-    definitions of messages that were read, those that come with this program left out.
+    those of each rule, `left_out` what a selection does not hold. `read_files` are the definitions
+    of messages that were read, those that come with this program left out, and the file of skills.
+    `doing` holds what each question to the skills asks.
     """
 
     name: str
@@ -103,8 +161,10 @@ class CheckedProgram:
     unless: tuple[tuple[int, ...], ...]
     hazards: Mapping[str, ast.Hazard]
     gaps: Mapping[str, Gaps]
+    skills: CheckedSkills | None
+    doing: NodeMap[CheckedDoing]
     feedback: tuple[CheckedFeedback, ...] = ()
     categories: tuple[tuple[Category, ...], ...] = ()
     left_out: LeftOut | None = None
-    message_files: tuple[SourceFile, ...] = ()
+    read_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

@@ -16,6 +16,7 @@ from rossmarie.check import CheckedProgram, CheckOptions, check, select
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
 from rossmarie.ir import Category, Machine, verify, without_margins
+from rossmarie.ir import Path as FieldPath
 from rossmarie.ir.script import Script
 from rossmarie.lowering import lower
 from rossmarie.syntax import ast, parse
@@ -79,7 +80,7 @@ class Compiled:
     warnings: tuple[Diagnostic, ...]
     message_folders: tuple[Path, ...]
     tests: tuple[Script, ...]
-    bases: Mapping[str, tuple[str, ...]]
+    bases: Mapping[str, FieldPath]
     sources: tuple[SourceFile, ...]
 
 
@@ -109,7 +110,7 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     if refused := tuple(unsupported(machine)):
         raise RulesError((*result.diagnostics, *refused))
     folders = (*message_folders, *_declared_folders(result.modules))
-    bases = {name: used.path for name, used in result.program.symbols.inputs.items()}
+    bases = {name: used.base for name, used in result.program.symbols.inputs.items()}
     files = (module.file for module in result.modules)
     return Compiled(
         machine=without_margins(machine),
@@ -118,7 +119,7 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
         message_folders=folders,
         tests=result.program.tests,
         bases=bases,
-        sources=(*result.program.message_files, *files),
+        sources=(*result.program.read_files, *files),
     )
 
 

@@ -329,6 +329,18 @@ class Truth:
 
 
 @dataclass(frozen=True)
+class Exemption:
+    """A rule that is active while another one is not applied: `rule` is the number of that one,
+    `doing` the skill that runs meanwhile, as in `doing Push(Object: Fragile)`, and `permits` what
+    the description of the skill permits, in words.
+    """
+
+    rule: int
+    doing: str
+    permits: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Rule:
     """Active from when `condition` is true (or unknown for lack of an input with a timeout) until
     `condition` is false and `release` is true. A latched rule (`release` is None) waits for a
@@ -337,7 +349,9 @@ class Rule:
     `head` is where it is pointed at, its name or else its condition. `contract` says in words what
     clears it. `terms` are the truths, and `signals` the signals that are not constant, whose state
     a verdict carries; `inputs` are the inputs it rests on, `hazards` those it mitigates.
-    `categories` are what it is filed under; no monitor heeds them, nor `feedback`.
+    `categories` are what it is filed under; no monitor heeds them, nor `feedback`. One that holds
+    `always` has no exemptions, and an operator can grant none. `exempts` is the exemption that it
+    stands for; no monitor heeds that either.
     """
 
     name: str
@@ -354,6 +368,8 @@ class Rule:
     hazards: tuple[int, ...] = ()
     feedback: Feedback = NO_FEEDBACK
     categories: tuple[Category, ...] = ()
+    always: bool = False
+    exempts: Exemption | None = None
 
     @property
     def roots(self) -> tuple[int, ...]:

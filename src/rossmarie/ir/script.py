@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 from dslkit.source import Span
 from rossmarie.ir.path import Path
+from rossmarie.ir.skills import RunningSkill
 
 SettingValue = float | bool | str | tuple[float | bool, ...] | None
 """In SI; a tuple is a whole array, None is unknown."""
@@ -34,9 +35,21 @@ class Setting:
 
 
 @dataclass(frozen=True)
+class Running:
+    """The skills that run, and no others, from this message on `topic` on; `text` is how a test
+    says so.
+    """
+
+    topic: str
+    skills: tuple[RunningSkill, ...]
+    text: str = field(compare=False)
+
+
+@dataclass(frozen=True)
 class ScriptedArrival:
     """A message on each of `topics`, which the user named by `inputs`, at `first_ns`, and with a
-    period again and again up to and including `last_ns`.
+    period again and again up to and including `last_ns`. `running` says which skills the one of
+    them tells of that tells of skills; None if they are those of before.
     """
 
     first_ns: int
@@ -45,6 +58,7 @@ class ScriptedArrival:
     inputs: tuple[str, ...]
     topics: tuple[str, ...]
     settings: tuple[Setting, ...]
+    running: Running | None = None
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ class Numbers:
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Index() | ast.Edges() | ast.Oscillates() | ast.Membership() | ast.Held()
                 | ast.Since()
-                | ast.Once() | ast.Response() | ast.Broken()
+                | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
             ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
 
@@ -144,7 +144,7 @@ class Numbers:
                 return self._elements[name.text]
             case ast.Reference(name=name):
                 used = self._program.symbols.inputs.get(name.text)
-                return None if used is None else Place(used, part_at(used.path, used.type))
+                return None if used is None else Place(used, part_at(used.base, used.type))
             case ast.Member(value=value, member=member):
                 place = self.place(value)
                 return None if place is None else place.field(member.text, self.type_of(node))
@@ -155,7 +155,7 @@ class Numbers:
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
                 | ast.Edges() | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary()
                 | ast.Membership() | ast.Held() | ast.Since() | ast.Once() | ast.Response()
-                | ast.Broken()
+                | ast.Doing() | ast.Broken()
             ):  # fmt: skip
                 return None
 

@@ -17,6 +17,7 @@ from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.lowering.numbers import Numbers
 from rossmarie.lowering.references import conditions_in, referred_condition
+from rossmarie.lowering.skills import Skills
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
 from rossmarie.types import Box, Text
@@ -33,12 +34,13 @@ _COMPARISONS = {
 
 
 class Truths:
-    """Lowers conditions of one program."""
+    """Lowers conditions of one program. `skills` lowers what they ask of skills."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
         self._program = program
         self._inputs = inputs
         self._nodes = nodes
+        self.skills = Skills(program, inputs, nodes)
         self._numbers = Numbers(program, inputs, nodes, self._element)
         self._conditions: dict[ConditionKey, int] = {}
         self._is_inside = False
@@ -109,10 +111,8 @@ class Truths:
                 return self._membership(node)
             case (ast.Held() | ast.Since() | ast.Once() | ast.Response()) as over_time:
                 return self._over_time(over_time, entity)
-            case ast.Oscillates():
-                return self._oscillates(node)
-            case ast.Call() | ast.ListFold():
-                return self._call(node)
+            case ast.Oscillates() | ast.Doing() | ast.Call() | ast.ListFold():
+                return self._question(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Member() | ast.Index() | ast.Edges() | ast.Broken()
@@ -293,6 +293,11 @@ class Truths:
             swing=swing,
         )
         return self._nodes.leaf(oscillates, _shown(node))
+
+    def _question(self, node: ast.Oscillates | ast.Doing | ast.Call | ast.ListFold) -> int:
+        if isinstance(node, ast.Doing):
+            return self.skills.asked(node)
+        return self._oscillates(node) if isinstance(node, ast.Oscillates) else self._call(node)
 
     def _call(self, node: ast.Call | ast.ListFold) -> int:
         if isinstance(node, ast.Call) and node.function.text == "changed":

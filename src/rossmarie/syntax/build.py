@@ -33,6 +33,21 @@ class Unless(NamedTuple):
     span: Span
 
 
+class Scope(NamedTuple):
+    """The skills behind `while`."""
+
+    skills: tuple[ast.Doing, ...]
+    span: Span
+
+
+class _Guarded(NamedTuple):
+    """`if CONDITION then { STEP; ... }` behind the `then` of an exemption."""
+
+    condition: ast.Expression
+    steps: tuple[ast.Step, ...]
+    span: Span
+
+
 class Categorized(NamedTuple):
     """The word behind `category`, or behind `task`."""
 
@@ -119,6 +134,22 @@ class Builder(TestBuilder):
         texts = tuple(self.text([part]) for part in parts[2:-1:2])
         return ast.ElementNames(texts, self._span(parts))
 
+    def quantity_input(self, parts: list[Any]) -> ast.Input:
+        """`input NAME = doing SKILL.PARAMETER.PROPERTY in UNIT`."""
+        steps, index = self._path(parts, 5)
+        skill = self.name(parts[4])
+        number = ast.SkillNumber(skill, steps, skill.span.to(steps[-1].span))
+        unit = self._unit(parts[index + 1]) if _is(parts, index, "in") else None
+        documentation, span = self._documentation(parts), self._span(parts)
+        behind = None, unit, None, documentation, span
+        topic = ast.Name("", number.span)
+        return ast.Input(self.name(parts[1]), topic, None, (), *behind, number=number)
+
+    def skills(self, parts: list[Any]) -> ast.Skills:
+        """`skills "skills.json" timeout DURATION`."""
+        timeout = parts[3] if len(parts) > 3 else None
+        return ast.Skills(self.text(parts[1:2]), timeout, self._span(parts))
+
     def entity(self, parts: list[Any]) -> ast.Entity:
         """`entity NAME { CONDITION; ... }`."""
         conditions = tuple(part for part in parts if isinstance(part, ast.Condition))
@@ -131,21 +162,50 @@ class Builder(TestBuilder):
         return ast.Condition(self.name(parts[0]), parts[2], documentation, self._span(parts))
 
     def rule(self, parts: list[Any]) -> ast.Rule:
-        """`rule NAME: if CONDITION then { STEP; ... } CONTRACT`."""
-        is_named = _is(parts, 2, ":")
-        name = self.name(parts[1]) if is_named else None
-        condition, *rest = parts[4 if is_named else 1 :]
+        """`rule NAME: always if CONDITION while SKILLS unless RULES then { STEP; } CONTRACT`; all
+        but the condition and the steps may be missing.
+        """
+        name = self.name(parts[1]) if _is(parts, 2, ":") else None
+        place = 0 if name is None else 3
+        always = self._at(parts[place]) if _is(parts, place, "always") else None
+        condition, *rest = parts[place + (1 if always is None else 2) :]
+        scope = rest.pop(0).skills if isinstance(rest[0], Scope) else ()
         unless = rest.pop(0).rules if isinstance(rest[0], Unless) else ()
-        _, steps, *contracts = rest
-        is_linked = bool(contracts) and isinstance(contracts[-1], Mitigates)
-        mitigates = contracts.pop().hazards if is_linked else ()
-        is_taught = bool(contracts) and isinstance(contracts[-1], Learned)
-        feedback = contracts.pop().amounts if is_taught else ()
-        sorts = [part for part in contracts if isinstance(part, Categorized)]
-        del contracts[len(contracts) - len(sorts) :]
-        filed = _word(sorts, is_task=False), _word(sorts, is_task=True)
-        ends = *filed, feedback, mitigates, self._documentation(parts), self._span(parts)
-        return ast.Rule(name, condition, unless, steps.steps, tuple(contracts), *ends)
+        _, steps, *behind = rest
+        sorts = [part for part in behind if isinstance(part, Categorized)]
+        return ast.Rule(
+            name=name,
+            condition=condition,
+            unless=unless,
+            steps=steps.steps,
+            contracts=tuple(part for part in behind if isinstance(part, ast.ResumeContract)),
+            category=_word(sorts, is_task=False),
+            task=_word(sorts, is_task=True),
+            feedback=tuple(e for part in behind if isinstance(part, Learned) for e in part.amounts),
+            mitigates=tuple(
+                e for part in behind if isinstance(part, Mitigates) for e in part.hazards
+            ),
+            documentation=self._documentation(parts),
+            span=self._span(parts),
+            always=always,
+            scope=scope,
+            exemptions=tuple(part for part in behind if isinstance(part, ast.Exemption)),
+        )
+
+    def scope(self, parts: list[Any]) -> Scope:
+        """`while doing SKILL, doing SKILL`."""
+        return Scope(tuple(parts[1::2]), self._span(parts))
+
+    def exemption(self, parts: list[Any]) -> ast.Exemption:
+        """`unless doing SKILL then if CONDITION then { STEP; ... }`."""
+        instead = parts[3] if len(parts) > 3 else None
+        condition = instead.condition if isinstance(instead, _Guarded) else None
+        steps = None if instead is None else instead.steps
+        return ast.Exemption(parts[1], condition, steps, self._span(parts))
+
+    def guarded(self, parts: list[Any]) -> _Guarded:
+        """`if CONDITION then { STEP; ... }`."""
+        return _Guarded(parts[1], parts[3].steps, self._span(parts))
 
     def unless(self, parts: list[Any]) -> Unless:
         """`unless RULE, RULE`."""

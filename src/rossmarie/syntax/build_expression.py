@@ -97,6 +97,19 @@ class ExpressionBuilder:
         """`after a, b within 4 sec`."""
         return ast.Response(parts[1], parts[3], parts[5], self._span(parts))
 
+    def doing(self, parts: list[Any]) -> ast.Doing:
+        """`doing SKILL(PARAMETER: CLASS, ...)`."""
+        arguments = tuple(part for part in parts if isinstance(part, ast.SkillArgument))
+        return ast.Doing(self.name(parts[1]), arguments, self._span(parts))
+
+    def skill_argument(self, parts: list[Any]) -> ast.SkillArgument:
+        """`PARAMETER: CLASS`."""
+        return ast.SkillArgument(self.name(parts[0]), parts[2], self._span(parts))
+
+    def class_name(self, parts: list[Any]) -> ast.Name:
+        """`Fragile`, `skiros.Fragile`."""
+        return ast.Name("".join(part.text for part in parts), self._span(parts))
+
     def not_in(self, parts: list[Any]) -> _Comparator:
         """`not in`."""
         self._spelling(parts[0].text, self._at(parts[0]))

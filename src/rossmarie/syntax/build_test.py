@@ -87,5 +87,5 @@ def _stretch(parts: list[Any]) -> ast.Stretch:
     return ast.Stretch(parts[1], parts[3], parts[2].text == "until")
 
 
-def _settings(parts: list[Any]) -> tuple[ast.Setting, ...]:
-    return tuple(part for part in parts if isinstance(part, ast.Setting))
+def _settings(parts: list[Any]) -> tuple[ast.Setting | ast.Doing, ...]:
+    return tuple(part for part in parts if isinstance(part, ast.Setting | ast.Doing))

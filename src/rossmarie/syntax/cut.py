@@ -24,7 +24,7 @@ from rossmarie.syntax.words import (
 
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
-    {"when", "until", "timeout", "then", "clear", "latched", "unless"}
+    {"when", "until", "timeout", "then", "clear", "latched", "unless", "while", "always"}
     | {"category", "task", "feedback", "mitigates"}
 )
 _JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
@@ -77,7 +77,7 @@ class _Cutter:
         if self._tokens[first].text == "}":
             return first + 1
         depth = int(self._brace_is_missing(first, kind))
-        awaits_if = word == "rule"
+        awaits_if = word in ("rule", "always")
         for index in range(first + 1, len(self._tokens)):
             text = self._tokens[index].text
             if text == "if" and awaits_if:
@@ -115,8 +115,10 @@ class _Cutter:
         before = self._tokens[index - 1]
         if token.text == "hazard":
             return self._is_word(index + 1) and self._is_kind(index + 2, "text")
+        if token.text == "always":
+            return self._text(index + 1) == "if" and before.text != ":"
         if token.text in CONTEXTUAL_ITEM_WORDS:
-            if token.text == "test":
+            if token.text in ("test", "skills"):
                 is_apart = depth == 0 or self._source.begins_line(index)
                 return is_apart and self._is_kind(index + 1, "text")
             return self._is_word(index + 1) and self._text(index + 2) == "over"
@@ -128,9 +130,19 @@ class _Cutter:
             if self._text(index + 1) in _BEHIND_NAME:
                 return False
             return self._source.begins_line(index) or before.text in (";", "}")
+        if token.text == "if" and before.text == "then":
+            return self._source.begins_line(index) and not self._is_exempting(index)
         is_head = before.text in ITEM_WORDS and before.text != "if"
         is_name = is_head and not self._is_field(index - 1)
         return self._source.begins_line(index) or (self._ends_item(index - 1) and not is_name)
+
+    def _is_exempting(self, index: int) -> bool:
+        """Say whether the `then` in front of a token belongs to an `unless doing SKILL`."""
+        before = (token.text for token in reversed(self._tokens[: index - 1]))
+        return (
+            next((text for text in before if text in (*ITEM_WORDS, "then", "unless")), "")
+            == "unless"
+        )
 
     def _begins_unknown(self, first: int, index: int, kind: str | None) -> bool:
         """Say whether a word that begins no item is meant to: a line such as `entitty imu {`."""

@@ -23,6 +23,7 @@ _PARTNER = {"(": ")", "[": "]", "{": "}", ")": "(", "]": "[", "}": "{"}
 _SIGNS = frozenset("{}()[]:;,.=<>!+-*/&|%°^≤≥≠")
 _VALUE = "$NUMBER"
 _NAMES_AT_LEAST = 5  # tokens of an input, in front of which no names of elements stand
+_ARRIVES_AT = 3  # the place of `topic` in an input
 _THEN = re.compile(r"\s+then\s*\{")
 _ADVICE = {
     "#": "write comments as `// ...`",
@@ -189,6 +190,10 @@ class _Case:
         self._form = FORMS[kind]
         if "$TYPE_NAME" in failure.expected:
             self._form = "a message type is written `PACKAGE/TYPE`, such as `sensor_msgs/Imu`"
+        elif kind == "input" and self._text_at(_ARRIVES_AT) == "doing":
+            self._form = FORMS["skill_number"]
+        elif kind == "unless" and self._text_at(1) == "doing":
+            self._form = FORMS["exemption"]
         elif kind == "input" and self._is_at_names():
             self._form = FORMS["element_names"]
         elif failure.expected == {_VALUE}:
@@ -214,6 +219,11 @@ class _Case:
         """Say whether names of elements stand in an input up to here."""
         around = self._tokens[self._first + _NAMES_AT_LEAST : min(self._index + 1, self._last)]
         return any(token.text in ("names", "[") for token in around)
+
+    def _text_at(self, place: int) -> str:
+        """The token at a place in the stretch."""
+        index = self._first + place
+        return self._tokens[index].text if index < self._last else ""
 
     @property
     def _found(self) -> Token:

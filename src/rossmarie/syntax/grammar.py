@@ -18,7 +18,7 @@ from rossmarie.cache import kept
 from rossmarie.syntax import tables
 from rossmarie.syntax.scan import Scan, Token
 from rossmarie.syntax.tables import Node, Parser, Tables, make_tables, read_tables
-from rossmarie.syntax.temporal import PREFIXES, is_operator
+from rossmarie.syntax.temporal import PREFIXES, is_operator, names_skill
 from rossmarie.syntax.words import (
     COMPARISONS,
     EFFECT_WORDS,
@@ -32,6 +32,7 @@ START_RULES = (
     "import_item",
     "system",
     "action",
+    "skills",
     "constant",
     "input",
     "entity",
@@ -40,7 +41,9 @@ START_RULES = (
     "hazard",
     "condition",
     "expression",
+    "scope",
     "unless",
+    "exemption",
     "category",
     "task",
     "feedback",
@@ -154,8 +157,7 @@ class Recognizer:
         """
         token = self._tokens[index]
         kind, text = token.kind, token.text
-        is_name = text in PREFIXES and "$NAME" in fitting and not is_operator(self._tokens, index)
-        if text in fitting and not is_name:
+        if text in fitting and not ("$NAME" in fitting and self._is_name(index)):
             return text, token, index + 1
         if kind == "number":
             return "$NUMBER", token, index + 1
@@ -170,6 +172,13 @@ class Recognizer:
         if text in "%°" and "$UNIT_NAME" in fitting:
             return self._join("$UNIT_NAME", index)
         return _LOGIC.get(text, text), token, index + 1
+
+    def _is_name(self, index: int) -> bool:
+        """Say whether a word that may be an operator here is the name of something."""
+        text = self._tokens[index].text
+        if text == "doing":
+            return not names_skill(self._tokens, index)
+        return text in PREFIXES and not is_operator(self._tokens, index)
 
     def _classify_word(
         self, index: int, token: Token, fitting: Collection[str]

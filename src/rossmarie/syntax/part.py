@@ -18,7 +18,16 @@ from rossmarie.syntax.limits import MAXIMUM_DEPTH, MAXIMUM_LENGTH, MAXIMUM_NESTI
 from rossmarie.syntax.scan import Scan
 from rossmarie.syntax.walk import depth, expressions
 
-_ITEMS = (ast.Action, ast.Constant, ast.Input, ast.Entity, ast.Condition, ast.Rule, ast.Test)
+_ITEMS = (
+    ast.Action,
+    ast.Constant,
+    ast.Input,
+    ast.Entity,
+    ast.Condition,
+    ast.Rule,
+    ast.Skills,
+    ast.Test,
+)
 _NODES = (*_ITEMS, *ast.Effect.__args__, *ast.Statement.__args__)
 
 

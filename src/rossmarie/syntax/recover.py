@@ -61,6 +61,8 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
     span = source.span(source.tokens[item.first], source.tokens[item.last - 1])
     if item.kind == "import_item":
         return _recover_import(part, item)
+    if item.kind == "skills":
+        return None
     name = name_of(part, item)
     if name is None:
         return None

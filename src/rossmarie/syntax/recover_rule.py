@@ -43,8 +43,10 @@ class _Recovery:
         """The rule; `head` is its first word."""
         self._index += 1
         name = self._name() if head == "rule" else None
+        self._index += head == "always" and self._text() == "if"
         condition, unless = self._condition()
         steps = self._steps()
+        exemptions = self._exemptions()
         contracts = self._contracts()
         category, task = self._filed("category"), self._filed("task")
         feedback = self._feedback()
@@ -52,7 +54,7 @@ class _Recovery:
         span = self._source.span(self._tokens[self._first], self._tokens[self._last - 1])
         documentation = self._source.documentation.get(span.start)
         ends = category, task, feedback, mitigates, documentation, span
-        return ast.Rule(name, condition, unless, steps, contracts, *ends)
+        return ast.Rule(name, condition, unless, steps, contracts, *ends, exemptions=exemptions)
 
     def _text(self, offset: int = 0) -> str:
         index = self._index + offset
@@ -73,6 +75,7 @@ class _Recovery:
             behind = self._tokens[self._index - 1]
             self._part.findings.add(missing.at(self._source.span(behind)))
         for sign, insertion in ((":", ":"), ("if", " if")):
+            self._index += (sign, self._text()) == ("if", "always")
             if self._text() == sign:
                 self._index += 1
             elif name is not None:
@@ -82,7 +85,9 @@ class _Recovery:
         return name
 
     def _condition(self) -> tuple[ast.Expression, tuple[ast.Name, ...]]:
-        """Up to `then`, with the rules behind `unless`; without `then` up to the brace."""
+        """Up to `then`, with the rules behind `unless`; without `then` up to the brace. The skills
+        behind `while` are read for what is wrong with them.
+        """
         first = self._index
         end = self._next(first, ("then", "{"))
         has_then = end < self._last and self._tokens[end].text == "then"
@@ -91,7 +96,10 @@ class _Recovery:
             self._report_missing_then(self._source.span(self._tokens[end - 1]))
         between = min(self._next(first, ("unless",)), end)
         others = self._part.parse("unless", between, end) if between < end else None
-        condition = self._expression(first, between)
+        scope = min(self._next(first, ("while",)), between)
+        if scope < between:
+            self._part.parse("scope", scope, between)
+        condition = self._expression(first, scope)
         return condition, () if others is None else others.rules
 
     def _next(self, first: int, words: tuple[str, ...]) -> int:
@@ -195,6 +203,21 @@ class _Recovery:
         token = self._tokens[self._index]
         self._index += 1
         return ast.Name(token.text, self._source.span(token))
+
+    def _exemptions(self) -> tuple[ast.Exemption, ...]:
+        """`unless doing SKILL then { ... }`, as many as there are."""
+        found = []
+        while self._goes_on() and self._text() == "unless":
+            first = self._index
+            self._index += 1
+            while self._index < self._last and not (
+                self._begins_contract() or self._text() == "unless"
+            ):
+                self._index += 1
+            exemption = self._part.parse("exemption", first, self._index)
+            if exemption is not None:
+                found.append(exemption)
+        return tuple(found)
 
     def _contracts(self) -> tuple[ast.ResumeContract, ...]:
         """`clear when ...` and so on, up to the end of the rule."""

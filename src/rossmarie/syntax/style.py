@@ -67,7 +67,9 @@ class Style:
             case ast.Test(statements=statements):
                 for statement in statements:
                     self._statement(statement)
-            case ast.Import() | ast.Constant() | ast.Priority() | ast.Hazard():
+            case (
+                ast.Import() | ast.Skills() | ast.Constant() | ast.Priority() | ast.Hazard()
+            ):  # fmt: skip
                 pass
 
     def _word(self, *words: ast.Name | ast.Unit | None) -> None:
@@ -136,7 +138,8 @@ class Style:
         settings = statement.settings if isinstance(statement, ast.Arrival) else ()
         for setting in settings:
             self.breaks[setting.span.start] = _PART
-            self._index_sticks(setting.path)
+            if isinstance(setting, ast.Setting):
+                self._index_sticks(setting.path)
 
     def _index_sticks(self, path: ast.FieldPath) -> None:
         self.tight_behind.update(
@@ -158,13 +161,13 @@ class Style:
             self.tight.add(self._start(rule.name.span.end))
         self._operators(rule.condition)
         self.breaks[self._start(rule.condition.span.end)] = _PART
+        if rule.scope:
+            self.breaks[self._start(rule.scope[-1].span.end)] = _PART
         if rule.unless:
             self.breaks[self._start(rule.unless[-1].span.end)] = _PART
-        for step in rule.steps:
-            self.breaks[step.span.start] = _ACTION
-        if rule.steps:
-            semicolon = self.index(rule.steps[-1].span.end)
-            self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
+        self._steps(rule.steps)
+        for exemption in rule.exemptions:
+            self._exemption(exemption)
         for name in (rule.category, rule.task):
             if name is not None:
                 word = self.index(name.span.start) - 1
@@ -179,6 +182,21 @@ class Style:
             self.breaks[contract.span.start] = _PART
             if isinstance(contract, ast.ClearWhen):
                 self._operators(contract.condition)
+
+    def _exemption(self, exemption: ast.Exemption) -> None:
+        self.breaks[exemption.span.start] = _PART
+        if exemption.condition is not None:
+            self._operators(exemption.condition)
+            self.breaks[self._start(exemption.condition.span.end)] = _ACTION
+        self._steps(exemption.steps or ())
+
+    def _steps(self, steps: Sequence[ast.Step]) -> None:
+        """Break in front of each action, and of the brace behind the last one."""
+        for step in steps:
+            self.breaks[step.span.start] = _ACTION
+        if steps:
+            semicolon = self.index(steps[-1].span.end)
+            self.breaks[self.source.tokens[semicolon + 1].start] = Break(2, 1)
 
     def _operators(self, root: ast.Expression) -> None:
         """Break in front of the outermost `and`s and `or`s, also inside `(...) for 2 sec`, of those
@@ -215,6 +233,8 @@ class Style:
                     dot = self.index(value.span.end)
                     start = self.source.tokens[dot + 1].start if is_method else span.start
                     self.tight_behind.add(start + len("oscillates"))
+                case ast.Doing():
+                    self._doing(node)
                 case ast.Index(value=value):
                     self.tight_behind.add(value.span.end)
                 case (
@@ -223,6 +243,13 @@ class Style:
                     | ast.Once() | ast.Response() | ast.Parenthesized() | ast.Broken()
                 ):  # fmt: skip
                     pass
+
+    def _doing(self, node: ast.Doing) -> None:
+        if node.arguments:
+            self.tight_behind.add(node.skill.span.end)
+        for each in node.arguments:
+            self._word(each.kind)
+            self.tight.add(self._start(each.parameter.span.end))
 
     def _sign(self, start: int) -> None:
         if self.source.file.text[start] == "-":
@@ -243,7 +270,7 @@ def _peeled(node: ast.Expression) -> ast.Expression:
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
                 | ast.Binary() | ast.Membership() | ast.Since() | ast.Once() | ast.Response()
-                | ast.ListFold() | ast.Broken()
+                | ast.Doing() | ast.ListFold() | ast.Broken()
             ):  # fmt: skip
                 return node
 

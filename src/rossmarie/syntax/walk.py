@@ -30,7 +30,10 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             found = (left, last)
         case ast.Oscillates(value=value, count=count, window=window, swing=swing):
             found = (value, count, window, swing)
-        case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():
+        case (
+            ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Doing()
+            | ast.Broken()
+        ):  # fmt: skip
             found = ()
     return tuple(child for child in found if child is not None)
 
@@ -80,6 +83,8 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield from (condition.expression for condition in conditions)
         case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
             yield condition
+            yield from item.scope
+            yield from chain.from_iterable(map(_of_exemption, item.exemptions))
             for contract in contracts:
                 yield from _of_contract(contract)
             yield from (each.amount for each in feedback if isinstance(each, ast.Feedback))
@@ -90,7 +95,9 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield from (each.rate for each in declared if each.rate is not None)
         case ast.Test(statements=statements):
             yield from chain.from_iterable(map(_of_statement, statements))
-        case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard():
+        case ast.Skills(timeout=timeout) if timeout is not None:
+            yield timeout
+        case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
             pass
 
 
@@ -133,8 +140,17 @@ def _of_statement(statement: ast.Statement) -> Iterator[ast.Expression]:
     if not isinstance(statement, ast.OperatorReset) and statement.stretch is not None:
         found += [statement.stretch.first, statement.stretch.last]
     if isinstance(statement, ast.Arrival):
-        found += [setting.value for setting in statement.settings]
+        found += [
+            setting if isinstance(setting, ast.Doing) else setting.value
+            for setting in statement.settings
+        ]
     yield from (expression for expression in found if expression is not None)
+
+
+def _of_exemption(exemption: ast.Exemption) -> Iterator[ast.Expression]:
+    yield exemption.doing
+    if exemption.condition is not None:
+        yield exemption.condition
 
 
 def _of_contract(contract: ast.ResumeContract) -> Iterator[ast.Expression]:

@@ -19,7 +19,13 @@ ITEM_WORDS = {
 }
 """The words that begin an item, and the grammar's rule for that item."""
 
-CONTEXTUAL_ITEM_WORDS = {"priority": "priority", "hazard": "hazard", "test": "test"}
+CONTEXTUAL_ITEM_WORDS = {
+    "priority": "priority",
+    "hazard": "hazard",
+    "test": "test",
+    "skills": "skills",
+    "always": "rule",
+}
 """Likewise, but free as names elsewhere."""
 
 STATEMENT_WORDS = {"at": "at_instant", "every": "repeated", "expect": "expectation"}
@@ -60,6 +66,7 @@ PART_WORDS = frozenset(
     | {"unless", "category", "task", "feedback", "per", "activation", "margin", "mitigates"}
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
+    | {"doing", "while", "always"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -105,19 +112,29 @@ FORMS = {
     "import_item": 'an import is written `import "FILE.ross";`',
     "system": "a system is written `system NAME { topic /TOPIC : PACKAGE/TYPE; }`",
     "action": "an action is written `action NAME;` or `action NAME { EFFECT; EFFECT; }`",
+    "skills": 'the skills are named by `skills "skills.json";`',
     "constant": "a constant is written `const NAME = 0.5 m/s;`",
     "input": "an input is written "
     "`input NAME = topic /TOPIC : PACKAGE/TYPE .FIELD timeout 0.2 sec;`",
+    "skill_number": "a number of a skill that runs is written "
+    "`input NAME = doing SKILL.PARAMETER in UNIT;`, "
+    "a property of its thing `doing SKILL.PARAMETER.PROPERTY`",
     "element_names": "names of elements are written "
     '`.FIELD names ["NAME", "NAME"]`, in front of `in` and `timeout`',
     "entity": "an entity is written `entity NAME { CONDITION : EXPRESSION; }`",
     "condition": "a condition is written `NAME : EXPRESSION;`",
     "rule": "a rule is written `rule NAME: if CONDITION then { ACTION; };`",
     "unless": "rules that come first are written `if CONDITION unless RULE, RULE then ...`",
+    "scope": "the skills that a rule is about are written "
+    "`if CONDITION while doing SKILL, doing SKILL then ...`",
+    "exemption": "an exemption is written behind the actions: `unless doing SKILL;`, "
+    "`unless doing SKILL then { ACTION; }` or "
+    "`unless doing SKILL then if CONDITION then { ACTION; }`",
     "contract": "a resume contract is `clear when CONDITION`, `clear for 2 sec` or "
     "`latched until reset`",
     "expression": "a condition is built of names, comparisons, `and`, `or`, `not`, "
     "`for DURATION`, `since`, `once` and `after`",
+    "doing": "a skill is asked for by `doing SKILL` or `doing SKILL(PARAMETER: CLASS)`",
     "over_time": "`once` and `after` end with a time: `once CONDITION within 2 sec`, "
     "`after CONDITION, CONDITION within 2 sec`; write `once (A and B) within 2 sec`",
     "topic_declaration": "a topic is declared as `topic /TOPIC : PACKAGE/TYPE;`",

@@ -19,16 +19,19 @@ from rossmarie.ir import (
     Array,
     ByName,
     ChannelValues,
+    Doing,
     Kind,
     Listed,
     Machine,
     Path,
+    Quantity,
     Slot,
     columns_of,
 )
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.path import extent
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
+from rossmarie.ir.skills import RunningSkill, SkillContext, answer
 from rossmarie.testing.orientation import UPRIGHT, with_angle
 
 _Field = tuple[str, Path]
@@ -72,10 +75,11 @@ def _instants(event: ScriptedArrival | ScriptedReset) -> Iterator[int]:
 
 @dataclass
 class _Sender:
-    """Knows what was set last. `values` are in SI."""
+    """Knows what was set last. `values` are in SI, `running` are the skills that run, by topic."""
 
     machine: Machine
     values: dict[_Field, SettingValue] = field(default_factory=dict)
+    running: dict[str, tuple[RunningSkill, ...]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self._lists = [(self._topic(each.input), each.path) for each in self.machine.lists]
@@ -85,6 +89,8 @@ class _Sender:
         for arrival in arrivals:
             for setting in arrival.settings:
                 self._set(setting)
+            if arrival.running is not None:
+                self.running[arrival.running.topic] = arrival.running.skills
         topics = {topic for arrival in arrivals for topic in arrival.topics}
         return {
             index: self._message(index)
@@ -208,13 +214,16 @@ class _Sender:
 
     def _value(self, topic: str, path: Path) -> SettingValue | object:
         last = path[-1] if path else ""
+        if isinstance(last, Doing):
+            return answer(last, SkillContext(last.export, self.running.get(topic, ())))
         if isinstance(last, int | Listed):
             whole = self.values.get((topic, path[:-1]))
             elements = whole if isinstance(whole, tuple) else ()
             place = last if isinstance(last, int) else last.place_among(len(elements))
             return elements[place] if place is not None and place < len(elements) else None
-        # A message without a name has no element of that name.
-        return self.values.get((topic, path), None if isinstance(last, ByName) else _UNSET)
+        # A message without a name has no element of that name; without skills, no quantity.
+        is_lacking = isinstance(last, ByName | Quantity)
+        return self.values.get((topic, path), None if is_lacking else _UNSET)
 
 
 _UNSET = object()

@@ -15,7 +15,7 @@ from rossmarie.ir.script import Expectation, Script, ScriptedArrival, ScriptedRe
 from rossmarie.testing.findings import seconds
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
-Bases = Mapping[str, tuple[str, ...]]
+Bases = Mapping[str, ir.Path]
 """Of each input, by its name, the path that its declaration chooses."""
 
 
@@ -63,6 +63,8 @@ def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator
     yield from (name for name in event.inputs if name not in set_inputs)
     for setting in event.settings:
         yield f"{_field(setting, bases)} = {_value(machine, setting)}"
+    if event.running is not None:
+        yield event.running.text
 
 
 def _field(setting: Setting, bases: Bases) -> str:

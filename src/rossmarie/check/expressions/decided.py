@@ -139,6 +139,6 @@ def _outcome(node: ast.Expression, outcomes: NodeMap[bool], context: Context) ->
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
             | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
             | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
-            | ast.Response() | ast.Broken()
+            | ast.Response() | ast.Doing() | ast.Broken()
         ):  # fmt: skip
             return None

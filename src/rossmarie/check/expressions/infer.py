@@ -19,6 +19,7 @@ from rossmarie.check.operations.ranges import type_of_bracket, type_of_membershi
 from rossmarie.check.operations.temporal import type_of_temporal
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import text_of
+from rossmarie.check.skills.doing import type_of_doing
 from rossmarie.check.units.quantities import read_unit
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import children
@@ -87,6 +88,8 @@ def _type_of(node: ast.Expression, context: Context) -> Type:
             return _type_of_index(node, context)
         case ast.Parenthesized():
             return context.type_of(node.inner)
+        case ast.Doing():
+            return type_of_doing(node, context)
         case ast.Broken():
             return Unknown()
         case (

@@ -8,9 +8,13 @@ from rossmarie.ir.path import POINTS, ByName, Listed, Path
 from rossmarie.types import Array, Entry, List, Message, Type
 
 
-def part_at(path: tuple[str, ...], type_: Type) -> Part:
-    """The part of a message at the end of a path of fields, where there is a `type_`."""
-    return Part(path[:-1]).field(path[-1], type_) if path else Part()
+def part_at(path: Path, type_: Type) -> Part:
+    """The part of a message at the end of a path of fields, where there is a `type_`; or at a
+    question to the skills that run.
+    """
+    if path and isinstance(path[-1], str):
+        return Part(path[:-1]).field(path[-1], type_)
+    return Part(path)
 
 
 @dataclass(frozen=True)

@@ -110,7 +110,7 @@ def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float
             ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference() | ast.Member()
             | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates() | ast.ListFold()
             | ast.Unary() | ast.Membership() | ast.Held() | ast.Since() | ast.Once()
-            | ast.Response() | ast.Parenthesized() | ast.Broken()
+            | ast.Response() | ast.Doing() | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip
             return None
 

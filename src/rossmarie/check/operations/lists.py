@@ -191,6 +191,8 @@ def _other(node: ast.Expression, fold: ast.ListFold, context: Context) -> _Other
             return "this is no part of the element", None
         case ast.Member() if not is_value(node, context):
             return "this is one truth for all elements", None
+        case ast.Doing():
+            return "this is one truth for all elements", None
         case ast.Held() | ast.Once() | ast.Response():
             return "this looks at one element for a time", None
         case ast.Since() | ast.Edges() | ast.Oscillates():

@@ -222,6 +222,46 @@ class MarginUnit(Error, code="ROSS425", name="margin-unit"):
         meant: str
 
 
+class AlwaysLimited(Error, code="ROSS426", name="always-limited"):
+    """A scope or an exemption of a rule that holds always."""
+
+    title = "this rule holds always, and has no {kind}"
+    label = "{kind} of a rule that holds always"
+    note = "`always` promises that no skill and no operator keeps the rule from being carried out"
+    help = "leave it out, or leave out `always`"
+    kind: str
+
+    class Always(Remark):
+        says = "it holds always"
+
+
+class ExemptedHazard(Error, code="ROSS427", name="exempted-hazard"):
+    """An exemption with nothing instead, of a rule that mitigates a hazard."""
+
+    title = "while `{skill}` nothing would mitigate hazard `{hazard}`"
+    label = "exempted, with nothing instead"
+    note = "a rule that is there for a hazard may do something else, but not nothing"
+    help = "say what holds instead: `unless doing SKILL then {{ ACTION; }}`"
+    hazard: str
+    skill: str
+
+    class Mitigated(Remark):
+        says = "the rule mitigates it"
+
+
+class RepeatedExemption(Error, code="ROSS431", name="repeated-exemption"):
+    """Two exemptions of one rule for the same."""
+
+    title = "`{skill}` is exempted twice"
+    label = "the same skill with the same things"
+    note = "it would not be clear which of the two says what holds instead"
+    help = "leave out one of the two"
+    skill: str
+
+    class First(Remark):
+        says = "first exempted here"
+
+
 ALL: tuple[type[Template], ...] = (
     UndeclaredRule,
     CircularEscalation,
@@ -240,4 +280,7 @@ ALL: tuple[type[Template], ...] = (
     OddFeedback,
     NoMargin,
     MarginUnit,
+    AlwaysLimited,
+    ExemptedHazard,
+    RepeatedExemption,
 )

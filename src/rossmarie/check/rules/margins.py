@@ -87,7 +87,7 @@ def _operands(node: ast.Expression) -> Sequence[ast.Expression]:
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
             | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
             | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Since()
-            | ast.Once() | ast.Response() | ast.Broken()
+            | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
         ):  # fmt: skip
             return ()
 
@@ -142,7 +142,7 @@ def _reason(node: ast.Expression, context: Context) -> str | None:
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
             | ast.Member() | ast.Index() | ast.Edges() | ast.ListFold() | ast.Unary()
-            | ast.Held() | ast.Parenthesized()
+            | ast.Held() | ast.Doing() | ast.Parenthesized()
         ):  # fmt: skip
             return f"`{text_of(node)}` is true or false"
 

@@ -9,6 +9,7 @@ from rossmarie.check.rules.errors import CircularPriority
 from rossmarie.check.rules.order import circle_of, in_order
 from rossmarie.check.rules.rule_names import name_of, numbers_of, report_undeclared
 from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.exemptions import exempted_by
 from rossmarie.syntax import ast
 
 Pairs = tuple[tuple[int, int], ...]
@@ -30,7 +31,7 @@ def order_of_rules(context: Context) -> tuple[tuple[int, ...], Pairs]:
 
 
 def _under(rules: Sequence[ast.Rule], context: Context) -> dict[int, list[int]]:
-    """Of each rule, those that it is put over."""
+    """Of each rule, those that it is put over: an exempted rule over its exemptions as well."""
     numbers = numbers_of(rules)
     under: dict[int, list[int]] = {number: [] for number in range(len(rules))}
     for item in context.declarations.items:
@@ -42,6 +43,10 @@ def _under(rules: Sequence[ast.Rule], context: Context) -> dict[int, list[int]]:
         for first, second in zip(item.rules, item.rules[1:], strict=False):
             if first.text in numbers and second.text in numbers:
                 under[numbers[first.text]].append(numbers[second.text])
+    for number in under:
+        exempted = exempted_by(rules, number)
+        if exempted is not None:
+            under[exempted].append(number)
     return under
 
 

@@ -29,10 +29,14 @@ def report_undeclared(name: ast.Name, known: Iterable[str], context: Context) ->
 
 
 def rule_names(rules: Sequence[ast.Rule]) -> list[str]:
-    """The given names; a rule without one is called by its position, `rule_2`."""
+    """The given names; a rule without one is called by its position among those that somebody
+    wrote, `rule_2`.
+    """
     taken = {rule.name.text for rule in rules if rule.name is not None}
     names: list[str] = []
-    for position, rule in enumerate(rules, start=1):
+    position = 0
+    for rule in rules:
+        position += rule.made_from is None
         name = f"rule_{position}" if rule.name is None else rule.name.text
         while rule.name is None and name in taken:
             name += "_"

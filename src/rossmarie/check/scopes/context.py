@@ -9,7 +9,13 @@ from functools import cached_property
 
 from dslkit.diagnostics import Collector, Template
 from dslkit.source import Span
-from rossmarie.check.model import CheckedInput, ConditionKey, Value
+from rossmarie.check.model import (
+    CheckedDoing,
+    CheckedInput,
+    CheckedSkills,
+    ConditionKey,
+    Value,
+)
 from rossmarie.check.scopes.declarations import Declarations
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.check.wording.suggestions import Suggestions, near_name, suggesting
@@ -34,7 +40,9 @@ class Context:
     `used_conditions` are all that anything refers to. `parents` leads from each part of an
     expression to what it is an operand of.
 
-    `proposed_bounds` are the inputs for whose lists a bound has been proposed. `entity` and `uses`
+    `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
+    of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
+    what each question to the skills asks. `entity` and `uses`
     belong to what is being checked at the moment.
     """
 
@@ -50,6 +58,9 @@ class Context:
     used_conditions: set[ConditionKey] = field(default_factory=set)
     suggestions: Suggestions = field(default_factory=Suggestions)
     proposed_bounds: set[str] = field(default_factory=set)
+    skills: CheckedSkills | None = None
+    names_skills: bool = False
+    doing: NodeMap[CheckedDoing] = field(default_factory=NodeMap)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 from dslkit.diagnostics import Collector
 from rossmarie.check.scopes.errors import DuplicateName, RepeatedAction, SeveralContracts
+from rossmarie.check.scopes.exemptions import with_exemptions
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import expressions
 
@@ -37,7 +38,8 @@ def kind_of(item: Named) -> str:
 @dataclass(frozen=True)
 class Declarations:
     """The declarations. `names` is the one namespace of constants, inputs, entities and actions;
-    `conditions` are those of each entity. `items` holds every item, also second declarations.
+    `conditions` are those of each entity. `items` holds every item, also second declarations;
+    `rules` are all rules, imported files first, each before those that its exemptions stand for.
     `is_whole` is False if a file could not be read: what is not declared here may be there.
     """
 
@@ -46,11 +48,7 @@ class Declarations:
     names: Mapping[str, Named]
     conditions: Mapping[str, Mapping[str, ast.Condition]]
     is_whole: bool
-
-    @property
-    def rules(self) -> tuple[ast.Rule, ...]:
-        """All rules, imported files first."""
-        return tuple(item for item in self.items if isinstance(item, ast.Rule))
+    rules: tuple[ast.Rule, ...]
 
     @property
     def entities(self) -> tuple[ast.Entity, ...]:
@@ -92,7 +90,8 @@ def collect(modules: Sequence[ast.Module], collector: Collector) -> Declarations
         elif isinstance(item, ast.Entity):
             conditions[item.name.text] = _conditions(item, collector)
     is_whole = all(module.is_whole for module in modules)
-    declarations = Declarations(items, modules[-1], names, conditions, is_whole)
+    rules = with_exemptions([item for item in items if isinstance(item, ast.Rule)])
+    declarations = Declarations(items, modules[-1], names, conditions, is_whole, rules)
     _check_hidden_names(declarations, collector)
     _check_structure(declarations, collector)
     return declarations

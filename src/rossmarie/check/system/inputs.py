@@ -29,6 +29,7 @@ from rossmarie.check.system.model import (
     report_conflict,
     type_name,
 )
+from rossmarie.check.system.skill_numbers import resolve_context_timeout, resolve_number
 from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import end_of_field, is_same_unit, read_unit
 from rossmarie.check.wording.gaps import without
@@ -47,6 +48,10 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
     stated: dict[str, ast.Input] = {}
     units: dict[FieldKey, CheckedInput] = {}
     for declaration in context.declarations.inputs:
+        if declaration.number is not None:
+            number = resolve_number(declaration, declaration.number, context)
+            context.inputs.setdefault(declaration.name.text, number)
+            continue
         found = _resolve(declaration, model, context.collector)
         _check_one_type(found, stated, model, context.collector)
         check_one_unit(found, units, context.collector)
@@ -59,6 +64,7 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
 
 def resolve_timeouts(context: Context) -> None:
     """Work out the timeouts of all inputs; constants are known by now."""
+    _resolve_context(context)
     for declaration in context.declarations.inputs:
         if declaration.timeout is None:
             continue
@@ -69,6 +75,19 @@ def resolve_timeouts(context: Context) -> None:
         if found.declaration is declaration:
             resolved = dataclasses.replace(found, timeout_ns=timeout_ns)
             context.inputs[declaration.name.text] = resolved
+
+
+def _resolve_context(context: Context) -> None:
+    """The timeout of the context of skills, and of the numbers that come with it."""
+    timeout_ns = resolve_context_timeout(context)
+    if context.skills is None:
+        return
+    if timeout_ns is not None:
+        context.skills = dataclasses.replace(context.skills, timeout_ns=timeout_ns)
+    for name, found in context.inputs.items():
+        if found.question is not None:
+            resolved = dataclasses.replace(found, timeout_ns=context.skills.timeout_ns)
+            context.inputs[name] = resolved
 
 
 def _resolve(declaration: ast.Input, model: SystemModel, collector: Collector) -> CheckedInput:

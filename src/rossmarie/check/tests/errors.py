@@ -103,6 +103,14 @@ class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):
     help = "say what is expected: `expect RULE active at 1 sec;`"
 
 
+class NothingBeside(Error, code="ROSS248", name="nothing-beside"):
+    """No skill, and a skill, in one statement of a test."""
+
+    title = "`doing nothing` stands alone"
+    label = "beside it the statement lets a skill run"
+    help = "leave it out, or write a statement for each"
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownTestInput,
     SettingMismatch,
@@ -111,4 +119,5 @@ ALL: tuple[type[Template], ...] = (
     TooManyMessages,
     NotSettable,
     NothingExpected,
+    NothingBeside,
 )

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
@@ -35,7 +37,7 @@ _ANGLES = ("roll", "pitch", "yaw")
 _RADIANS = Quantity(parse_unit("rad"))
 
 
-def settings_of(written: tuple[ast.Setting, ...], context: Context) -> tuple[Setting, ...] | None:
+def settings_of(written: Sequence[ast.Setting], context: Context) -> tuple[Setting, ...] | None:
     """Give the settings of messages; None after reporting what is wrong. A vector is set one by
     one.
     """
@@ -104,7 +106,7 @@ class _SettingChecker:
         """The type of the field, the path from the message, and the angle that is meant."""
         first, *rest = self._setting.path.steps
         assert isinstance(first, ast.Name)
-        part = part_at(self._context.inputs[first.text].path, type_)
+        part = part_at(self._context.inputs[first.text].base, type_)
         text, before = first.text, first.span
         for step in rest:
             if isinstance(step, ast.Position):

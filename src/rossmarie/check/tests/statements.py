@@ -14,6 +14,7 @@ from rossmarie.check.tests.errors import (
     NothingExpected,
     TooManyMessages,
 )
+from rossmarie.check.tests.running import running_of
 from rossmarie.check.tests.settings import settings_of
 from rossmarie.check.units.quantities import SECOND
 from rossmarie.check.wording.describe import describe
@@ -99,14 +100,19 @@ class _TestChecker:
             at_ns = self._instant(statement.at)
             rule = None if statement.rule is None else self._rule(statement.rule)
             return None if at_ns is None else script.ScriptedReset(at_ns, rule)
-        settings = settings_of(statement.settings, self._context)
+        written = [each for each in statement.settings if isinstance(each, ast.Setting)]
+        skills = [each for each in statement.settings if isinstance(each, ast.Doing)]
+        settings = settings_of(written, self._context)
+        running = running_of(skills, self._context) if skills else None
         times = self._times(statement)
-        if settings is None or times is None:
+        if settings is None or times is None or (skills and running is None):
             self._is_right = False
             return None
-        inputs = tuple(dict.fromkeys(_input(setting) for setting in statement.settings))
-        topics = tuple(dict.fromkeys(self._context.inputs[name].topic for name in inputs))
-        return script.ScriptedArrival(*times, inputs, topics, settings)
+        inputs = tuple(dict.fromkeys(map(_input, written)))
+        topics = [self._context.inputs[name].topic for name in inputs]
+        topics += [] if running is None else [running.topic]
+        known = tuple(dict.fromkeys(topics))
+        return script.ScriptedArrival(*times, inputs, known, settings, running)
 
     def _times(self, statement: ast.Arrival) -> tuple[int, int, int | None] | None:
         """The first and the last instant, and the period."""

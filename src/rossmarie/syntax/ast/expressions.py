@@ -224,6 +224,24 @@ class Response:
 
 
 @dataclass(frozen=True)
+class SkillArgument:
+    """`Object: skiros.Fragile` behind the name of a skill; `kind` is the class as written."""
+
+    parameter: Name
+    kind: Name
+    span: Span
+
+
+@dataclass(frozen=True)
+class Doing:
+    """`doing Push(Object: Fragile)`: a skill runs, with a thing of a class."""
+
+    skill: Name
+    arguments: tuple[SkillArgument, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
 class Parenthesized:
     """`(x)`; kept so that the formatter can keep it."""
 
@@ -257,6 +275,7 @@ Expression = (
     | Since
     | Once
     | Response
+    | Doing
     | Parenthesized
     | Broken
 )

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax.ast.effects import Effect
-from rossmarie.syntax.ast.expressions import Expression, Name, Number, Text, Unit
+from rossmarie.syntax.ast.expressions import Doing, Expression, Name, Number, Text, Unit
 from rossmarie.syntax.ast.tests import Test
 
 
@@ -135,6 +135,15 @@ class Action:
 
 
 @dataclass(frozen=True)
+class Skills:
+    """`skills "skills.json" timeout 0.5 sec;` -- the path is relative to the file with the item."""
+
+    path: Text
+    timeout: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
 class Constant:
     """`const maxSpeed = 0.5 m/s`."""
 
@@ -153,11 +162,23 @@ class ElementNames:
 
 
 @dataclass(frozen=True)
+class SkillNumber:
+    """`Push.Object.Weight`: a number of a skill that runs; `steps` are the parameter, and a
+    property of the thing that it is.
+    """
+
+    skill: Name
+    steps: tuple[Name, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
 class Input:
     """`input pitch = topic /imu/data : sensor_msgs/Imu .orientation in rad timeout 0.2 sec`.
 
     In the printed form `topic Wrench.force` the topic is a plain name and `message_type` is None:
-    a system model knows it. `bound` is the number behind `up to`.
+    a system model knows it. `bound` is the number behind `up to`. `number` is what stands behind
+    `= doing` instead of a topic, which has no text then.
     """
 
     name: Name
@@ -170,6 +191,7 @@ class Input:
     documentation: str | None
     span: Span
     bound: Number | None = None
+    number: SkillNumber | None = None
 
 
 @dataclass(frozen=True)
@@ -241,11 +263,26 @@ class Margin:
 
 
 @dataclass(frozen=True)
-class Rule:
-    """`rule NAME: if COND unless RULE then { STEP; ... } CONTRACT category WORD task WORD
-    feedback AMOUNT mitigates HAZARD` -- all but the condition and the steps is optional.
+class Exemption:
+    """`unless doing SKILL then if COND then { STEP; ... }`: while the skill runs, the rule does not
+    do what it does otherwise. `steps` is what it does instead, None if nothing; `condition` is
+    what it looks at instead, None if that stays.
+    """
 
-    More than one contract is reported by the checker.
+    doing: Doing
+    condition: Expression | None
+    steps: tuple[Step, ...] | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Rule:
+    """`rule NAME: always if COND while doing SKILL unless RULE then { STEP; ... } EXEMPTION
+    CONTRACT category WORD task WORD feedback AMOUNT mitigates HAZARD` -- all but the condition and
+    the steps is optional.
+
+    More than one contract is reported by the checker. `always` is the place of that word. A rule
+    that was `made_from` an exemption stands for it; nobody wrote it.
     """
 
     name: Name | None
@@ -259,6 +296,10 @@ class Rule:
     mitigates: tuple[Name, ...]
     documentation: str | None
     span: Span
+    always: Span | None = None
+    scope: tuple[Doing, ...] = ()
+    exemptions: tuple[Exemption, ...] = ()
+    made_from: Exemption | None = None
 
     @property
     def actions(self) -> tuple[Name, ...]:
@@ -289,7 +330,9 @@ class Hazard:
     span: Span
 
 
-Item = Import | System | Action | Constant | Input | Entity | Rule | Priority | Hazard | Test
+Item = (
+    Import | System | Action | Skills | Constant | Input | Entity | Rule | Priority | Hazard | Test
+)
 
 
 @dataclass(frozen=True)

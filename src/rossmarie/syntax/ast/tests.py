@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from dslkit.source import Span
 from rossmarie.syntax.ast.effects import FieldPath
-from rossmarie.syntax.ast.expressions import Expression, Name, Text
+from rossmarie.syntax.ast.expressions import Doing, Expression, Name, Text
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Setting:
 
 @dataclass(frozen=True)
 class Arrival:
-    """`at 1 sec speed = 0.3 m/s, orientation` and `every 0.1 sec from 0 sec to 5 sec speed`.
+    """`at 1 sec speed = 0.3 m/s, doing Push` and `every 0.1 sec from 0 sec to 5 sec speed`.
 
     `at` is None if messages are repeated with a `period` over a `stretch`.
     """
@@ -41,7 +41,7 @@ class Arrival:
     at: Expression | None
     period: Expression | None
     stretch: Stretch | None
-    settings: tuple[Setting, ...]
+    settings: tuple[Setting | Doing, ...]
     span: Span
 
 

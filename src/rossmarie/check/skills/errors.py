@@ -1,0 +1,187 @@
+"""Mistakes about skills."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class InSkills(Remark):
+    """The label of a place in the skills themselves."""
+
+    says = "{what} here"
+    what: str
+
+
+class Known(Remark):
+    """The names that there are."""
+
+    says = "the file of skills has {known}"
+    known: str
+
+
+class UnknownSkill(Error, code="ROSS144", name="unknown-skill"):
+    """A skill that the file of skills does not have."""
+
+    title = "there is no skill `{identifier}`"
+    label = "the file of skills has none of this name"
+    help = "name a skill of {path}; after a change of the skills run `ezskiros export` again"
+    identifier: str
+    path: str
+
+
+class UnknownSkillParameter(Error, code="ROSS145", name="unknown-skill-parameter"):
+    """A parameter that a skill does not have."""
+
+    title = "skill `{skill}` has no parameter `{identifier}`"
+    label = "not one of its parameters"
+    help = "{known}"
+    skill: str
+    identifier: str
+    known: str
+
+
+class UnknownSkillClass(Error, code="ROSS146", name="unknown-skill-class"):
+    """A class of things that the file of skills does not have, or has several of."""
+
+    title = "there is no class `{identifier}`"
+    label = "{reason}"
+    help = "name a class of the ontology, as in `skiros.Product`"
+    identifier: str
+    reason: str
+
+    class Several(Remark):
+        says = "say which one is meant: {known}"
+        known: str
+
+
+class UnknownSkillProperty(Error, code="ROSS147", name="unknown-skill-property"):
+    """A property that things of a class do not have."""
+
+    title = "things of the class {owner} have no property `{identifier}`"
+    label = "no data property of this class, or of one that it is derived from"
+    help = "{known}"
+    identifier: str
+    owner: str
+    known: str
+
+
+class NoSkills(Error, code="ROSS148", name="no-skills"):
+    """A question about skills in a program that names no file of skills."""
+
+    title = "the rules ask for a skill, and name no file of skills"
+    label = "nobody knows which skills there are"
+    note = "`ezskiros export` writes the file; rules are checked against it"
+    help = 'name the file: `skills "skills.json";`'
+
+
+class SeveralSkills(Error, code="ROSS149", name="several-skills"):
+    """Two files of skills, or two timeouts of one, in a program."""
+
+    title = "a program has one file of skills, and one timeout of it"
+    label = "{found}"
+    note = "a robot tells of all its skills in one message, which carries the digest of the file"
+    help = "leave out one of the two"
+    found: str
+
+    class First(Remark):
+        says = "{found} here"
+        found: str
+
+
+class NoThing(Error, code="ROSS233", name="no-thing"):
+    """A class for a parameter that is no thing."""
+
+    title = "parameter `{identifier}` of skill `{skill}` is {found}, and has no class"
+    label = "only things have classes"
+    help = "leave it out; a number is asked for by `input NAME = doing {skill}.{identifier};`"
+    identifier: str
+    skill: str
+    found: str
+
+
+class ImpossibleClass(Error, code="ROSS245", name="impossible-class"):
+    """A class that the parameter of a skill can never have."""
+
+    title = "parameter `{identifier}` of skill `{skill}` can never be {found}"
+    label = "it is {expected}, and no thing is both"
+    note = "the ontology has no class that is derived from both"
+    help = "name a class that is derived from {expected}, or leave the parameter out"
+    identifier: str
+    skill: str
+    found: str
+    expected: str
+
+
+class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
+    """An input that is no number of a skill."""
+
+    title = "`{field}` is {found}, not a number"
+    label = "an input of a skill is a number or a truth"
+    field: str
+    found: str
+
+    class Properties(Remark):
+        says = "choose a property of the thing: {known}"
+        known: str
+
+    class LeaveOut(Remark):
+        says = "leave `{extra}` out"
+        extra: str
+
+    class Other(Remark):
+        says = "name a parameter that is a number, or a property of a thing that is one"
+
+
+class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-parameter"):
+    """One parameter, asked for twice in one `doing`."""
+
+    title = "parameter `{identifier}` is named twice"
+    label = "one thing is asked for twice"
+    help = "join two questions instead: `doing {skill}(...) and doing {skill}(...)`"
+    identifier: str
+    skill: str
+
+    class First(Remark):
+        says = "first named here"
+
+
+class SkillsUnreadable(Error, code="ROSS811", name="skills-unreadable"):
+    """A file of skills that is missing, or is not as its format demands."""
+
+    title = "cannot use the skills in `{path}`"
+    label = "{problem}"
+    note = "the path is relative to the file that names it; the format is that of `ezskiros export`"
+    help = "run `ezskiros export` to write it"
+    path: str
+    problem: str
+
+    class Here(Remark):
+        says = "this cannot be read"
+
+
+class SkillsOutOfDate(Error, code="ROSS812", name="skills-out-of-date"):
+    """A file of skills whose sources are no longer what they were."""
+
+    title = "`{path}` is out of date"
+    label = "`{source}` {problem}"
+    note = "rules would be checked against skills that the robot does not have any more"
+    help = "run `ezskiros export` again to write it anew"
+    path: str
+    source: str
+    problem: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownSkill,
+    UnknownSkillParameter,
+    UnknownSkillClass,
+    UnknownSkillProperty,
+    NoSkills,
+    SeveralSkills,
+    NoThing,
+    ImpossibleClass,
+    NoSkillNumber,
+    RepeatedSkillParameter,
+    SkillsUnreadable,
+    SkillsOutOfDate,
+)

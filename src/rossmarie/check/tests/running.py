@@ -1,0 +1,54 @@
+"""The skills that run in a test: `at 1 sec doing Push(Object: Box), doing Drive;`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rossmarie.check.model import CheckedSkills
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.skills.doing import checked_doing, find_class, known_skills
+from rossmarie.check.tests.errors import NothingBeside
+from rossmarie.ir.script import Running
+from rossmarie.ir.skills import RunningSkill, SkillArgument
+from rossmarie.syntax import ast
+
+NOTHING = "nothing"
+"""What stands behind `doing` in a test in which no skill runs, unless a skill is called so."""
+
+
+def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None:
+    """All skills that run from a statement on; None after reporting what is wrong with them."""
+    skills = known_skills(written[0], context)
+    if skills is None:
+        return None
+    nothing = [each for each in written if _is_nothing(each, skills)]
+    if nothing and len(written) > 1:
+        context.collector.add(NothingBeside().at(nothing[0].span))
+        return None
+    if nothing:
+        return Running(skills.file.topic, (), f"doing {NOTHING}")
+    found: list[RunningSkill] = []
+    words: list[str] = []
+    for each in written:
+        asked = checked_doing(each, context)
+        if asked is not None:
+            found.append(_running(each, skills, context))
+            words.append(asked.text)
+    if len(found) < len(written):
+        return None
+    return Running(skills.file.topic, tuple(found), ", ".join(words))
+
+
+def _is_nothing(node: ast.Doing, skills: CheckedSkills) -> bool:
+    is_plain = node.skill.text == NOTHING and not node.arguments
+    return is_plain and NOTHING not in skills.file.skills
+
+
+def _running(node: ast.Doing, skills: CheckedSkills, context: Context) -> RunningSkill:
+    """A skill whose things are of the classes that are written, else of those it demands."""
+    parameters = skills.file.skills[node.skill.text].parameters.values()
+    types = {each.name: each.type for each in parameters if each.type in skills.file.classes}
+    for argument in node.arguments:
+        types[argument.parameter.text] = find_class(argument.kind, skills, context) or ""
+    arguments = (SkillArgument(name, type=kind) for name, kind in sorted(types.items()))
+    return RunningSkill(node.skill.text, tuple(arguments))

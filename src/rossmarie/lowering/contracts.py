@@ -1,0 +1,103 @@
+"""When a rule becomes active, and what clears it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rossmarie.check.model import CheckedProgram
+from rossmarie.check.rules.plans import latch_of
+from rossmarie.lowering.durations import duration_ns
+from rossmarie.lowering.nodes import Nodes, Shown
+from rossmarie.lowering.truths import Truths
+from rossmarie.lowering.wording import words
+from rossmarie.syntax import ast
+
+
+@dataclass(frozen=True)
+class Contract:
+    """When a rule becomes active, and what clears it; `release` is None if only a reset does.
+    `written` is the condition as somebody wrote it, without skills of scopes and exemptions.
+    """
+
+    condition: int
+    release: int | None
+    text: str
+    written: int
+
+
+@dataclass(frozen=True)
+class _Condition:
+    """The condition of a rule, in words as well; `ends` is what else makes it false."""
+
+    truth: int
+    stated: str
+    written: int
+    ends: str = ""
+
+
+def contract_of(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProgram) -> Contract:
+    """The contract of a rule, with its truths."""
+    found = _condition_of(rule, truths, nodes)
+    condition, stated, written = found.truth, found.stated, found.written
+    on_reset = f"clears on reset while {stated} is false{found.ends}"
+    if latch_of(rule, program.effects, program.symbols.actions) is not None:
+        return Contract(condition, None, on_reset, written)
+    contract = rule.contracts[0] if len(rule.contracts) == 1 else None
+    match contract:
+        case ast.ClearWhen(condition=release):
+            text = f"clears when {stated} is false and {_stated(release)} is true"
+            return Contract(condition, truths.lower(release), text, written)
+        case ast.ClearFor(duration=duration, span=span):
+            opposite = Shown(f"not {stated}", rule.condition.span)
+            over = nodes.negation(condition, opposite)
+            calm = Shown(f"{opposite.text} for {words(duration.span)}", span)
+            release_index = nodes.held(over, duration_ns(program.values[duration]), calm)
+            text = f"clears when {stated} has been false for {words(duration.span)}"
+            return Contract(condition, release_index, text, written)
+        case ast.LatchedUntilReset():
+            return Contract(condition, None, on_reset, written)
+        case None:
+            always = nodes.literal(True, Shown("true", rule.span))
+            text = f"clears when {stated} is false{found.ends}"
+            return Contract(condition, always, text, written)
+
+
+def _condition_of(rule: ast.Rule, truths: Truths, nodes: Nodes) -> _Condition:
+    """S60: what is written, while a skill of the scope runs, and no exempted one does; or while the
+    skill of the exemption runs that the rule stands for.
+    """
+    written = truths.lower(rule.condition)
+    skills = truths.skills
+    text = words(rule.condition.span)
+    parts = [written]
+    if rule.scope:
+        scope = " or ".join(map(skills.text, rule.scope))
+        asked = tuple(map(skills.asked, rule.scope))
+        parts.append(nodes.disjunction(asked, Shown(scope, rule.scope[0].span)))
+        text += f" while {', '.join(map(skills.text, rule.scope))}"
+    for exemption in rule.exemptions:
+        exempted = skills.text(exemption.doing)
+        asked_for = skills.asked(exemption.doing)
+        parts.append(nodes.negation(asked_for, Shown(f"not {exempted}", exemption.doing.span)))
+        text += f" unless {exempted}"
+    if rule.made_from is None:
+        if len(parts) == 1:
+            return _Condition(written, _stated(rule.condition), written)
+        whole = nodes.conjunction(tuple(parts), Shown(text, rule.condition.span))
+        return _Condition(whole, f"({text})", written)
+    doing = rule.made_from.doing
+    parts.append(skills.kept(doing))
+    shown = Shown(f"{text} and {skills.text(doing)}", rule.condition.span)
+    ends = f" or {skills.text(doing)} ends"
+    stated = f"({text})" if rule.scope else _stated(rule.condition)
+    return _Condition(nodes.conjunction(tuple(parts), shown), stated, written, ends)
+
+
+def _stated(condition: ast.Expression) -> str:
+    """The words of a condition, in parentheses where a sentence around them would be misread."""
+    text = words(condition.span)
+    is_one_word = isinstance(
+        condition,
+        ast.Reference | ast.Member | ast.Call | ast.ListFold | ast.Oscillates | ast.Parenthesized,
+    )
+    return text if is_one_word else f"({text})"

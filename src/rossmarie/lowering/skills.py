@@ -1,0 +1,85 @@
+"""Questions to the skills that run, as flags of the message that tells of them.
+
+One question has two forms (S59). What a rule asks is lost when the context is late. What an
+exemption rests on comes by an input without a timeout, and is false then.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Container
+
+from rossmarie import ir
+from rossmarie.check.model import CheckedDoing, CheckedInput, CheckedProgram, CheckedSkills
+from rossmarie.check.names.parts import Part
+from rossmarie.ir.duration_text import duration_text
+from rossmarie.lowering.inputs import Inputs, Place
+from rossmarie.lowering.nodes import Nodes, Shown
+from rossmarie.syntax import ast
+from rossmarie.types import Boolean
+
+CONTEXT = "skill_context"
+"""The name of the input by which rules ask; the other one has `_kept` behind it."""
+
+
+class Skills:
+    """Lowers questions to skills. What is asked twice is one slot."""
+
+    def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
+        self._program = program
+        self._inputs = inputs
+        self._nodes = nodes
+
+    def asked(self, node: ast.Doing) -> int:
+        """The truth that the skill runs: lost when nobody says for too long what runs."""
+        return self._flag(node, self._context(CONTEXT, self._skills.timeout_ns))
+
+    def kept(self, node: ast.Doing) -> int:
+        """The truth that the skill runs and that the context is not late: false when it is."""
+        used = self._context(f"{CONTEXT}_kept", None)
+        name, timeout_ns = used.declaration.name.text, self._skills.timeout_ns
+        age = f"age({name}) >= {duration_text(timeout_ns)}"
+        late = self._nodes.leaf(
+            ir.AgeReaches(self._inputs.input(used), timeout_ns), Shown(age, node.span)
+        )
+        fresh = self._nodes.negation(late, Shown(f"not {age}", node.span))
+        text = Shown(f"{self.text(node)}, as told in time", node.span)
+        return self._nodes.conjunction((self._flag(node, used), fresh), text)
+
+    def text(self, node: ast.Doing) -> str:
+        """A question in the words of the rules."""
+        return self._found(node).text
+
+    def permits(self, node: ast.Doing) -> tuple[str, ...]:
+        """The permissions of the skill that is asked for, in words."""
+        return self._found(node).permits
+
+    def _found(self, node: ast.Doing) -> CheckedDoing:
+        return self._program.doing[node]
+
+    @property
+    def _skills(self) -> CheckedSkills:
+        assert self._program.skills is not None, "checked: rules that ask name a file"
+        return self._program.skills
+
+    def _flag(self, node: ast.Doing, used: CheckedInput) -> int:
+        found = self._found(node)
+        step = ir.Doing(self._skills.file.digest, found.skills, found.arguments, found.text)
+        slot = self._inputs.slot(Place(used, Part((step,))), Boolean())
+        shown = Shown(found.text, node.span)
+        return self._nodes.leaf(ir.Flag(self._nodes.signal(ir.Read(slot), shown)), shown)
+
+    def _context(self, name: str, timeout_ns: int | None) -> CheckedInput:
+        """The context as an input, which no rule declares."""
+        file = self._skills.file
+        free = _free(name, self._program.symbols.inputs)
+        topic = ast.Name(file.topic, self._skills.declaration.path.span)
+        declaration = ast.Input(
+            ast.Name(free, topic.span), topic, None, (), None, None, None, None, topic.span
+        )
+        return CheckedInput(declaration, file.topic, file.message_type, (), Boolean(), timeout_ns)
+
+
+def _free(name: str, taken: Container[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name

@@ -1,0 +1,74 @@
+"""Closed sets: a skill or a class with all that are derived from it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+
+class Closure:
+    """The names below and above others; `parents` leads from each to those that it is derived from.
+
+    Parents without an entry of their own count as well. There must be no circles
+    (`circle_among`).
+    """
+
+    def __init__(self, parents: Mapping[str, Sequence[str]]) -> None:
+        self._parents = parents
+        self._children: dict[str, list[str]] = {}
+        for name, above in parents.items():
+            for parent in above:
+                self._children.setdefault(parent, []).append(name)
+
+    def below(self, name: str) -> tuple[str, ...]:
+        """The name and all that are derived from it, sorted."""
+        return _reached(name, self._children)
+
+    def above(self, name: str) -> tuple[str, ...]:
+        """The name and all that it is derived from, sorted."""
+        return _reached(name, self._parents)
+
+    def are_related(self, one: str, other: str) -> bool:
+        """Say whether one of the two is the other, or is derived from it, or both have something
+        derived from them.
+        """
+        return not set(self.below(one)).isdisjoint(self.below(other))
+
+
+def _reached(name: str, following: Mapping[str, Sequence[str]]) -> tuple[str, ...]:
+    found = {name}
+    waiting = [name]
+    while waiting:
+        for each in following.get(waiting.pop(), ()):
+            if each not in found:
+                found.add(each)
+                waiting.append(each)
+    return tuple(sorted(found))
+
+
+def circle_among(parents: Mapping[str, Sequence[str]]) -> str | None:
+    """A name that is derived from itself, if there is one."""
+    waits_for = {name: len([each for each in above if each in parents])
+                 for name, above in parents.items()}  # fmt: skip
+    children: dict[str, list[str]] = {}
+    for name, above in parents.items():
+        for each in above:
+            children.setdefault(each, []).append(name)
+    ready = [name for name, count in waits_for.items() if count == 0]
+    while ready:
+        name = ready.pop()
+        del waits_for[name]
+        for child in children.get(name, ()):
+            waits_for[child] -= 1
+            if waits_for[child] == 0:
+                ready.append(child)
+    return _on_circle(next(iter(waits_for)), parents, waits_for) if waits_for else None
+
+
+def _on_circle(start: str, parents: Mapping[str, Sequence[str]], left: Mapping[str, int]) -> str:
+    """A name on a circle that is reached by going to parents that wait themselves."""
+    seen: set[str] = set()
+    name = start
+    while name not in seen:
+        seen.add(name)
+        name = next(each for each in parents[name] if each in left)
+    return name

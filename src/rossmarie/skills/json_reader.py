@@ -1,0 +1,138 @@
+"""Values of a JSON file, each with the way to it, so that what is wrong is told by its place."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any, NoReturn, TypeVar
+
+Made = TypeVar("Made")
+
+_KINDS = {dict: "an object", list: "a list", str: "a text", bool: "a truth", type(None): "null"}
+_LONGEST_SHOWN = 40
+
+
+class UnreadableJson(Exception):
+    """A text that is no JSON, or other JSON than expected; `offset` is where, None if only the
+    message says so.
+    """
+
+    def __init__(self, problem: str, offset: int | None = None) -> None:
+        super().__init__(problem)
+        self.problem = problem
+        self.offset = offset
+
+
+@dataclass(frozen=True)
+class Json:
+    """A value and the way to it: `skills[3].name`."""
+
+    value: Any
+    way: str = ""
+
+    def fail(self, problem: str) -> NoReturn:
+        """Raise `UnreadableJson`, which says where."""
+        raise UnreadableJson(f"`{self.way}` {problem}" if self.way else f"the file {problem}")
+
+    def get(self, key: str) -> Json:
+        """The member of an object."""
+        found = self.find(key)
+        if found is None:
+            Json(None, self._way_to(key)).fail("is missing")
+        return found
+
+    def find(self, key: str) -> Json | None:
+        """The member of an object, if it is there."""
+        if not isinstance(self.value, dict):
+            self._expected("an object")
+        return Json(self.value[key], self._way_to(key)) if key in self.value else None
+
+    def _way_to(self, key: str) -> str:
+        return f"{self.way}.{key}" if self.way else key
+
+    def elements(self) -> Iterator[Json]:
+        """The elements of a list."""
+        if not isinstance(self.value, list):
+            self._expected("a list")
+        for place, element in enumerate(self.value):
+            yield Json(element, f"{self.way}[{place}]")
+
+    def each(self, make: Callable[[Json], Made]) -> tuple[Made, ...]:
+        """What is made of each element of a list."""
+        return tuple(make(element) for element in self.elements())
+
+    def optional(self, make: Callable[[Json], Made]) -> Made | None:
+        """What is made of a value that may be null."""
+        return None if self.value is None else make(self)
+
+    def text(self) -> str:
+        """A text, which is not empty."""
+        if not isinstance(self.value, str):
+            self._expected("a text")
+        if not self.value:
+            self.fail("is empty")
+        return self.value
+
+    def texts(self) -> tuple[str, ...]:
+        """A list of texts."""
+        return self.each(Json.text)
+
+    def one_of(self, *words: str) -> str:
+        """One of some texts."""
+        found = self.text()
+        if found not in words:
+            shown = found if len(found) <= _LONGEST_SHOWN else f"{found[:_LONGEST_SHOWN]}..."
+            self.fail(f"is `{shown}`, and none of {', '.join(words)}")
+        return found
+
+    def number(self) -> float:
+        """A finite number."""
+        if isinstance(self.value, bool) or not isinstance(self.value, int | float):
+            self._expected("a number")
+        try:
+            found = float(self.value)
+        except OverflowError:
+            found = math.inf
+        if not math.isfinite(found):
+            self.fail("is not a finite number")
+        return found
+
+    def whole(self) -> int:
+        """A whole number above zero."""
+        if isinstance(self.value, bool) or not isinstance(self.value, int):
+            self._expected("a whole number")
+        if self.value < 1:
+            self.fail("is below 1")
+        return self.value
+
+    def _expected(self, kind: str) -> NoReturn:
+        found = _KINDS.get(type(self.value), "a number")
+        self.fail(f"is {found}, not {kind}")
+
+
+def parse_json(text: str) -> Json:
+    """The value in a text. Raises `UnreadableJson`."""
+    try:
+        return Json(json.loads(text, parse_constant=_no_number, object_pairs_hook=_object))
+    except json.JSONDecodeError as error:
+        raise UnreadableJson(f"it is not JSON: {error.msg.lower()}", error.pos) from error
+    except RecursionError as error:
+        raise UnreadableJson("its brackets are nested too deeply") from error
+    except ValueError as error:  # a whole number with more digits than Python converts
+        raise UnreadableJson("it has a number with too many digits") from error
+
+
+def _no_number(word: str) -> NoReturn:
+    raise UnreadableJson(f"it contains `{word}`, which is not a finite number")
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in found:
+            shown = key if len(key) <= _LONGEST_SHOWN else f"{key[:_LONGEST_SHOWN]}..."
+            raise UnreadableJson(f"an object has the key `{shown}` twice")
+        found[key] = value
+    return found

@@ -1,0 +1,105 @@
+"""What a file of skills says, as far as rules ask."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Place:
+    """A stretch of a source; lines and columns count from 1, the end is behind the last character.
+    `path` is relative to the folder of the file of skills.
+    """
+
+    path: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file that the skills come from, and its SHA-256 in hexadecimal."""
+
+    path: str
+    sha256: str
+
+
+@dataclass(frozen=True)
+class SkillClass:
+    """A class of things, `skiros.Product`, and those that it is derived from."""
+
+    name: str
+    parents: tuple[str, ...]
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class Property:
+    """A data property of things: `float`, `int`, `bool` or `str`; `of` are the classes that have
+    it. Numbers of a property with a `unit` arrive in SI.
+    """
+
+    name: str
+    type: str
+    of: tuple[str, ...]
+    unit: str | None
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`."""
+
+    name: str
+    type: str
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class Permission:
+    """What a skill permits, such as `contact`: `things` are pairs of a parameter and a class. The
+    limit is in words, such as `30 N`.
+    """
+
+    kind: str
+    things: tuple[tuple[str, str], ...]
+    limit: str | None
+    place: Place | None
+
+    def __str__(self) -> str:
+        """`contact with skiros.Product up to 30 N`."""
+        named = [name for _, name in self.things]
+        things = f" with {' and '.join(named)}" if named else ""
+        return f"{self.kind}{things}" + (f" up to {self.limit}" if self.limit else "")
+
+
+@dataclass(frozen=True)
+class Skill:
+    """A skill, by the name of its description; `parents` are the descriptions that it is derived
+    from.
+    """
+
+    name: str
+    parents: tuple[str, ...]
+    parameters: Mapping[str, Parameter]
+    permits: tuple[Permission, ...]
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class SkillFile:
+    """A file of skills. `digest` stands for its sources; messages of that export carry it. The
+    context is the topic on which these come, each `period_ns`.
+    """
+
+    digest: str
+    sources: tuple[Source, ...]
+    topic: str
+    message_type: str
+    period_ns: int
+    classes: Mapping[str, SkillClass]
+    properties: Mapping[str, Property]
+    skills: Mapping[str, Skill]

@@ -1,0 +1,237 @@
+"""The text of a file of skills -> what it says.
+
+Trusts nothing: whatever is not as the format demands is an `UnreadableSkills` that says what and
+where. Keys that the format does not have are passed over.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Protocol, TypeVar
+
+from dslkit.source import SourceFile, ending
+from rossmarie.skills.closed import circle_among
+from rossmarie.skills.json_reader import Json, UnreadableJson, parse_json
+from rossmarie.skills.model import (
+    Parameter,
+    Permission,
+    Place,
+    Property,
+    Skill,
+    SkillClass,
+    SkillFile,
+    Source,
+)
+
+FORMAT = "ezskiros/skills"
+VERSION = 1
+MESSAGE_TYPE = "skill_context_msgs/SkillContext"
+LARGEST_FILE = 16 * 2**20
+"""Bytes of a file of skills."""
+LONGEST_PERIOD = 3600.0
+"""Seconds between two messages of a context."""
+PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
+"""The types of parameters that are no things."""
+
+_DIGEST = re.compile(r"[0-9a-f]{64}")
+_NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
+_CLASS = re.compile(r"[A-Za-z_]\w*(?:\.[A-Za-z_]\w*)*", re.ASCII)
+_TOPIC = re.compile(r"/[A-Za-z_][A-Za-z0-9_]*(?:/[A-Za-z0-9_]+)*", re.ASCII)
+
+
+class UnreadableSkills(Exception):
+    """A file of skills that cannot be used: why, the file as far as it was read, and the offset in
+    it, None if only the reason says where. `is_missing` tells that there is no such file.
+    """
+
+    def __init__(
+        self,
+        problem: str,
+        file: SourceFile | None = None,
+        offset: int | None = None,
+        *,
+        is_missing: bool = False,
+    ) -> None:
+        super().__init__(problem)
+        self.problem = problem
+        self.file = file
+        self.offset = offset
+        self.is_missing = is_missing
+
+
+class _Named(Protocol):
+    @property
+    def name(self) -> str: ...
+
+
+_Item = TypeVar("_Item", bound=_Named)
+
+
+def read_text(path: Path) -> SourceFile:
+    """The text of a file of skills. Raises `UnreadableSkills`."""
+    if ending(path) != ".json":
+        raise UnreadableSkills("its name, or that of the file it links to, does not end in .json")
+    try:
+        with path.open("rb") as stream:
+            content = stream.read(LARGEST_FILE + 1)
+        if len(content) > LARGEST_FILE:
+            raise UnreadableSkills(f"it is larger than {LARGEST_FILE // 2**20} MiB")
+        return SourceFile.decoded(str(path), content)
+    except FileNotFoundError as error:
+        raise UnreadableSkills("there is no such file", is_missing=True) from error
+    except UnicodeDecodeError as error:
+        raise UnreadableSkills("it is not UTF-8 text") from error
+    except (OSError, ValueError) as error:  # ValueError: what no path can be
+        reason = getattr(error, "strerror", None) or "it cannot be opened"
+        raise UnreadableSkills(reason.lower()) from error
+
+
+def parse_skills(file: SourceFile) -> SkillFile:
+    """What a file of skills says. Raises `UnreadableSkills`."""
+    try:
+        return _skills(parse_json(file.text))
+    except UnreadableJson as error:
+        raise UnreadableSkills(error.problem, file, error.offset) from error
+
+
+def _skills(root: Json) -> SkillFile:
+    root.get("format").one_of(FORMAT)
+    version = root.get("version")
+    if version.whole() != VERSION:
+        version.fail(f"is {version.value}, and this program reads version {VERSION}")
+    context = root.get("context")
+    context.get("type").one_of(MESSAGE_TYPE)
+    classes = _by_name(root.get("classes"), _class)
+    skills = _by_name(root.get("skills"), _skill)
+    _require_no_circle(root.get("classes"), classes, lambda each: each.parents)
+    _require_no_circle(root.get("skills"), skills, lambda each: each.parents)
+    _require_known(root.get("skills"), classes)
+    return SkillFile(
+        digest=_matching(root.get("digest"), _DIGEST, "64 hexadecimal digits"),
+        sources=root.get("sources").each(_source),
+        topic=_matching(context.get("topic"), _TOPIC, "a topic such as /skill_context"),
+        message_type=MESSAGE_TYPE,
+        period_ns=_period_ns(context.get("period")),
+        classes=classes,
+        properties=_by_name(root.get("properties"), _property),
+        skills=skills,
+    )
+
+
+def _by_name(items: Json, make: Callable[[Json], _Item]) -> Mapping[str, _Item]:
+    found: dict[str, _Item] = {}
+    for item in items.elements():
+        made = make(item)
+        if made.name in found:
+            item.get("name").fail(f"is `{made.name}`, which stands in the list before")
+        found[made.name] = made
+    return found
+
+
+def _require_no_circle(
+    items: Json, found: Mapping[str, _Item], parents: Callable[[_Item], tuple[str, ...]]
+) -> None:
+    name = circle_among({each: parents(item) for each, item in found.items()})
+    if name is not None:
+        items.fail(f"derive `{name}` from itself")
+
+
+def _require_known(skills: Json, classes: Mapping[str, SkillClass]) -> None:
+    """A parameter that is a thing is of a class in the file."""
+    for skill in skills.elements():
+        for parameter in skill.get("parameters").elements():
+            type_ = parameter.get("type")
+            if type_.text() not in (*PLAIN_TYPES, *classes):
+                type_.fail(f"is `{type_.text()}`, which is no class of the file")
+
+
+def _period_ns(period: Json) -> int:
+    seconds = period.number()
+    nanoseconds = round(seconds * 1e9) if seconds <= LONGEST_PERIOD else 0
+    if nanoseconds < 1:
+        period.fail(f"is {seconds:g}, and no time up to {LONGEST_PERIOD:g} seconds")
+    return nanoseconds
+
+
+def _matching(value: Json, pattern: re.Pattern[str], form: str) -> str:
+    if not pattern.fullmatch(value.text()):
+        value.fail(f"is not {form}")
+    return value.text()
+
+
+def _name(value: Json) -> str:
+    return _matching(value, _NAME, "a name")
+
+
+def _class_name(value: Json) -> str:
+    return _matching(value, _CLASS, "a name such as skiros.Product")
+
+
+def _source(source: Json) -> Source:
+    path = source.get("path")
+    if Path(path.text()).is_absolute() or "\0" in path.text():
+        path.fail("is not relative to the folder of the file")
+    return Source(path.text(), _matching(source.get("sha256"), _DIGEST, "64 hexadecimal digits"))
+
+
+def _class(item: Json) -> SkillClass:
+    parents = item.get("parents").each(_class_name)
+    return SkillClass(_class_name(item.get("name")), parents, _place_of(item))
+
+
+def _property(item: Json) -> Property:
+    return Property(
+        name=_class_name(item.get("name")),
+        type=item.get("type").one_of("float", "int", "bool", "str"),
+        of=item.get("of").each(_class_name),
+        unit=item.get("unit").optional(Json.text),
+        place=_place_of(item),
+    )
+
+
+def _skill(item: Json) -> Skill:
+    parameters = _by_name(item.get("parameters"), _parameter)
+    permits = item.get("permits").each(lambda each: _permission(each, parameters))
+    parents = item.get("parents").each(_name)
+    return Skill(_name(item.get("name")), parents, parameters, permits, _place_of(item))
+
+
+def _parameter(item: Json) -> Parameter:
+    return Parameter(_name(item.get("name")), item.get("type").text(), _place_of(item))
+
+
+def _permission(item: Json, parameters: Mapping[str, Parameter]) -> Permission:
+    return Permission(
+        kind=item.get("kind").one_of("contact", "closeness", "speed", "force"),
+        things=item.get("with").each(lambda each: _thing(each, parameters)),
+        limit=item.get("limit").optional(_limit),
+        place=_place_of(item),
+    )
+
+
+def _thing(item: Json, parameters: Mapping[str, Parameter]) -> tuple[str, str]:
+    parameter = item.get("parameter")
+    if parameter.text() not in parameters:
+        parameter.fail("is no parameter of the skill")
+    return parameter.text(), _class_name(item.get("class"))
+
+
+def _limit(item: Json) -> str:
+    item.get("si").number()
+    return f"{item.get('value').number():g} {item.get('unit').text()}"
+
+
+def _place_of(item: Json) -> Place | None:
+    return item.get("place").optional(_place)
+
+
+def _place(item: Json) -> Place:
+    return Place(
+        item.get("path").text(),
+        item.get("line").whole(),
+        item.get("column").whole(),
+        item.get("end_line").whole(),
+        item.get("end_column").whole(),
+    )
