@@ -16,9 +16,15 @@ if TYPE_CHECKING:
         SkillDescription,
         State,
         abstract,
+        closeness,
+        contact,
+        force,
         generated,
         of_type,
+        server,
         specified,
+        speed,
+        topic,
     )
 
 __all__ = [
@@ -33,9 +39,15 @@ __all__ = [
     "SkillDescription",
     "State",
     "abstract",
+    "closeness",
+    "contact",
+    "force",
     "generated",
     "of_type",
+    "server",
     "specified",
+    "speed",
+    "topic",
 ]
 
 

@@ -143,7 +143,9 @@ class UnknownSkillError(LookupError):
 
 
 def explain_skill(name: str, paths: Iterable[Path], collector: Collector | None = None) -> str:
-    """Tell how each inferred parameter of a skill gets its value. Raises `UnknownSkillError`."""
+    """Tell how each inferred parameter of a skill gets its value, and what the skill permits and
+    uses. Raises `UnknownSkillError`.
+    """
     skills = {each.name: each for each in check_paths(paths, collector=collector).skills}
     if name not in skills:
         near = difflib.get_close_matches(name, skills, n=1)
@@ -185,3 +187,5 @@ def _lines(skill: SkillInterface) -> Iterable[str]:
             yield f"{shown}  from {step.source}, by {place.text} ({place})"
         else:
             yield f"{shown}  any of its class: no pre-condition leads to it"
+    yield from (f"permits {each.span.text} ({each.span})" for each in skill.permits)
+    yield from (f"uses {each.span.text} ({each.span})" for each in skill.uses)

@@ -18,7 +18,7 @@ from ezskiros.ontology import condition_errors
 from ezskiros.ontology import errors as ontology_errors
 from ezskiros.planning import errors as planning_errors
 from ezskiros.skills import errors as skills_errors
-from ezskiros.skills import load_errors, parameter_errors, tree_errors
+from ezskiros.skills import load_errors, parameter_errors, permit_errors, tree_errors
 from ezskiros.trees import errors as launch_errors
 
 DIAGNOSTICS: tuple[type[Template], ...] = (
@@ -26,6 +26,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *ontology_errors.ALL,
     *skills_errors.ALL,
     *parameter_errors.ALL,
+    *permit_errors.ALL,
     *confinement_errors.ALL,
     *condition_errors.ALL,
     *world_errors.ALL,

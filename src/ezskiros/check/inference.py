@@ -62,6 +62,7 @@ def check_inference(
     reached = chains(skill)
     clauses = (*skill.pre, *skill.hold, *skill.post)
     used = implemented_with | {name for clause in clauses for name in names(clause.statement)}
+    used |= {thing.parameter for each in skill.permits for thing in each.things if thing.parameter}
     for parameter in skill.parameters:
         if parameter.iri is None:
             continue

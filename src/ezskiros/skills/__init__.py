@@ -18,6 +18,8 @@ from ezskiros.skills.markers import (
     UNSPECIFY,
     Key,
 )
+from ezskiros.skills.permits import closeness, contact, force, speed
+from ezskiros.skills.uses import server, topic
 
 __all__ = [
     "CONSUME",
@@ -31,7 +33,13 @@ __all__ = [
     "SkillDescription",
     "State",
     "abstract",
+    "closeness",
+    "contact",
+    "force",
     "generated",
     "of_type",
+    "server",
     "specified",
+    "speed",
+    "topic",
 ]

@@ -60,11 +60,14 @@ def describe(skill: SkillClass) -> Described | None:
         pre=first.pre,
         hold=first.hold,
         post=first.post,
+        permits=first.permits,
+        uses=first.uses,
         doc=inspect.cleandoc(skill.__doc__ or ""),
         unclear=_unclear(method, parameters),
     )
-    types = (each.type for each in parameters)
-    ontologies = [each.vocabulary for each in types if isinstance(each, ThingClass)]
+    types = [each.type for each in parameters if isinstance(each.type, ThingClass)]
+    types += [thing.owl_class for each in first.permits for thing in each.things]
+    ontologies = [each.vocabulary for each in types]
     found = next((each for each in ontologies if isinstance(each, Ontology)), None)
     return Described(interface, found, are_whole)
 
@@ -100,7 +103,14 @@ def _has_self(method: FunctionType) -> bool:
 def _made(skill: SkillClass) -> Adding:
     """An instance: to call a skill by its name is to make a child of a behavior tree."""
     made: SkillDescription = type.__call__(skill)
-    return Adding(made, made.pre_conditions, made.hold_conditions, made.post_conditions)
+    return Adding(
+        made,
+        made.pre_conditions,
+        made.hold_conditions,
+        made.post_conditions,
+        made.permits,
+        made.uses,
+    )
 
 
 def _explored(

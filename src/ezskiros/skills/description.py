@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator
+from typing import Any
 
 from dslkit.source import Span
 from ezskiros import session
@@ -20,25 +20,25 @@ from ezskiros.ontology.things import (
     is_asked_here,
 )
 from ezskiros.skills import errors
+from ezskiros.skills.added import Added
 from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.interface import Clause
+from ezskiros.skills.permits import Permits
 from ezskiros.skills.syntax import added_value
+from ezskiros.skills.uses import Uses
 
 
-class Conditions:
+class Conditions(Added[Clause]):
     """The pre-, hold- or post-conditions of a skill: `self.pre_conditions += condition`."""
 
     def __init__(self, kind: str) -> None:
-        self._kind = kind
-        self._clauses: list[Clause] = []
-        self.are_whole = True
-        """True if all that was added are conditions: after a mistake some may be missing."""
+        super().__init__(f"{kind}_conditions")
 
     def __iadd__(self, condition: Condition | Unknown) -> Conditions:
         # Type checkers refuse all else; who has none is told here.
         if isinstance(condition, Condition) and not is_asked_here():
-            self._clauses.append(Clause(condition.statement, condition.span))
+            self._items.append(Clause(condition.statement, condition.span))
             return self
         self.are_whole = False
         span = added_value(session.here())
@@ -53,18 +53,7 @@ class Conditions:
         """Take what `=` says where `+=` is meant; that it is wrong has been reported."""
         self.are_whole = False
         if isinstance(value, Condition):
-            self._clauses.append(Clause(value.statement, value.span))
-
-    def __getattr__(self, name: str) -> Unknown:
-        if name.startswith("__"):
-            raise AttributeError(name)
-        self.are_whole = False
-        found = errors.AddedOtherwise(spelled=name, conditions=f"{self._kind}_conditions")
-        session.report(found.at(session.here()))
-        return UNKNOWN
-
-    def __iter__(self) -> Iterator[Clause]:
-        return iter(self._clauses)
+            self._items.append(Clause(value.statement, value.span))
 
 
 def _is_told(condition: object, span: Span) -> bool:
@@ -86,6 +75,8 @@ class SkillDescription(metaclass=SkillClass):
     pre_conditions: Conditions
     hold_conditions: Conditions
     post_conditions: Conditions
+    permits: Permits
+    uses: Uses
 
     class SkillBase(SkillImplementation):
         """From this the implementations of the skill are derived; each skill has its own."""
@@ -98,25 +89,27 @@ class SkillDescription(metaclass=SkillClass):
         self.pre_conditions = Conditions("pre")
         self.hold_conditions = Conditions("hold")
         self.post_conditions = Conditions("post")
+        self.permits = Permits("permits")
+        self.uses = Uses("uses")
 
     def __setattr__(self, name: str, value: object) -> None:
-        if name in CONDITIONS and name in self.__dict__ and value is not self.__dict__[name]:
+        if name in PARTS and name in self.__dict__ and value is not self.__dict__[name]:
             session.report(errors.ReplacedConditions(conditions=name).at(session.here()))
             self.__dict__[name].replaced_by(value)
             return
         object.__setattr__(self, name, value)
 
-    def __getattr__(self, name: str) -> Conditions:
-        """The conditions that are meant, after a finding."""
-        near = difflib.get_close_matches(name, CONDITIONS, n=1, cutoff=0.75)
+    def __getattr__(self, name: str) -> Added[Any]:
+        """The part that is meant, after a finding."""
+        near = difflib.get_close_matches(name, PARTS, n=1, cutoff=0.75)
         if name.startswith("__") or not near:
             raise AttributeError(f"{type(self).__name__!r} object has no attribute {name!r}")
         session.report(errors.NoConditions(spelled=name, meant=near[0]).at(session.here()))
-        meant: Conditions = self.__dict__[near[0]]
+        meant: Added[Any] = self.__dict__[near[0]]
         return meant
 
 
-CONDITIONS = ("pre_conditions", "hold_conditions", "post_conditions")
+PARTS = ("pre_conditions", "hold_conditions", "post_conditions", "permits", "uses")
 """The attributes that `self` has in a description."""
 
 

@@ -110,8 +110,8 @@ class PackedParameters(Error, code="EZS208", name="packed-parameters"):
 class ReplacedConditions(Error, code="EZS209", name="replaced-conditions"):
     """`=` where `+=` is meant."""
 
-    title = "`{conditions}` is replaced, which would lose the conditions that it has"
-    help = "add a condition: `self.{conditions} += ...`"
+    title = "`{conditions}` is replaced, which would lose what it has"
+    help = "add to it: `self.{conditions} += ...`"
     conditions: str
 
 
@@ -164,7 +164,7 @@ class NoSelf(Error, code="EZS214", name="no-self"):
 class AddedOtherwise(Error, code="EZS215", name="added-otherwise"):
     """`append` where `+=` is meant."""
 
-    title = "conditions are added with `+=`: there is no `{spelled}`"
+    title = "`+=` adds to `self.{conditions}`: there is no `{spelled}`"
     help = "write `self.{conditions} += ...`, a line for each"
     spelled: str
     conditions: str

@@ -1,4 +1,4 @@
-"""A method that adds conditions in, the conditions out.
+"""A method that adds conditions in, the conditions out; with them what a skill permits and uses.
 
 The method is run with symbols in place of its parameters, as often as its branches ask for (the
 pattern Symbolic Tracing; thesis, Paper IV, section 4.2). Conditions that depend on a value are
@@ -18,10 +18,12 @@ from dslkit.source import Span
 from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN, ThingClass, symbol
 from ezskiros.skills import errors
-from ezskiros.skills.description import Conditions as Added
+from ezskiros.skills.added import Added
 from ezskiros.skills.interface import Clause, Parameter
 from ezskiros.skills.parameters import signature_of
+from ezskiros.skills.permits import Permission
 from ezskiros.skills.tracing import Method, Way, ways
+from ezskiros.skills.uses import Use
 from ezskiros.skills.values import SymbolicValue
 
 
@@ -30,25 +32,28 @@ class Adding:
     """The `self` that a method is run on, and its attributes to which the method adds."""
 
     instance: Any
-    pre: Added
-    hold: Added
-    post: Added
+    pre: Added[Clause]
+    hold: Added[Clause]
+    post: Added[Clause]
+    permits: Added[Permission]
+    uses: Added[Use]
 
 
 @dataclass(frozen=True)
 class Conditions:
-    """The conditions of one way through a method."""
+    """The additions of one way through a method."""
 
     pre: tuple[Clause, ...] = ()
     hold: tuple[Clause, ...] = ()
     post: tuple[Clause, ...] = ()
+    permits: tuple[Permission, ...] = ()
+    uses: tuple[Use, ...] = ()
 
-    def statements(self) -> tuple[frozenset[object], ...]:
-        """The conditions without the places at which they are written."""
-        return tuple(
-            frozenset(each.statement for each in clauses)
-            for clauses in (self.pre, self.hold, self.post)
-        )
+    def said(self) -> tuple[frozenset[object], ...]:
+        """All of it without the places at which it is written."""
+        conditions = (self.pre, self.hold, self.post)
+        statements = [frozenset(each.statement for each in clauses) for clauses in conditions]
+        return (*statements, frozenset(self.permits), frozenset(self.uses))
 
 
 def explored(
@@ -68,7 +73,7 @@ def explored(
         conditions, is_whole = _conditions(way)
         if not way.has_ended:
             return conditions, is_whole
-        if found and conditions.statements() != found[0].statements():
+        if found and conditions.said() != found[0].said():
             session.report(_depends(method.owner.__name__, *way.decisions.last_planned()))
             break
         found.append(conditions)
@@ -80,9 +85,16 @@ def _conditions(way: Way[Adding]) -> tuple[Conditions, bool]:
     """The conditions that a run has added, and whether none is missing."""
     if way.instance is None:
         return Conditions(), False
-    kinds = (way.instance.pre, way.instance.hold, way.instance.post)
-    found = Conditions(*(tuple(each) for each in kinds))
-    return found, way.has_ended and all(each.are_whole for each in kinds)
+    adding = way.instance
+    found = Conditions(
+        tuple(adding.pre),
+        tuple(adding.hold),
+        tuple(adding.post),
+        tuple(adding.permits),
+        tuple(adding.uses),
+    )
+    parts = (adding.pre, adding.hold, adding.post, adding.permits, adding.uses)
+    return found, way.has_ended and all(each.are_whole for each in parts)
 
 
 def _symbols(parameters: Sequence[Parameter]) -> dict[str, object]:

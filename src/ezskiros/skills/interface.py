@@ -11,6 +11,8 @@ from ezskiros.ontology.iris import THING
 from ezskiros.ontology.statements import Statement, Value
 from ezskiros.ontology.things import ThingClass
 from ezskiros.skills.markers import Kind, Option
+from ezskiros.skills.permits import Permission
+from ezskiros.skills.uses import Use
 
 BASIC = (str, int, float, bool)
 ROBOT = "Robot"
@@ -77,7 +79,7 @@ class Clause:
 @dataclass(frozen=True)
 class SkillInterface:
     """The description of a skill. A skill can start when all of `pre` hold; `hold` holds all the
-    while; when it has succeeded, all of `post` hold.
+    while; when it has succeeded, all of `post` hold. What it permits and uses is for rules.
     """
 
     name: str
@@ -86,6 +88,8 @@ class SkillInterface:
     pre: Sequence[Clause]
     hold: Sequence[Clause]
     post: Sequence[Clause]
+    permits: Sequence[Permission] = ()
+    uses: Sequence[Use] = ()
     doc: str = ""
     unclear: frozenset[str] = frozenset()
     """The names of parameters whose types were not understood, which has been reported."""

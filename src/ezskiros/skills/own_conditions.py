@@ -19,8 +19,8 @@ from typing import Any
 
 from dslkit.diagnostics import Diagnostic, DidYouMean, Remark, Template, remarked
 from ezskiros import session
-from ezskiros.ontology.things import Condition, Unknown
 from ezskiros.skills import errors, tree_errors
+from ezskiros.skills.added import Added
 from ezskiros.skills.describe import Described
 from ezskiros.skills.description import Conditions
 from ezskiros.skills.explored import Adding, explored
@@ -122,22 +122,24 @@ def _adds_nothing(implementation: type[SkillImplementation], function: FunctionT
 def _made(implementation: type[SkillImplementation]) -> Adding:
     """An instance with conditions to which it adds."""
     skill = implementation.description.__name__
-    pre, hold, post = Conditions("pre"), _OfTheSkill("hold", skill), _OfTheSkill("post", skill)
     made: Any = implementation()
-    made.pre_conditions, made.hold_conditions, made.post_conditions = pre, hold, post
-    return Adding(made, pre, hold, post)
+    made.pre_conditions = pre = Conditions("pre")
+    made.hold_conditions = hold = _OfTheSkill("hold_conditions", skill)
+    made.post_conditions = post = _OfTheSkill("post_conditions", skill)
+    made.permits = permits = _OfTheSkill("permits", skill)
+    made.uses = uses = _OfTheSkill("uses", skill)
+    return Adding(made, pre, hold, post, permits, uses)
 
 
-class _OfTheSkill(Conditions):
-    """Hold- and post-conditions are those of the skill: an implementation adds none."""
+class _OfTheSkill(Added[Any]):
+    """All but pre-conditions is that of the skill: an implementation adds nothing to it."""
 
-    def __init__(self, kind: str, skill: str) -> None:
-        super().__init__(kind)
+    def __init__(self, attribute: str, skill: str) -> None:
+        super().__init__(attribute)
         self._skill = skill
 
-    def __iadd__(self, condition: Condition | Unknown) -> Conditions:
+    def __iadd__(self, _added: object) -> _OfTheSkill:
         self.are_whole = False
-        spelled = f"{self._kind}_conditions"
-        found = tree_errors.OnlyPreConditions(spelled=spelled, skill=self._skill)
+        found = tree_errors.OnlyPreConditions(spelled=self._attribute, skill=self._skill)
         session.report(found.at(session.here()))
         return self

@@ -20,7 +20,7 @@ from ezskiros import session
 from ezskiros.ontology.things import UNKNOWN
 from ezskiros.skills import errors
 from ezskiros.skills.blame import said, user_files, user_place
-from ezskiros.skills.description import CONDITIONS
+from ezskiros.skills.description import PARTS
 from ezskiros.skills.guard import SideEffectError, TimeOverError, guarded
 from ezskiros.skills.importing import forget_since, importing
 from ezskiros.skills.intercept import intercept
@@ -156,8 +156,8 @@ def _raised(method: Method, problem: BaseException) -> Diagnostic:
 def _help_for(problem: BaseException) -> Remark | None:
     """The help where `self.` is forgotten, `pre_conditions += ...`, or the name is misspelt."""
     if isinstance(problem, AttributeError) and problem.name:
-        near = difflib.get_close_matches(problem.name, CONDITIONS, n=1, cutoff=0.75)
+        near = difflib.get_close_matches(problem.name, PARTS, n=1, cutoff=0.75)
         return DidYouMean(near=f"self.{near[0]}") if near else None
     unbound = isinstance(problem, UnboundLocalError)
-    names = (each for each in CONDITIONS if unbound and f"'{each}'" in str(problem))
+    names = (each for each in PARTS if unbound and f"'{each}'" in str(problem))
     return next((errors.Raised.Added(conditions=each) for each in names), None)

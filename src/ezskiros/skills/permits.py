@@ -1,0 +1,202 @@
+"""The things that a skill permits: `self.permits += force(Object, "20 N")`.
+
+What is a hazard elsewhere is the purpose of some skills (thesis, section 5.2). Each permission
+stands for itself: what one of them permits is permitted. Rules read them; SkiROS2 does not.
+"""
+
+from __future__ import annotations
+
+import difflib
+import enum
+import math
+from dataclasses import dataclass, field
+
+from dslkit.diagnostics import DidYouMean, listed
+from dslkit.source import Span
+from ezskiros import session
+from ezskiros.ontology.things import (
+    UNKNOWN,
+    Described,
+    Thing,
+    ThingClass,
+    Unknown,
+    depends_on_symbol,
+    described,
+)
+from ezskiros.skills import permit_errors as errors
+from ezskiros.skills.added import Added
+from ezskiros.skills.quantities import UNITS, Dimension, Quantity, read, units_of
+from ezskiros.skills.syntax import added_value
+
+
+class Permit(enum.Enum):
+    """The kinds of permissions."""
+
+    CONTACT = "contact"
+    """The robot may touch things."""
+    CLOSENESS = "closeness"
+    """It may come as close to a thing as the limit."""
+    SPEED = "speed"
+    """It may move as fast as the limit."""
+    FORCE = "force"
+    """It may push a thing as hard as the limit."""
+
+
+DIMENSIONS: dict[Permit, tuple[Dimension, ...]] = {
+    Permit.CONTACT: (),
+    Permit.CLOSENESS: (Dimension.LENGTH,),
+    Permit.SPEED: (Dimension.SPEED, Dimension.TURN),
+    Permit.FORCE: (Dimension.FORCE,),
+}
+"""The dimensions of the limits."""
+_EXAMPLES = {
+    Permit.CONTACT: "contact(Object)",
+    Permit.CLOSENESS: 'closeness(Person, "0.3 m")',
+    Permit.SPEED: 'speed("0.2 m/s")',
+    Permit.FORCE: 'force(Object, "20 N")',
+}
+_DIMENSION_WORDS = {
+    Dimension.LENGTH: "lengths",
+    Dimension.MASS: "masses",
+    Dimension.TIME: "times",
+    Dimension.FORCE: "forces",
+    Dimension.ANGLE: "angles",
+    Dimension.SPEED: "speeds",
+    Dimension.TURN: "speeds of turning",
+}
+
+
+@dataclass(frozen=True)
+class PermittedThing:
+    """The things that a permission is about: what the parameter stands for, or, without one, all of
+    a class. `owl_class` is that class; of a parameter the class of its type.
+    """
+
+    parameter: str | None
+    owl_class: ThingClass
+
+
+@dataclass(frozen=True)
+class Permission(Described):
+    """A permission of a skill, and where it is written. Of several things it permits each."""
+
+    kind: Permit
+    things: tuple[PermittedThing, ...]
+    limit: Quantity | None
+    span: Span = field(compare=False)
+
+    def described(self) -> str:
+        """For messages."""
+        return "what a skill permits"
+
+
+class Permits(Added[Permission]):
+    """The permissions of a skill: `self.permits += contact(Object)`."""
+
+    def __iadd__(self, permission: Permission | Unknown) -> Permits:
+        if isinstance(permission, Permission):
+            self._items.append(permission)
+            return self
+        self.are_whole = False
+        if not isinstance(permission, Unknown):
+            span = added_value(session.here())
+            session.report(errors.NoPermission(found=described(permission)).at(span))
+        return self
+
+    def replaced_by(self, value: object) -> None:
+        """Take the permission of `self.permits = contact(Object)`, which has been reported."""
+        self.are_whole = False
+        if isinstance(value, Permission):
+            self._items.append(value)
+
+
+def contact(thing: object, *others: object) -> Permission | Unknown:
+    """The robot may touch a thing, and each of the others: parameters, or classes."""
+    return _permission(Permit.CONTACT, (thing, *others), None)
+
+
+def closeness(thing: object, limit: object) -> Permission | Unknown:
+    """The robot may come as close to a thing as this: `closeness(Person, "0.3 m")`."""
+    return _permission(Permit.CLOSENESS, (thing,), limit)
+
+
+def speed(limit: object) -> Permission | Unknown:
+    """The robot may move as fast as this, `"0.2 m/s"`, or turn as fast, `"30 deg/s"`."""
+    return _permission(Permit.SPEED, (), limit)
+
+
+def force(thing: object, limit: object) -> Permission | Unknown:
+    """The robot may push a thing as hard as this: `force(Object, "20 N")`."""
+    return _permission(Permit.FORCE, (thing,), limit)
+
+
+def _permission(kind: Permit, things: tuple[object, ...], limit: object) -> Permission | Unknown:
+    span = session.here()
+    permitted = [_thing(kind, each, span) for each in things]
+    quantity = _limit(kind, limit, span) if DIMENSIONS[kind] else None
+    is_limited = quantity is not None or not DIMENSIONS[kind]
+    known = [each for each in permitted if each is not None]
+    if len(known) < len(things) or not is_limited:
+        return UNKNOWN
+    return Permission(kind, tuple(known), quantity, span)
+
+
+def _thing(kind: Permit, found: object, span: Span) -> PermittedThing | None:
+    """The thing, or the class of things; None after a finding."""
+    if isinstance(found, Thing):
+        return PermittedThing(repr(found), type(found))
+    if isinstance(found, ThingClass):
+        return PermittedThing(None, found)
+    if not isinstance(found, Unknown):
+        wrong = errors.PermittedNoThing(kind=kind.value, found=described(found))
+        session.report(wrong.at(span))
+    return None
+
+
+def _limit(kind: Permit, found: object, span: Span) -> Quantity | None:
+    """The limit; None after a finding."""
+    if isinstance(found, Unknown):
+        return None
+    written = read(found) if isinstance(found, str) and not depends_on_symbol(found) else None
+    if written is None or not written.unit:
+        _report_no_quantity(kind, found, written is not None, span)
+        return None
+    unit = UNITS.get(written.unit)
+    if unit is None:
+        _report_unknown_unit(kind, written.unit, span)
+        return None
+    if unit.dimension not in DIMENSIONS[kind]:
+        wrong = errors.WrongDimension(
+            kind=kind.value,
+            units=listed(units_of(*DIMENSIONS[kind])),
+            unit=written.unit,
+            dimension=_DIMENSION_WORDS[unit.dimension],
+        )
+        session.report(wrong.at(span))
+        return None
+    is_finite = math.isfinite(written.number)
+    si = unit.si(written.number) if is_finite else math.nan
+    if not math.isfinite(si) or written.has_minus:
+        fault = "below 0" if written.has_minus else "not finite"
+        unfit = errors.PermittedLimit(kind=kind.value, found=repr(found), fault=fault)
+        session.report(unfit.at(span))
+        return None
+    return Quantity(written.number, written.unit, si)
+
+
+def _report_no_quantity(kind: Permit, found: object, is_number: bool, span: Span) -> None:
+    wrong = errors.NoQuantity(kind=kind.value, found=described(found), example=_EXAMPLES[kind])
+    help: errors.NoQuantity.NoUnit | errors.NoQuantity.NotKnownBefore | None = None
+    if is_number:
+        help = wrong.NoUnit(units=listed(units_of(*DIMENSIONS[kind])))
+    elif isinstance(found, Described) or depends_on_symbol(found):
+        help = wrong.NotKnownBefore()
+    session.report(wrong.at(span, help=help))
+
+
+def _report_unknown_unit(kind: Permit, unit: str, span: Span) -> None:
+    known = units_of(*DIMENSIONS[kind])
+    by_lower = {each.lower(): each for each in known}
+    near = difflib.get_close_matches(unit.lower(), by_lower, n=1)
+    wrong = errors.UnknownUnit(unit=unit, kind=kind.value, units=listed(known))
+    session.report(wrong.at(span, help=DidYouMean(near=by_lower[near[0]]) if near else None))
