@@ -18,16 +18,19 @@ from rossmarie.ir import (
     NEVER_NS,
     Array,
     ByName,
+    Doing,
     Each,
     Listed,
     Machine,
     Path,
     Points,
+    Quantity,
     Slot,
     Told,
     arrival_names,
     field_names,
 )
+from rossmarie.ir.skills import answer
 
 Watch = Callable[..., "int | None"]
 """An instant and these fields; gives when time is wanted next, or None if the core has to tell
@@ -125,6 +128,8 @@ def _is_plain(empty: Message, path: Path) -> bool:
     *parents, last = path
     if not all(isinstance(part, str) for part in parents):
         return False
+    if isinstance(last, Doing | Quantity):
+        return True
     if not isinstance(last, str):
         return isinstance(_value(empty, tuple(parents)), np.ndarray)
     return isinstance(_field(empty, path), int | float)
@@ -174,6 +179,8 @@ def _field(message: Message, path: Path) -> Any:
             continue
         if isinstance(part, Each):
             return [_field(each, path[step + 1 :]) for each in value]
+        if isinstance(part, Doing | Quantity):
+            return answer(part, value)
         assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
         place = _place(message, part, len(value))
         if place is None or place >= len(value):

@@ -11,15 +11,18 @@ from rossmarie.ir import (
     Array,
     ByName,
     ChannelValues,
+    Doing,
     Each,
     Kind,
     Listed,
     Machine,
     Path,
     Points,
+    Quantity,
     Slot,
 )
 from rossmarie.ir.reactions import Publish, Scalar
+from rossmarie.ir.skills import SkillContext, answer
 
 
 @dataclass(frozen=True)
@@ -73,6 +76,8 @@ def _number(machine: Machine, slot: Slot, given: Given) -> float:
     if isinstance(last, str | Each | Points):
         value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
         return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
+    if isinstance(last, Doing | Quantity):  # rules publish no lists, so no skill runs
+        return answer(last, SkillContext(str(given.get(("digest",), ""))))
     elements = _elements(slot.path[:-1], given)
     place = _place(last, len(elements), given)
     is_there = place is not None and place < len(elements)

@@ -66,12 +66,57 @@ class Points:
 
 POINTS = Points()
 
+
+@dataclass(frozen=True)
+class Doing:
+    """The flag "a running skill is one of `skills`, and its arguments have these classes", of a
+    `skill_context_msgs/SkillContext`. `arguments` are pairs of a parameter and classes: its
+    argument is of one of these. Skills and classes include all that are derived from those that
+    the rules name. All are sorted, and nobody looks further.
+
+    `written` is how the rules write it, without names of namespaces that they leave out.
+    """
+
+    export: str
+    skills: tuple[str, ...]
+    arguments: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    written: str = ""
+
+    def __str__(self) -> str:
+        return self.written or f"doing {_choice(self.skills)}{self._limits()}"
+
+    def _limits(self) -> str:
+        limits = (f"{parameter}: {_choice(classes)}" for parameter, classes in self.arguments)
+        return f"({', '.join(limits)})" if self.arguments else ""
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """The number that is the argument `parameter` of the one running skill among `skills`, of a
+    `skill_context_msgs/SkillContext`; with a `property`, that of the thing that is the argument. It
+    is in SI where it has a unit. `skills` and `written` are as those of `Doing`.
+    """
+
+    export: str
+    skills: tuple[str, ...]
+    parameter: str
+    property: str | None = None
+    written: str = ""
+
+    def __str__(self) -> str:
+        behind = "" if self.property is None else f".{self.property}"
+        return self.written or f"{_choice(self.skills)}.{self.parameter}{behind}"
+
+
+SkillStep = Doing | Quantity
+"""A question to the skills that run. It stands at the message itself, alone on its path."""
+
 AXES = ("x", "y", "z")
 """The fields that are the place of a point: what has no place is no point (S57)."""
 
-Step = str | int | ByName | Listed | Each | Points
-"""The name of a field, the place or the name of an element, every element, or the points of a
-cloud.
+Step = str | int | ByName | Listed | Each | Points | Doing | Quantity
+"""The name of a field, the place or the name of an element, every element, the points of a cloud,
+or a question to the skills that run.
 """
 
 Path = tuple[Step, ...]
@@ -111,5 +156,9 @@ def _step_text(step: Step) -> str:
             return f'["{key}"]'
         case Each():
             return "[]"
-        case Points():
+        case Points() | Doing() | Quantity():
             return f".{step}"
+
+
+def _choice(names: Sequence[str]) -> str:
+    return " or ".join(names)

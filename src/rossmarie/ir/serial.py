@@ -16,11 +16,11 @@ import typing
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import model as ir
 from rossmarie.ir.feedback import Margin
-from rossmarie.ir.path import ByName, Each, Listed, Points
+from rossmarie.ir.path import ByName, Doing, Each, Listed, Points, Quantity
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 8
+VERSION = 9
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -78,7 +78,7 @@ _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {step.__name__: step for step in (ByName, Listed, Each, Points, Margin)}
+} | {step.__name__: step for step in (ByName, Listed, Each, Points, Doing, Quantity, Margin)}
 
 
 def _is_node(kind: type) -> bool:
@@ -92,7 +92,9 @@ def _decode(hint: object, data: typing.Any, files: list[SourceFile]) -> object:
         return _decode(_choose(arguments, data), data, files)
     if typing.get_origin(hint) is tuple:
         _require(isinstance(data, list), hint, data)
-        return tuple(_decode(arguments[0], item, files) for item in data)
+        is_long = arguments[-1] is ...
+        hints = [arguments[0]] * len(data) if is_long else arguments
+        return tuple(_decode(each, item, files) for each, item in zip(hints, data, strict=True))
     if hint is Span:
         file, start, end = data
         return Span(files[_decode_int(file)], _decode_int(start), _decode_int(end))

@@ -20,7 +20,7 @@ from rossmarie.ir.malformed import (
     require_finite,
     require_index,
 )
-from rossmarie.ir.path import EACH
+from rossmarie.ir.path import EACH, Doing, Path, Quantity
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -83,17 +83,43 @@ def _verify_inputs(machine: ir.Machine) -> None:
         is_number = slot.limits is None or slot.kind is ir.Kind.REAL
         require(is_number, where, f"limits of a {slot.kind.value}")
         _require_limits(slot.limits, where)
+        _verify_question(slot, where)
     for index, array in enumerate(machine.arrays):
         where = f"array {index}"
         require_index(array.input, len(machine.inputs), where, "input")
         require_finite((array.scale, array.offset), where)
         _require_limits(array.limits, where)
+        require(not _asks_skills(array.path), where, "skills answer with no array")
         _verify_column(machine, array, where)
     for index, each in enumerate(machine.lists):
         where = f"list {index}"
         require_index(each.input, len(machine.inputs), where, "input")
         require(each.most >= 1, where, f"at most {each.most} elements")
         require(bool(columns_of(machine, index)), where, "no columns")
+
+
+def _verify_question(slot: ir.Slot, where: str) -> None:
+    """A question to the skills that run is asked of the message itself."""
+    match slot.path:
+        case (Doing(skills=skills, arguments=arguments),):
+            require(slot.kind is ir.Kind.FLAG, where, f"an answer of the kind {slot.kind.value}")
+            choices = [skills, *(classes for _, classes in arguments)]
+            require(all(map(_is_choice, choices)), where, "names that are not sorted, or none")
+            parameters = tuple(parameter for parameter, _ in arguments)
+            require(parameters == tuple(sorted(set(parameters))), where, "unsorted parameters")
+        case (Quantity(skills=skills),):
+            require(slot.kind is ir.Kind.REAL, where, f"a quantity of the kind {slot.kind.value}")
+            require(_is_choice(skills), where, "names that are not sorted, or none")
+        case _:  # open: other paths ask no skills
+            require(not _asks_skills(slot.path), where, "a question to skills inside a message")
+
+
+def _asks_skills(path: Path) -> bool:
+    return any(isinstance(step, Doing | Quantity) for step in path)
+
+
+def _is_choice(names: tuple[str, ...]) -> bool:
+    return bool(names) and names == tuple(sorted(set(names)))
 
 
 def _verify_column(machine: ir.Machine, array: ir.Array, where: str) -> None:

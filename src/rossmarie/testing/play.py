@@ -23,6 +23,7 @@ from rossmarie.ir import (
     Listed,
     Machine,
     Path,
+    Quantity,
     Slot,
     columns_of,
 )
@@ -213,8 +214,9 @@ class _Sender:
             elements = whole if isinstance(whole, tuple) else ()
             place = last if isinstance(last, int) else last.place_among(len(elements))
             return elements[place] if place is not None and place < len(elements) else None
-        # A message without a name has no element of that name.
-        return self.values.get((topic, path), None if isinstance(last, ByName) else _UNSET)
+        # A message without a name has no element of that name; without skills, no quantity.
+        is_lacking = isinstance(last, ByName | Quantity)
+        return self.values.get((topic, path), None if is_lacking else _UNSET)
 
 
 _UNSET = object()

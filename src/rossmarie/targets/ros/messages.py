@@ -119,11 +119,32 @@ def _points(
 def _scalar(slot: ir.Slot) -> str:
     """A field as a double."""
     last = slot.path[-1] if slot.path else ""
+    if isinstance(last, ir.Doing | ir.Quantity):
+        return skill_question(last)
     assert not isinstance(last, ir.Each | ir.Points), "all elements are no scalar"
     if not isinstance(last, str):
         whole = f"message{names.member(slot.path[:-1])}"
         return f"element({whole}, {_element_place(last, whole)})"
     return f"{_reader(slot.kind)}(message{names.member(slot.path)})"
+
+
+def skill_question(step: ir.SkillStep) -> str:
+    """A question to the skills that `message` has, as a double in C++."""
+    asked = f"message, {c99_names.string(step.export)}, skills::names({_texts(step.skills)})"
+    match step:
+        case ir.Doing(arguments=arguments):
+            limits = (
+                f"skills::limit({_texts((parameter, *classes))})"
+                for parameter, classes in arguments
+            )
+            return f"skills::doing({', '.join([asked, *limits])})"
+        case ir.Quantity(parameter=parameter, property=asked_property):
+            named = (parameter,) if asked_property is None else (parameter, asked_property)
+            return f"skills::quantity({asked}, {_texts(named)})"
+
+
+def _texts(texts: Sequence[str]) -> str:
+    return ", ".join(map(c99_names.string, texts))
 
 
 def _reader(kind: ir.Kind) -> str:

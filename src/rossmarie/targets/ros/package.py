@@ -162,8 +162,13 @@ class PackageWriter:
         used = ["messages.h", "parts.h", "task.h", f"{self._dialect.folder}/interfaces.h"]
         used += ["command_task.h"] if self._machine.reactions.commands else []
         used += ["clouds.h"] if any(ir.POINTS in each.path for each in self._machine.lists) else []
+        used += ["skills.h"] if self._asks_skills() else []
         used += [part.header for part in self._parts()]
         return sorted(["hooks.h", *(f"{runtime.FOLDER}/{header}" for header in used)])
+
+    def _asks_skills(self) -> bool:
+        steps = (step for slot in self._machine.slots for step in slot.path)
+        return any(isinstance(step, ir.Doing | ir.Quantity) for step in steps)
 
 
 def _hook_definition(hook: str) -> str:

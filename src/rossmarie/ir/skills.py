@@ -1,0 +1,158 @@
+"""Answers of the skills that run to the questions of a machine.
+
+A context is a `skill_context_msgs/SkillContext`, with attributes as rosbags, rospy and rclpy give
+them, or a `SkillContext` of this module. The nodes have the same in C++ (`runtime/ros/skills.h`).
+Nothing in a message is trusted: where it is not as its definition says, is from another export, or
+is too large, nobody knows the answer, which is NaN, so that the input counts as lost.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from rossmarie.ir.path import Doing, Quantity, SkillStep
+
+MOST_RUNNING = 64
+"""Skills that may run at the same time; a message with more is not read."""
+MOST_ARGUMENTS = 64
+"""Arguments of a skill; a message in which one has more is not read."""
+MOST_PROPERTIES = 64
+"""Properties of an argument; a message in which one has more is not read."""
+
+
+@dataclass(frozen=True)
+class SkillProperty:
+    """A data property of a thing, in SI where it has a unit."""
+
+    property: str
+    number: float
+
+
+@dataclass(frozen=True)
+class SkillArgument:
+    """An argument of a skill: a thing of a class (`type`, empty if it is none), or a number (NaN if
+    it is none).
+    """
+
+    parameter: str
+    value: str = ""
+    type: str = ""
+    number: float = math.nan
+    properties: tuple[SkillProperty, ...] = ()
+
+
+@dataclass(frozen=True)
+class RunningSkill:
+    """A skill that runs, by the name of its description."""
+
+    skill: str
+    arguments: tuple[SkillArgument, ...] = ()
+
+
+@dataclass(frozen=True)
+class SkillContext:
+    """All skills that run, and the digest of the export that they are from."""
+
+    digest: str
+    running: tuple[RunningSkill, ...] = ()
+
+
+Context = Any
+"""A message of unknown origin, or a `SkillContext`."""
+
+
+class _UnreadableError(Exception):
+    """A message is not as its definition says, or too large."""
+
+
+def answer(step: SkillStep, context: Context) -> float:
+    """The answer of a context to a question: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
+    the message has it; NaN if nobody knows.
+    """
+    try:
+        if _text(context, "digest") != step.export:
+            return math.nan
+        running = [_read(each) for each in _elements(context, "running", MOST_RUNNING)]
+        match step:
+            case Doing():
+                answers = [_is_doing(step, each) for each in running]
+                return float(any(answers))
+            case Quantity():
+                return _quantity(step, running)
+    except _UnreadableError:
+        return math.nan
+
+
+def _is_doing(step: Doing, running: RunningSkill) -> bool:
+    if running.skill not in step.skills:
+        return False
+    limits = [(_called(running, parameter), classes) for parameter, classes in step.arguments]
+    return all(found is not None and found.type in classes for found, classes in limits)
+
+
+def _quantity(step: Quantity, running: Sequence[RunningSkill]) -> float:
+    asked = [each for each in running if each.skill in step.skills]
+    found = _called(asked[0], step.parameter) if len(asked) == 1 else None
+    if found is None:
+        return math.nan
+    if step.property is None:
+        return found.number
+    numbers = [each.number for each in found.properties if each.property == step.property]
+    return numbers[0] if len(numbers) == 1 else math.nan
+
+
+def _called(running: RunningSkill, parameter: str) -> SkillArgument | None:
+    """The argument of a parameter; None if there is none. One that is there twice is not known."""
+    found = [each for each in running.arguments if each.parameter == parameter]
+    if len(found) > 1:
+        raise _UnreadableError
+    return found[0] if found else None
+
+
+# --- reading -----------------------------------------------------------------------------------
+
+
+def _read(running: Any) -> RunningSkill:
+    arguments = tuple(_argument(each) for each in _elements(running, "arguments", MOST_ARGUMENTS))
+    return RunningSkill(_text(running, "skill"), arguments)
+
+
+def _argument(argument: Any) -> SkillArgument:
+    return SkillArgument(
+        _text(argument, "parameter"),
+        type=_text(argument, "type"),
+        number=_number(argument),
+        properties=tuple(_properties(argument)),
+    )
+
+
+def _properties(argument: Any) -> Iterator[SkillProperty]:
+    for each in _elements(argument, "properties", MOST_PROPERTIES):
+        yield SkillProperty(_text(each, "property"), _number(each))
+
+
+def _elements(owner: Any, name: str, most: int) -> Sequence[Any]:
+    found = getattr(owner, name, None)
+    if not isinstance(found, list | tuple) or len(found) > most:
+        raise _UnreadableError
+    return found
+
+
+def _text(owner: Any, name: str) -> str:
+    found = getattr(owner, name, None)
+    if not isinstance(found, str):
+        raise _UnreadableError
+    return found
+
+
+def _number(owner: Any) -> float:
+    found = getattr(owner, "number", None)
+    if not isinstance(found, float | int):
+        raise _UnreadableError
+    try:
+        return float(found)
+    except OverflowError as error:
+        raise _UnreadableError from error

@@ -1,0 +1,81 @@
+// Reads contexts, one a line, and says what their skills answer to the questions of a node.
+#include "skills.h"
+
+#include <cstdio>
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+struct Property {
+    std::string property;
+    double number = 0.0;
+};
+
+struct Argument {
+    std::string parameter, type;
+    double number = 0.0;
+    std::vector<Property> properties;
+};
+
+struct Skill {
+    std::string skill;
+    std::vector<Argument> arguments;
+};
+
+struct Context {
+    std::string digest;
+    std::vector<Skill> running;
+};
+
+template <class Element> static void resize(std::vector<Element> &elements)
+{
+    std::size_t count = 0;
+    std::cin >> count;
+    elements.resize(count);
+}
+
+static double number()
+{
+    std::string text;
+    std::cin >> text;
+    return std::stod(text);
+}
+
+static bool read(Context &context)
+{
+    if (!(std::cin >> std::quoted(context.digest)))
+        return false;
+    resize(context.running);
+    for (auto &skill : context.running) {
+        std::cin >> std::quoted(skill.skill);
+        resize(skill.arguments);
+        for (auto &argument : skill.arguments) {
+            std::cin >> std::quoted(argument.parameter) >> std::quoted(argument.type);
+            argument.number = number();
+            resize(argument.properties);
+            for (auto &property : argument.properties) {
+                std::cin >> std::quoted(property.property);
+                property.number = number();
+            }
+        }
+    }
+    return true;
+}
+
+static std::vector<double> answers(const Context &message)
+{
+    return {
+#include "questions.inc"
+    };
+}
+
+int main()
+{
+    for (Context context; read(context); context = Context()) {
+        for (const double answer : answers(context))
+            std::printf("%.17g ", answer);
+        std::puts("");
+    }
+    return 0;
+}
