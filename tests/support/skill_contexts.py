@@ -8,10 +8,15 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from random import Random
-from typing import TypeVar
+from typing import Any, TypeVar
+
+from rosbags.typesys import get_types_from_msg
+from rosbags.typesys.store import Typestore
 
 from rossmarie.ir import Doing, Quantity, SkillStep
 from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, SkillProperty
+from rossmarie.types.definitions import own_texts
+from support.recordings import ROS1, ROS2, stamped
 
 DIGEST = "c0ffee"
 SKILLS = ("Drive", "Insert", "Push", "PushGently")
@@ -88,4 +93,38 @@ def _argument(random: Random, parameter: str) -> SkillArgument:
         type=random.choice(["", *CLASSES]),
         number=random.choice(_NUMBERS),
         properties=tuple(SkillProperty(each, random.choice(_NUMBERS)) for each in names),
+    )
+
+
+# --- as messages -------------------------------------------------------------------------------
+
+for _store in (ROS1, ROS2):
+    for _name, _text in own_texts().items():
+        _store.register(get_types_from_msg(_text, _name.replace("/", "/msg/")))
+
+
+def message(ros: Typestore, index: int, context: SkillContext) -> tuple[str, object]:
+    """The name of the type, and a message of it; `index` counts messages of 10 Hz."""
+
+    def made(kind: str, **fields: Any) -> object:
+        return ros.types[f"skill_context_msgs/msg/{kind}"](**fields)
+
+    def argument(each: SkillArgument) -> object:
+        properties = [made("SkillProperty", **vars(found)) for found in each.properties]
+        return made("SkillArgument", **{**vars(each), "properties": properties})
+
+    header: Any = stamped(ros, index)
+    running = [
+        made(
+            "RunningSkill",
+            skill=each.skill,
+            goal=f"goal {number}",
+            since=header.stamp,
+            arguments=[argument(found) for found in each.arguments],
+            permits=[],
+        )
+        for number, each in enumerate(context.running)
+    ]
+    return "skill_context_msgs/msg/SkillContext", made(
+        "SkillContext", header=header, digest=context.digest, running=running
     )

@@ -1,7 +1,7 @@
 """From the type of a topic to what decodes its messages.
 
 A definition in the recording comes first, then the user's own .msg folders, then the standard
-packages of ROS.
+packages of ROS and `skill_context_msgs`.
 """
 
 from __future__ import annotations
@@ -24,6 +24,7 @@ from rosbags.typesys.store import Typestore
 
 from rossmarie.recordings.message_sizes import Sizes
 from rossmarie.recordings.stored import Connection
+from rossmarie.types.definitions import own_texts
 
 _STANDARD: Mapping[str, tuple[Stores, ...]] = {
     "ros1": (Stores.ROS1_NOETIC,),
@@ -46,9 +47,13 @@ def full_type(name: str) -> str:
 
 
 def is_standard(message_type: str) -> bool:
-    """Say whether a type such as `sensor_msgs/Imu` is in a standard package of ROS 1 or ROS 2."""
+    """Say whether a type such as `sensor_msgs/Imu` is in a standard package of ROS 1 or ROS 2, or
+    in `skill_context_msgs`.
+    """
     name = full_type(message_type)
-    return any(name in _store(store).fielddefs for stores in _STANDARD.values() for store in stores)
+    return name in _own_types() or any(
+        name in _store(store).fielddefs for stores in _STANDARD.values() for store in stores
+    )
 
 
 def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Typestore:
@@ -64,6 +69,7 @@ def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Ty
     try:
         own = dict(_recorded_types(connection.definition, name))
         own = own or _types_in_folders(name, message_folders)
+        own = own or (_own_types() if name in _own_types() else {})
         if own:
             return _store_of(own, connection.encoding)
     except (TypesysError, ValueError, AssertionError, OSError) as error:
@@ -77,6 +83,15 @@ def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Ty
 @cache
 def _store(name: Stores) -> Typestore:
     return get_typestore(name)
+
+
+@cache
+def _own_types() -> Typesdict:
+    """The types of `skill_context_msgs`."""
+    types: Typesdict = {}
+    for name, text in own_texts().items():
+        types.update(get_types_from_msg(text, full_type(name)))
+    return types
 
 
 def _recorded_types(definition: MessageDefinition, name: str) -> Typesdict:

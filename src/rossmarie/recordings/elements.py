@@ -9,12 +9,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from dslkit.diagnostics import Diagnostic, DidYouMean, Remark
-from rossmarie.ir import ByName, Listed, Machine, Slot
-from rossmarie.recordings.errors import LengthNeverRecorded, NameNeverRecorded
+from rossmarie.ir import ByName, Doing, Listed, Machine, Quantity, SkillStep, Slot
+from rossmarie.recordings.errors import (
+    LengthNeverRecorded,
+    NameNeverRecorded,
+    SkillsOfAnotherExport,
+)
 from rossmarie.recordings.matching import field_text, input_span, lengths, listed
 
 _MOST_OTHERS = 64
 """Names or lengths that are kept to tell of; more than that nobody reads."""
+_DIGITS = 12
+"""Digits of a digest that are told."""
 
 Named = ByName | Listed
 """An element that goes by a name."""
@@ -32,7 +38,8 @@ def place_of(element: Named, names: Sequence[str], length: int) -> int | None:
 @dataclass
 class ElementSearch:
     """The search for an element of a slot in one message after the other: whether any had it, and
-    some of the names, or the lengths of arrays, that they had.
+    some of the names, or the lengths of arrays, that they had. Of a question to skills: whether any
+    was from its export, and from which others they were.
     """
 
     slot: Slot
@@ -45,6 +52,12 @@ class ElementSearch:
         if not self.is_found and len(self.others) < _MOST_OTHERS:
             self.others.update(dict.fromkeys(_instead(element, names, length)))
         return place_of(element, names, length)
+
+    def see_export(self, question: SkillStep, digest: str) -> None:
+        """A message is from an export."""
+        self.is_found = self.is_found or digest == question.export
+        if not self.is_found and len(self.others) < _MOST_OTHERS:
+            self.others[digest] = None
 
     @property
     def is_vain(self) -> bool:
@@ -71,8 +84,13 @@ def _instead(element: Named, names: Sequence[str], length: int) -> Sequence[str]
 def never_found(topic: str, search: ElementSearch, machine: Machine) -> Diagnostic:
     """The finding that a search was in vain."""
     path, span = search.slot.path, input_span(machine, search.slot.input)
-    by = next(step for step in path if isinstance(step, ByName | Listed))
+    by = next(step for step in path if isinstance(step, ByName | Listed | Doing | Quantity))
     match by:
+        case Doing(export=export) | Quantity(export=export):
+            recorded = listed(each[:_DIGITS] or "none" for each in search.others)
+            return SkillsOfAnotherExport(
+                topic=topic, known=f"`{export[:_DIGITS]}`", recorded=recorded
+            ).at(span)
         case ByName(key=key):
             finding = NameNeverRecorded(
                 topic=topic, element=key, field=field_text(path), names=listed(search.others)

@@ -132,6 +132,18 @@ class LengthNeverRecorded(Warning, code="ROSS619", name="length-never-recorded")
     lengths: str
 
 
+class SkillsOfAnotherExport(Warning, code="ROSS624", name="skills-of-another-export"):
+    """A topic that tells which skills run, never of those that the rules were checked with."""
+
+    title = "the skills on `{topic}` are from another export than those of the rules"
+    label = "nobody knows which of them run in this replay"
+    note = "the rules know the export {known}, the recording has {recorded}"
+    help = "check the rules with the `skills.json` of the recorded robot"
+    topic: str
+    known: str
+    recorded: str
+
+
 class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     """Messages of a topic, or cells of a CSV file, that are not what they should be."""
 
@@ -336,6 +348,7 @@ ALL: tuple[type[Template], ...] = (
     FieldNotRecorded,
     NameNeverRecorded,
     LengthNeverRecorded,
+    SkillsOfAnotherExport,
     MessagesUnreadable,
     DefinitionMissing,
     MessagesPassedOver,

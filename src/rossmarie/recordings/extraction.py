@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
+from itertools import islice
 from operator import attrgetter
 from typing import Any
 
@@ -26,11 +28,14 @@ from rossmarie.ir import (
     List,
     Listed,
     Path,
+    SkillStep,
     Slot,
 )
+from rossmarie.ir.skills import answer
 from rossmarie.recordings.clouds import CloudReader, cloud_readers, holds_cloud, is_of_points
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch, Named, place_of
+from rossmarie.recordings.skills import holds_skills, question_of
 
 _TEXTS = ("string", "wstring")
 _INSTANTS = ("builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration")
@@ -78,6 +83,10 @@ def compile_extractor(
     searches = {index: ElementSearch(slot) for index, slot in wanted.slots.items()}
     missing: list[Slot | Array] = []
     for index, slot in wanted.slots.items():
+        question = question_of(slot)
+        if question is not None and holds_skills(store, root):
+            others[index] = partial(_answer, searches[index], question)
+            continue
         description = _describe(store, root, slot.path)
         if description is None or not _holds(description, slot.kind):
             missing.append(slot)
@@ -105,9 +114,11 @@ def compile_extractor(
         {i: array for i, array in wanted.arrays.items() if i in arrays or i in points},
     )
     read = _reader(numbers, others, arrays)
-    named = tuple(each for each in searches.values() if _goes_by_name(each.slot.path))
+    asking = (each for each in searches.values() if question_of(each.slot) is not None)
+    named = [each for each in searches.values() if _goes_by_name(each.slot.path)]
+    named += islice(asking, 1)  # all are asked of the same messages
     clouds = tuple(cloud_readers(points, wanted.lists))
-    return Extractor(read, clouds, found, tuple(missing), named)
+    return Extractor(read, clouds, found, tuple(missing), tuple(named))
 
 
 def _reader(
@@ -148,6 +159,11 @@ def _scalar_reader(
     get = _path_reader(slot.path, search.place)
     to_number = _converter(slot.kind, description, texts)
     return lambda message: to_number(get(message))
+
+
+def _answer(search: ElementSearch, question: SkillStep, message: Message) -> float:
+    search.see_export(question, message.digest)
+    return answer(question, message)
 
 
 def _number(value: Any) -> float:

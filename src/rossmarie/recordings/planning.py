@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import ByName, Kind, Listed, Path
+from rossmarie.ir import ByName, Doing, Kind, Listed, Path, Quantity
 from rossmarie.recordings import extraction
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.plan import (
@@ -70,6 +70,8 @@ def plan_for(
     steps = {step for slot in wanted.slots.values() for step in slot.path}
     if any(isinstance(step, ByName | Listed) for step in steps):
         return None  # where the element lies is known once the names, or the length, are read
+    if any(isinstance(step, Doing | Quantity) for step in steps):
+        return None  # skills are asked when all of them are read
     if any(array.list is not None for array in wanted.arrays.values()):
         return None  # rosbags decodes lists of messages
     slots = [_Wanted(slot.path, slot=index) for index, slot in wanted.slots.items()]

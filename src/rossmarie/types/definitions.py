@@ -19,6 +19,8 @@ from typing import Any, NamedTuple
 from dslkit.source import SourceFile, ending
 
 STORED = Path(__file__).with_name("messages.msg")
+OWN = Path(__file__).with_name("skill_context.msg")
+"""The messages of `skill_context_msgs`, our own package, which `STORED` has as well."""
 SEPARATOR = "=" * 80 + "\nMSG: "
 """Between two messages in concatenated .msg text, as in the headers of ROS 1 bags."""
 
@@ -87,7 +89,17 @@ def normalized(name: str) -> str | None:
 @cache
 def stored_texts(kind: Kind = Kind.MESSAGE) -> Mapping[str, str]:
     """The text of each common definition, by name; `read_stored` makes sense of it."""
-    blocks = _STORED[kind].read_text(encoding="utf-8").split(SEPARATOR)[1:]
+    return _texts_in(_STORED[kind])
+
+
+@cache
+def own_texts() -> Mapping[str, str]:
+    """The text of each message of `skill_context_msgs`, by name."""
+    return _texts_in(OWN)
+
+
+def _texts_in(path: Path) -> Mapping[str, str]:
+    blocks = path.read_text(encoding="utf-8").split(SEPARATOR)[1:]
     return dict(block.split("\n", 1) for block in blocks)
 
 

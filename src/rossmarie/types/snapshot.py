@@ -1,4 +1,5 @@
-"""Copies the message definitions of ROS out of the rosbags package into `messages.msg`.
+"""Copies the message definitions of ROS out of the rosbags package into `messages.msg`, and our own
+out of `skill_context.msg`.
 
 Importing the type stores of rosbags takes most of the time that a whole check may take, so they
 are read when this package is made, not when it is used (docs/decisions/0003). To renew the copy:
@@ -10,7 +11,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TypeVar
 
-from rossmarie.types.definitions import SEPARATOR, STORED, Constant, Definition, from_rosbags
+from rossmarie.types.definitions import (
+    SEPARATOR,
+    STORED,
+    Constant,
+    Definition,
+    from_rosbags,
+    own_texts,
+)
 
 T = TypeVar("T")
 
@@ -21,9 +29,11 @@ def render() -> str:
     ROS 2 Jazzy comes first; of ROS 1 Noetic, the messages, fields (`Header.seq`) and constants that
     Jazzy does not have are added.
     """
-    from rosbags.typesys import Stores, get_typestore
+    from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
     merged: dict[str, Definition] = {}
+    for name, text in own_texts().items():
+        merged |= from_rosbags(get_types_from_msg(text, name))
     for store in (Stores.ROS2_JAZZY, Stores.ROS1_NOETIC):
         for name, definition in from_rosbags(get_typestore(store).fielddefs).items():
             merged[name] = _merge(merged.get(name, Definition({}, {})), definition)

@@ -1,4 +1,4 @@
-"""Answers of the skills that run to questions, and messages that answer nothing.
+"""Answers of the skills that run to questions, and messages that answer nothing."""
 
 from __future__ import annotations
 
