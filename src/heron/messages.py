@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,6 +15,8 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 from rosbags.typesys.stores import ros1_noetic
+
+from rossmarie.types.definitions import own_texts
 
 __all__ = [
     "Bool",
@@ -70,7 +71,6 @@ Message = Any
 Floats = NDArray[np.float64]
 Angles = tuple[float, float, float]
 """The first, the last, and the step between them (rad)."""
-_DEFINITIONS = Path(__file__).parent / "rules" / "msg"
 _ZEROS = {"bool": False, "string": "", "float32": 0.0, "float64": 0.0}
 
 
@@ -112,11 +112,10 @@ def full_name(name: str) -> str:
 
 @cache
 def store(kind: Stores = Stores.ROS1_NOETIC) -> Typestore:
-    """All types that are known: those of ROS, and those that Heron has a definition of."""
+    """All types that are known: those of ROS, and those that tell which skills run."""
     known = get_typestore(kind)
-    for path in sorted(_DEFINITIONS.glob("*/msg/*.msg")):
-        name = f"{path.parts[-3]}/msg/{path.stem}"
-        known.register(get_types_from_msg(path.read_text(encoding="utf-8"), name))
+    for name, text in own_texts().items():
+        known.register(get_types_from_msg(text, full_name(name)))
     return known
 
 

@@ -21,6 +21,7 @@ from heron.experiments.runner import Node
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import Trace
 from heron.experiments.wiping import Stains
+from heron.goals import ARM
 from heron.guard import InProcessGuard, Occurrence, unfiltered
 from heron.robot import (
     Arm as RobotArm,
@@ -35,9 +36,9 @@ from heron.robot.physics import Floats
 from heron.robot.pressing import Pressing, Push, PushParameters, Wipe, WipeParameters
 from heron.scene import ArmParameters, CellParameters, PersonParameters, build_cell
 from heron.tasks import Outcome, SkillContext, SkillTask, TreeSkill
-from heron.topics import ARM, Carrier, InProcess, Remapped
+from heron.topics import Carrier, InProcess, Remapped
 from heron.variants import Arm, Encounter
-from rossmarie.ir import OrderKind
+from rossmarie.ir import Change, OrderKind
 
 LONGEST_S = 120.0
 SPONGE = ArmParameters(block_half=0.032)
@@ -104,6 +105,7 @@ class ContactEpisode:
 class _Cell(ArmCell):
     """The arm, and the measuring of its contacts."""
 
+    rules: InProcessGuard | None
     witness: ContactWitness
 
 
@@ -180,7 +182,7 @@ def _assembled(
     witness = ContactWitness(robot, cell, bystander, stains, acting(guard))
     nodes += [task, SkillContext(carrier, task), witness]
     nodes += attended(observers, robot, carrier, guard)
-    return _Cell(robot, task, guard, None, nodes, witness)
+    return _Cell(robot, task, guard, None, nodes, guard, witness)
 
 
 def places_of(cell: CellParameters) -> dict[str, Floats]:
@@ -240,7 +242,7 @@ def _measured(cell: _Cell, found: CellParameters, trace: Trace) -> ContactMeasur
         time_on_person=_time_above(_LIGHT, pressed, present["collision"]),
         peak_in_jam=_peak(force, present["jam"]),
         time_in_jam=_time_above(_PERMITTED, force, present["jam"]),
-        exemptions=sum(_EXEMPT in each.rule for each in cell.occurrences),
+        exemptions=_exemptions(cell.rules),
         reactions=_reactions(trace, present, cell.occurrences),
         time_restricted=time_of(trace.columns["is_restricted"] > 0),
         time_restricted_without_need=time_of(without_need(trace, present)),
@@ -255,12 +257,20 @@ def _time_above(limit: float, values: Floats, flags: Flags) -> float | None:
     return time_of(flags & (values > limit)) if flags.any() else None
 
 
+def _exemptions(guard: InProcessGuard | None) -> int:
+    """How often an exemption was used: the rules that are active meanwhile say so in the log."""
+    if guard is None:
+        return 0
+    telling = {number for number, rule in enumerate(guard.machine.rules)
+               if rule.exempts is not None and _EXEMPT in rule.name}  # fmt: skip
+    return sum(each.rule in telling and each.change is Change.ACTIVATED for each in guard.verdicts)
+
+
 def _reactions(
     trace: Trace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
 ) -> dict[str, float]:
     """From when a hazard began to the first action that follows: all rules are about contact."""
-    starts = [each.at_ns * 1e-9 for each in occurrences if each.kind is OrderKind.START
-              and _EXEMPT not in each.rule]  # fmt: skip
+    starts = [each.at_ns * 1e-9 for each in occurrences if each.kind is OrderKind.START]
     found = {}
     for hazard, onset in onsets(trace, present).items():
         after = [at for at in starts if at >= onset]

@@ -181,6 +181,8 @@ def _field(message: Message, path: Path) -> Any:
             return [_field(each, path[step + 1 :]) for each in value]
         if isinstance(part, Doing | Quantity):
             return answer(part, value)
+        if isinstance(part, Doing | Quantity):
+            return answer(part, value)
         assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
         place = _place(message, part, len(value))
         if place is None or place >= len(value):

@@ -15,6 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from heron.goals import ARM, Goal
 from heron.messages import Message
 from heron.robot.admittance import Admittance
 from heron.robot.arm import Arm
@@ -22,7 +23,7 @@ from heron.robot.physics import Floats
 from heron.robot.pressing import Pressing
 from heron.robot.trajectory import Trajectory, duration_of
 from heron.scene.scene import STEP_NS
-from heron.topics import ARM, ARM_STOP, GRAVITY_FREE, WRENCH, Carrier, Goal, Parameter
+from heron.topics import ARM_STOP, GRAVITY_FREE, WRENCH, Carrier, Parameter
 
 STIFFNESS = "/arm_controller.stiffness"
 SPEED_SCALE = "/arm_controller.speed_scale"

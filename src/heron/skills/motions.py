@@ -1,9 +1,9 @@
 """The motions of the robot: each is a goal for an action server."""
 
-from ezskiros import INFERRED, SkillDescription
+from ezskiros import INFERRED, SkillDescription, contact, force, server
+from heron.goals import ARM, NAVIGATE
 from heron.skills.servers import Sent
 from heron.skills.world import heron
-from heron.topics import ARM, NAVIGATE
 
 
 class Drive(SkillDescription):
@@ -129,6 +129,9 @@ class Push(SkillDescription):
     ):
         self.pre_conditions += Robot.holds(Sponge)
         self.post_conditions += Object.standsOn(Mark)
+        self.permits += contact(Object)
+        self.permits += force(Object, "30 N")
+        self.uses += server(ARM)
 
 
 class push(Push.SkillBase):
@@ -155,6 +158,9 @@ class Wipe(SkillDescription):
     def description(self, Robot: heron.Robot, Sponge: INFERRED[heron.Block], Board: heron.Board):
         self.pre_conditions += Robot.holds(Sponge)
         self.post_conditions += Robot.hasWiped(Board)
+        self.permits += contact(Board)
+        self.permits += force(Board, "30 N")
+        self.uses += server(ARM)
 
 
 class wipe(Wipe.SkillBase):

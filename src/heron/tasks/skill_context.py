@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
@@ -9,6 +10,7 @@ from typing import NamedTuple
 from ezskiros.engine.events import Event, Happened
 from heron import messages
 from heron.messages import Message
+from heron.skills import EXPORT
 from heron.tasks.skill_task import SkillTask
 from heron.topics import SKILL_CONTEXT, Carrier
 
@@ -31,11 +33,13 @@ class SkillContext:
     def __init__(self, carrier: Carrier, task: SkillTask) -> None:
         self._publish = carrier.publisher(SKILL_CONTEXT)
         self._task = task
+        self._digest = str(json.loads(EXPORT.read_text(encoding="utf-8"))["digest"])
 
     def tick(self, now_ns: int) -> None:
         """Say which skills run."""
         message = messages.new_message(SKILL_CONTEXT.type)
         message.header.stamp = messages.instant(now_ns)
+        message.digest = self._digest
         message.running = [_told(one) for one in running_of(self._task.events)]
         self._publish(message)
 
