@@ -68,6 +68,11 @@ class Episode(Protocol):
         """The outcome of the task."""
 
     @property
+    def shown_first(self) -> tuple[Arm, ...]:
+        """The guards of which episodes are shown side by side: none, and the last one."""
+        return Arm.NONE, self.arms[-1]
+
+    @property
     def measures(self) -> Measures:
         """The measures that were taken."""
 
@@ -171,6 +176,11 @@ class Experiment:
     def arms(self) -> tuple[Arm, ...]:
         """The guards that it is run with."""
         return ARMS[self.name]
+
+    @property
+    def shown_first(self) -> tuple[Arm, ...]:
+        """The guards of which episodes are shown side by side: none, and the last one."""
+        return Arm.NONE, self.arms[-1]
 
     @property
     def measures(self) -> tuple[Measure, ...]:

@@ -95,7 +95,8 @@ class Push:
             passed = float((grasp - self._start) @ self._along)
             if self._far - passed < found.reached:
                 self._left = passed - found.leaves
-        return self._start + lean.depth * self._along
+        place: Floats = self._start + lean.depth * self._along
+        return place
 
 
 @dataclass(frozen=True)
