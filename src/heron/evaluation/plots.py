@@ -92,12 +92,13 @@ def _fill(row: Sequence[Axes], sample: Sample) -> None:
 def _draw(axes: Axes, sample: Sample, measure: Measure) -> None:
     for place, arm in enumerate(sample.arms):
         values = sample.values(arm, measure.name)
+        if not values:
+            continue
         spread = np.linspace(-0.25, 0.25, len(values)) if len(values) > 1 else [0.0]
         axes.plot(
             place + np.asarray(spread), values, "o", color=_COLORS[arm], markersize=2.5, alpha=0.6
         )
-        if values:
-            axes.hlines(float(np.median(values)), place - 0.35, place + 0.35, color=_COLORS[arm])
+        axes.hlines(float(np.median(values)), place - 0.35, place + 0.35, color=_COLORS[arm])
     title = textwrap.fill(f"{measure.label} ({measure.unit})", _LETTERS)
     axes.set_title(title, fontsize=8)
     names = [ARM_NAMES[arm].replace(" ", "\n") for arm in sample.arms]
