@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import difflib
 import os
-from collections.abc import Iterable, Sequence
+import sys
+from collections.abc import Iterable, Iterator, Sequence, Set
 from contextlib import redirect_stdout
 from dataclasses import dataclass
 from io import StringIO
@@ -20,6 +21,7 @@ from ezskiros.check.scene_errors import NoOntologyForScene
 from ezskiros.check.scenes import check_scene
 from ezskiros.contracts import Missing, check_contracts, missing_pre_conditions
 from ezskiros.engine.depth import deep
+from ezskiros.export import export_skills
 from ezskiros.hosts.owl_files import owl_files
 from ezskiros.ontology import load
 from ezskiros.ontology.load import VARIABLE
@@ -121,7 +123,7 @@ def owl_of() -> tuple[dict[str, str], Sequence[Diagnostic]]:
     collector = Collector()
     with session.commanding(collector):
         ontology = load(relations=False)
-    if any(each.severity is Severity.ERROR for each in collector.sorted()):
+    if _has_errors(collector):
         return {}, collector.sorted()
     files, wrong = owl_files(ontology)
     collector.extend(wrong)
@@ -136,6 +138,44 @@ def ambiguous_names() -> tuple[frozenset[str], Sequence[Diagnostic]]:
     with session.commanding(collector):
         ontology = load()
     return ontology.ambiguous(), collector.sorted()
+
+
+def export_paths(paths: Iterable[Path], out: Path, collector: Collector) -> str | None:
+    """The text of the file `out` with the skills of files, folders and packages; None if something
+    is wrong with them, which is put into `collector`. Raises `OSError` for a source that cannot be
+    read any more.
+    """
+    known = set(sys.modules)
+    checked = check_paths(paths, collector=collector)
+    if _has_errors(collector):
+        return None
+    collector.extend(checked.library.elsewhere)
+    files = [each for each in checked.files if each.suffix != SCENE]
+    beginnings = tuple(roots(files))
+    with (
+        session.collecting(collector),
+        session.checking(beginnings),
+        garbage.not_now(),
+        deep(),
+    ):
+        loaded = _user_modules(known, beginnings)
+        text = export_skills(checked.library, checked.trees, [*files, *loaded], out.parent)
+    return None if _has_errors(collector) else text
+
+
+def _user_modules(known: Set[str], beginnings: tuple[str, ...]) -> Iterator[Path]:
+    """The modules of users that have been imported since only some were `known`, and those of the
+    packages that files with these beginnings are in.
+    """
+    for name, module in list(sys.modules.items()):
+        file = str(getattr(module, "__file__", None))
+        is_new = name not in known or file.startswith(beginnings)
+        if is_new and file.endswith(".py") and session.is_of_user(file) and is_file(Path(file)):
+            yield Path(file)
+
+
+def _has_errors(collector: Collector) -> bool:
+    return any(each.severity is Severity.ERROR for each in collector.sorted())
 
 
 class UnknownSkillError(LookupError):
@@ -188,4 +228,4 @@ def _lines(skill: SkillInterface) -> Iterable[str]:
         else:
             yield f"{shown}  any of its class: no pre-condition leads to it"
     yield from (f"permits {each.span.text} ({each.span})" for each in skill.permits)
-    yield from (f"uses {each.span.text} ({each.span})" for each in skill.uses)
+    yield from (f"uses {each.kind.value} {each.name} ({each.span})" for each in skill.uses)

@@ -79,6 +79,7 @@ EZSKIROS = Tool(
         "contracts": {5},
         "drawing": {8},
         "engine": {8},
+        "export": {8},
         "hosts": {8},
         "planning": {8},
         "catalog": {9},

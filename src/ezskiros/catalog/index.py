@@ -11,6 +11,7 @@ from ezskiros.check import tree_errors as tree_check_errors
 from ezskiros.confinement import errors as confinement_errors
 from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
+from ezskiros.export import errors as export_errors
 from ezskiros.hosts import owl_errors, skiros2_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.migrate import implementation_errors
@@ -41,6 +42,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *implementation_errors.ALL,
     *drawing_errors.ALL,
     *planning_errors.ALL,
+    *export_errors.ALL,
     *skiros2_errors.ALL,
     *owl_errors.ALL,
     *catalog_errors.ALL,

@@ -25,8 +25,8 @@ def spelled_iri(iri: str, model: Model) -> str:
 
 def spelled(statement: Statement, model: Model) -> str:
     """`~Gripper.contain(Object)`."""
-    opposite = negated(statement)
-    if opposite is not None and not statement.is_true:
+    opposite = None if statement.is_true else negated(statement)
+    if opposite is not None:
         return _denied(opposite, spelled(opposite, model))
     match statement:
         case Relation(subject=subject, relation=iri, object=other, is_abstract=is_abstract):

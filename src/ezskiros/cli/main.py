@@ -18,6 +18,7 @@ from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.checking import asked, print_check
+from ezskiros.cli.export import export
 from ezskiros.cli.output import output
 from ezskiros.cli.owl import owl
 from ezskiros.cli.plan import plan
@@ -106,6 +107,7 @@ def explain(
 app.command()(show)
 app.command()(plan)
 app.command()(owl)
+app.command()(export)
 
 
 @app.command()

@@ -27,6 +27,7 @@ _TYPE = RDF + "type"
 _CLASSES = (OWL + "Class", RDFS + "Class")
 _DATA_PROPERTY = OWL + "DatatypeProperty"
 _RELATION = OWL + "ObjectProperty"
+_UNIT = "unit"
 _KINDS = {*_CLASSES, _DATA_PROPERTY, _RELATION, OWL + "Ontology", OWL + "NamedIndividual"}
 
 
@@ -88,6 +89,14 @@ class Graph:
     def all(self, subject: str, predicate: str) -> list[str]:
         """The objects of a subject: nodes, or the texts of literals."""
         return self._found.get(subject, {}).get(predicate, [])
+
+    def annotations(self, subject: str, name: str) -> list[str]:
+        """The texts that a subject is annotated with by predicates of a name, in any namespace."""
+        known = self._found.get(subject, {}).items()
+        texts = [
+            text for predicate, found in known if split(predicate)[1] == name for text in found
+        ]
+        return [text for text in texts if "://" not in text]
 
     def first(self, subject: str, predicate: str) -> str | None:
         """One of the objects, if there is any."""
@@ -256,7 +265,8 @@ def _data_property(graph: Graph, iri: str) -> DataProperty:
         for node in graph.all(iri, RDFS + "range")
     ]
     values = frozenset(value for each in listed for value in each)
-    return DataProperty(**vars(_property(graph, iri)), values=values or None)
+    unit = min(graph.annotations(iri, _UNIT), default="")
+    return DataProperty(**vars(_property(graph, iri)), values=values or None, unit=unit)
 
 
 def _individuals(graph: Graph) -> Iterator[Individual]:

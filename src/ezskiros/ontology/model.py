@@ -59,9 +59,13 @@ class ObjectProperty(Property):
 
 @dataclass(frozen=True)
 class DataProperty(Property):
-    """A value of a thing. Its range are data types of XML Schema, or the literals of `values`."""
+    """A value of a thing. Its range are data types of XML Schema, or the literals of `values`.
+
+    `unit` is what an annotation that is called `unit` says; empty if there is none.
+    """
 
     values: frozenset[str] | None = None
+    unit: str = ""
 
 
 @dataclass(frozen=True)

@@ -30,3 +30,53 @@ def _spellings(document: Document, iri: str) -> list[str]:
     found += [rf"^\s*({re.escape(prefix)}:{short})\s" for prefix in prefixes]
     found += [rf'"@id"\s*:\s*("{re.escape(prefix)}:{short}")' for prefix in prefixes]
     return found
+
+
+class Declarations:
+    """The places of many things: each text is looked through once. They are those that
+    `declaration` gives.
+    """
+
+    def __init__(self, documents: Sequence[Document]) -> None:
+        self._documents = documents
+        self._found = [_all_spelled(each.file.text) for each in documents]
+
+    def place(self, iri: str) -> Span | None:
+        """The first place where a file says what `iri` is; None if none is found."""
+        for document, found in zip(self._documents, self._found, strict=True):
+            for spelling in _plain_spellings(document, iri):
+                if spelling in found:
+                    return Span(document.file, *found[spelling])
+        return None
+
+
+_Spelling = tuple[str, str]
+"""A way to write a subject, and the text of it."""
+_WAYS = {
+    "about": re.compile(r'rdf:about="([^"]*)"'),
+    "ID": re.compile(r'rdf:ID="([^"]*)"'),
+    "line": re.compile(r"^[^\S\n]*(\S+)(?=\s)", re.MULTILINE),
+    "@id": re.compile(r'"@id"\s*:\s*("[^"]*")'),
+}
+
+
+def _all_spelled(text: str) -> dict[_Spelling, tuple[int, int]]:
+    """Where each spelling stands first in a text."""
+    found: dict[_Spelling, tuple[int, int]] = {}
+    for way, pattern in _WAYS.items():
+        for each in pattern.finditer(text):
+            found.setdefault((way, each[1]), each.span(1))
+    return found
+
+
+def _plain_spellings(document: Document, iri: str) -> list[_Spelling]:
+    """The same ways as those of `_spellings`, in their order."""
+    namespace, name = split(iri)
+    found = [("about", iri), ("line", f"<{iri}>"), ("@id", f'"{iri}"')]
+    if document.base and namespace.rstrip("#/") == document.base.rstrip("#/"):
+        found += [("about", f"#{name}"), ("about", name), ("ID", name)]
+        found += [("line", f"<#{name}>"), ("line", f"<{name}>")]
+    prefixes = [prefix for prefix, start in document.prefixes.items() if start == namespace]
+    found += [("line", f"{prefix}:{name}") for prefix in prefixes]
+    found += [("@id", f'"{prefix}:{name}"') for prefix in prefixes]
+    return found

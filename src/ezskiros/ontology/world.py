@@ -75,6 +75,15 @@ class Ontology:
             session.report(found.at(here, *uses, help=help))
         return UNKNOWN
 
+    @cached_property
+    def spelled(self) -> dict[str, str]:
+        """The names in Python of all that is declared, such as `skiros.Product`, by their IRIs."""
+        return {
+            iri: f"{name}.{spelled}"
+            for name, namespace in self.namespaces.items()
+            for spelled, iri in namespace.__iris__().items()
+        }
+
     def __getitem__(self, name: str) -> Namespace:
         """A namespace, also one that is called like an attribute; raises `KeyError`."""
         return self.namespaces[name]
@@ -273,6 +282,10 @@ class Namespace:
             spelled for spelled, name in self.__spelled.items() if self.__inside[name] in known
         )
         return {spelled: f"{self.__name}.{spelled}" for spelled in found}
+
+    def __iris__(self) -> dict[str, str]:
+        """The IRIs of all that it declares, by the names in Python."""
+        return {spelled: self.__inside[name] for spelled, name in self.__spelled.items()}
 
     def __dir__(self) -> list[str]:
         return list(self.__spelled)

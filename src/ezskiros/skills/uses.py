@@ -43,7 +43,7 @@ class Use(Described):
 
 
 class Uses(Added[Use]):
-    """The topics and servers that a skill uses: `self.uses += topic("/cmd_vel", "geometry_msgs/Twist")`."""
+    """The uses of a skill: `self.uses += topic("/cmd_vel", "geometry_msgs/Twist")`."""
 
     def __iadd__(self, use: Use | Unknown) -> Uses:
         if isinstance(use, Use):

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from ezskiros.skills.quantities import UNITS, Dimension, read
 from rossmarie.units import parse_unit
 
-REGISTRY = pint.UnitRegistry()
+REGISTRY: pint.UnitRegistry[float] = pint.UnitRegistry()
 SI = {each: REGISTRY.parse_units(each.value) for each in Dimension}
 
 

@@ -1,0 +1,50 @@
+"""`ezskiros export`: skills as a file for other languages."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from dslkit.diagnostics import Collector
+from dslkit.writing import reason
+from ezskiros.cli.arguments import Folders, Skills, name_ontology
+from ezskiros.cli.checking import asked
+from ezskiros.cli.output import output
+
+
+def export(
+    paths: Skills,
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as skills.json.")
+    ],
+    ontology: Folders = None,
+) -> None:
+    """Write what rules have to know of skills: `skills.json`. Nothing if there are errors."""
+    output.try_file(out)
+    name_ontology(ontology)
+    found, report = asked(_Exporting(paths, out).run)
+    if output.exit_code(report.diagnostics):
+        output.reject(report.diagnostics)
+    output.print_findings(report.diagnostics)
+    output.save(out, found["text"])
+
+
+@dataclass(frozen=True)
+class _Exporting:
+    """The work on an export, in the process that runs users' code."""
+
+    paths: list[Path]
+    out: Path
+
+    def run(self, collector: Collector) -> dict[str, str | None]:
+        """The text, None if there are errors."""
+        from ezskiros.confinement import RefusedError
+        from ezskiros.driver import export_paths
+
+        try:
+            return {"text": export_paths(self.paths, self.out, collector)}
+        except OSError as problem:
+            raise RefusedError(f"cannot read {problem.filename}: {reason(problem)}") from None

@@ -1,0 +1,129 @@
+"""A file of skills, read again: what it was made of, and whether that is as it was."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import SourceFile, Span, is_file, shown
+from dslkit.writing import reason
+from ezskiros.export.errors import NoExport, NotExported, StaleExport
+from ezskiros.export.sources import (
+    FORMAT,
+    VERSION,
+    Source,
+    digest_of,
+    path_from,
+    sha256_of,
+)
+
+_LARGEST = 1 << 26
+"""Bytes of a file: no export is larger."""
+_HEXADECIMAL = re.compile(r"[0-9a-f]{64}")
+
+
+@dataclass(frozen=True)
+class Export:
+    """The head of an export: its digest, and the sources that it was made of."""
+
+    path: Path
+    digest: str
+    sources: tuple[Source, ...]
+    file: SourceFile
+
+    def place_of(self, source: Source) -> Span:
+        """Where the file names a source."""
+        named = json.dumps(source.path)
+        start = max(self.file.text.find(named), 0)
+        return Span(self.file, start, start + len(named))
+
+
+def read_export(path: Path) -> Export | Diagnostic:
+    """The head of an export, or why it is none. Raises `OSError` if it cannot be read."""
+    file = SourceFile(shown(str(path)), "")
+    with path.open("rb") as opened:
+        content = opened.read(_LARGEST + 1)
+    if len(content) > _LARGEST:
+        return _no_export(file, 0, f"it is larger than {_LARGEST >> 20} MiB")
+    try:
+        file = SourceFile.decoded(file.path, content)
+    except UnicodeDecodeError as problem:
+        return _no_export(file, 0, f"byte {problem.start + 1} is not UTF-8")
+    try:
+        found = json.loads(file.text, parse_constant=_refuse_constant)
+    except json.JSONDecodeError as problem:
+        return _no_export(file, problem.pos, f"it is not JSON: {problem.msg}")
+    except (ValueError, RecursionError) as problem:
+        return _no_export(file, 0, str(problem) or "it is too deep")
+    wrong = _fault(found)
+    if wrong is not None:
+        return _no_export(file, max(file.text.find(f'"{wrong[0]}"'), 0), wrong[1])
+    sources = tuple(Source(each["path"], each["sha256"]) for each in found["sources"])
+    return Export(path, found["digest"], sources, file)
+
+
+def _refuse_constant(spelled: str) -> None:
+    raise ValueError(f"`{spelled}` is no number of JSON")
+
+
+def _no_export(file: SourceFile, at: int, why: str) -> Diagnostic:
+    found = NoExport(path=file.path, reason=why)
+    return found.at(Span(file, at, min(at + 1, len(file.text))))
+
+
+def _fault(found: Any) -> tuple[str, str] | None:
+    """The key that is wrong, and why; None if the head is right."""
+    if not isinstance(found, dict) or found.get("format") != FORMAT:
+        return "format", f"its `format` is not `{FORMAT}`"
+    version = found.get("version")
+    if type(version) is not int or version != VERSION:
+        return "version", f"its `version` is not {VERSION}, which this EzSkiROS reads"
+    sources = found.get("sources")
+    if not isinstance(sources, list) or not all(map(_is_source, sources)):
+        return "sources", "its `sources` are not paths with their SHA-256"
+    known = [Source(each["path"], each["sha256"]) for each in sources]
+    if found.get("digest") != digest_of(known):
+        return "digest", "its `digest` is not that of its `sources`"
+    return None
+
+
+def _is_source(found: Any) -> bool:
+    if not isinstance(found, dict):
+        return False
+    path, sha256 = found.get("path"), found.get("sha256")
+    is_path = isinstance(path, str) and path != "" and not path.startswith("/")
+    return is_path and isinstance(sha256, str) and _HEXADECIMAL.fullmatch(sha256) is not None
+
+
+def changed_sources(export: Export) -> Iterator[Diagnostic]:
+    """The sources that are not what the export was made of: it is stale then."""
+    folder = export.path.absolute().parent
+    for source in export.sources:
+        why = _change(folder / source.path, source)
+        if why is not None:
+            found = StaleExport(path=export.file.path, source=source.path, reason=why)
+            yield found.at(export.place_of(source))
+
+
+def _change(file: Path, source: Source) -> str | None:
+    if not is_file(file):
+        return "is not there any more"
+    try:
+        is_same = sha256_of(file) == source.sha256
+    except OSError as problem:
+        return f"cannot be read: {reason(problem)}"
+    return None if is_same else "has changed"
+
+
+def not_exported(export: Export, files: Iterable[Path]) -> Iterator[Diagnostic]:
+    """The files of what runs that the export was not made of."""
+    folder = export.path.absolute().parent
+    known = {each.path for each in export.sources}
+    for file in sorted({path_from(folder, each) for each in files} - known):
+        found = NotExported(path=export.file.path, source=file)
+        yield found.at(Span(export.file, 0, 0))

@@ -1,0 +1,44 @@
+"""The files that an export is made of, and the digest of them."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+FORMAT = "ezskiros/skills"
+VERSION = 1
+"""Of the format. It counts in the digest: files of two versions are never taken for one another."""
+
+
+@dataclass(frozen=True, order=True)
+class Source:
+    """A file by its path from the folder of the export, with `/`, and the SHA-256 of its bytes."""
+
+    path: str
+    sha256: str
+
+
+def digest_of(sources: Iterable[Source]) -> str:
+    """The digest of an export: 64 hexadecimal digits."""
+    lines = [f"{FORMAT} {VERSION}", *(f"{each.sha256}  {each.path}" for each in sorted(sources))]
+    return hashlib.sha256("\n".join(lines).encode("utf-8", "surrogatepass")).hexdigest()
+
+
+def sources_of(files: Iterable[Path], folder: Path) -> list[Source]:
+    """Some files as sources of an export in a folder, in order. Raises `OSError`."""
+    known = {path_from(folder, file): file for file in files}
+    return sorted(Source(path, sha256_of(file)) for path, file in known.items())
+
+
+def sha256_of(file: Path) -> str:
+    """The SHA-256 of the bytes of a file. Raises `OSError`."""
+    return hashlib.sha256(file.read_bytes()).hexdigest()
+
+
+def path_from(folder: Path, file: str | os.PathLike[str]) -> str:
+    """The way from a folder to a file, with `/`."""
+    way = os.path.relpath(os.path.realpath(file), os.path.realpath(folder))
+    return way.replace(os.sep, "/")

@@ -1,0 +1,59 @@
+"""Behavior trees as the file has them."""
+
+from __future__ import annotations
+
+import enum
+from typing import Any
+
+from ezskiros.export.places import Places
+from ezskiros.skills.calls import SkillCall
+from ezskiros.skills.nodes import Decorator, Node, Processor
+from ezskiros.skills.values import Symbol, plain
+from ezskiros.trees.library import Library
+from ezskiros.trees.names import shared_names
+from ezskiros.trees.tree import ThingReference, Tree, ValueReference
+
+
+def tree_of(tree: Tree, library: Library, places: Places) -> dict[str, Any]:
+    """One way through a compound skill."""
+    return {
+        "implementation": tree.implementation,
+        "place": places.of(tree.span),
+        "children": [_node(tree.root, library, places)],
+    }
+
+
+def _node(node: Node, library: Library, places: Places) -> dict[str, Any]:
+    place = places.of(node.span)
+    match node:
+        case SkillCall():
+            name = node.skill.__name__
+            return {"skill": name, "arguments": _arguments(node, library), "place": place}
+        case Processor(flow=flow, children=children):
+            control, below = flow.value.lower(), children
+        case Decorator(decoration=decoration, child=child):
+            control, below = decoration.value.lower(), (child,)
+    found = [_node(each, library, places) for each in below]
+    return {"control": control, "children": found, "place": place}
+
+
+def _arguments(call: SkillCall, library: Library) -> dict[str, str | None]:
+    """The values of the parameters: names that are shared with the compound and its children as
+    they are, what is written down as Python has it; None for what is computed from parameters.
+    """
+    skill = library.skill(call.skill)
+    if skill is None:
+        return {}
+    shared = {each.parameter.name: each.shared for each in shared_names(call, skill)}
+    given = {name: _spelled(value) for name, value in call.arguments.items()}
+    known = {**given, **shared}
+    return {each.name: known[each.name] for each in skill.parameters if each.name in known}
+
+
+def _spelled(value: object) -> str | None:
+    if isinstance(value, (ThingReference, ValueReference)):
+        return value.parameter.name
+    value = plain(value)
+    if isinstance(value, enum.Enum):
+        return f"{type(value).__name__}.{value.name}"
+    return None if isinstance(value, Symbol) else repr(value)

@@ -1,0 +1,204 @@
+"""Checked skills in, the text of `skills.json` out: the same for the same sources."""
+
+from __future__ import annotations
+
+import json
+from collections import defaultdict
+from collections.abc import Iterable, Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from ezskiros import session
+from ezskiros.check.spelled import spelled
+from ezskiros.export import errors
+from ezskiros.export.places import Places
+from ezskiros.export.sources import FORMAT, VERSION, digest_of, sources_of
+from ezskiros.export.trees import tree_of
+from ezskiros.export.vocabulary import Vocabulary, name_of
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.things import ThingClass
+from ezskiros.skills.calls import SkillClass
+from ezskiros.skills.description import SkillDescription
+from ezskiros.skills.interface import BASIC, Clause, Parameter, SkillInterface
+from ezskiros.skills.markers import Kind
+from ezskiros.skills.permits import Permission
+from ezskiros.skills.uses import Use
+from ezskiros.trees.library import Library
+from ezskiros.trees.tree import Tree
+
+CONTEXT = {"topic": "/skill_context", "type": "skill_context_msgs/SkillContext", "period": 0.1}
+"""Where the message about running skills comes, and how often, in seconds."""
+_KINDS = {Kind.REQUIRED: "given", Kind.INFERRED: "inferred", Kind.OPTIONAL: "optional"}
+
+
+def export_skills(
+    library: Library, trees: Sequence[Tree], files: Iterable[Path], folder: Path
+) -> str:
+    """The text of a file in `folder` with all skills that a library knows, and the trees of those
+    that were checked. `files` are sources besides those that skills and ontologies are written in.
+    What is wrong is reported; then the text is of no use. Raises `OSError` for a source that cannot
+    be read.
+    """
+    return _Writer(library, trees, folder).text(files)
+
+
+class _Writer:
+    def __init__(self, library: Library, trees: Sequence[Tree], folder: Path) -> None:
+        self._library, self._folder = library, folder
+        self._places = Places(folder)
+        self._trees: dict[str, list[Tree]] = defaultdict(list)
+        for tree in trees:
+            self._trees[tree.skill.name].append(tree)
+
+    def text(self, files: Iterable[Path]) -> str:
+        described = self._described()
+        skills = [self._skill(each, skill) for each, skill in described]
+        vocabularies = self._vocabularies(skill for _, skill in described)
+        classes = _by_name("classes", (one for each in vocabularies for one in each.classes()))
+        properties = [one for each in vocabularies for one in each.properties()]
+        known = [*files, *self._places.files, *self._ontology_files]
+        sources = sources_of(known, self._folder)
+        return _text(
+            {
+                "format": FORMAT,
+                "version": VERSION,
+                "digest": digest_of(sources),
+                "sources": [vars(each) for each in sources],
+                "context": CONTEXT,
+                "classes": classes,
+                "properties": _by_name("data properties", properties),
+                "skills": skills,
+            }
+        )
+
+    def _described(self) -> list[tuple[SkillClass, SkillInterface]]:
+        """All skills that are known, by their names."""
+        found: dict[str, tuple[SkillClass, SkillInterface]] = {}
+        for each in self._library.descriptions():
+            skill = self._library.skill(each)
+            if skill is None:
+                continue
+            first = found.setdefault(skill.name, (each, skill))[1]
+            if first is not skill:
+                twice = errors.SameName(kind="skills", spelled=skill.name)
+                session.report(twice.at(skill.span, twice.Other().at(first.span)))
+        return [found[name] for name in sorted(found)]
+
+    def _vocabularies(self, skills: Iterable[SkillInterface]) -> list[Vocabulary]:
+        named: dict[Ontology, set[str]] = defaultdict(set)
+        for each in (one for skill in skills for one in _classes_in(skill)):
+            if isinstance(each.vocabulary, Ontology):
+                named[each.vocabulary].add(each.iri)
+        self._ontology_files = [
+            Path(document.file.path)
+            for ontology in named
+            for document in ontology.documents
+            if session.is_of_user(str(Path(document.file.path).absolute()))
+        ]
+        return [Vocabulary(each, iris, self._places) for each, iris in named.items()]
+
+    # --- skills -----------------------------------------------------------------------------------
+
+    def _skill(self, description: SkillClass, skill: SkillInterface) -> dict[str, Any]:
+        ontology = next((each.vocabulary for each in _classes_in(skill)), None)
+        return {
+            "name": skill.name,
+            "parents": _parents(description),
+            "doc": skill.doc,
+            "place": self._places.of(skill.span),
+            "parameters": [self._parameter(each) for each in skill.parameters],
+            "conditions": {
+                "pre": [self._condition(each, ontology) for each in skill.pre],
+                "hold": [self._condition(each, ontology) for each in skill.hold],
+                "post": [self._condition(each, ontology) for each in skill.post],
+            },
+            "trees": [
+                tree_of(each, self._library, self._places) for each in self._trees[skill.name]
+            ],
+            "permits": [self._permission(each) for each in skill.permits],
+            "uses": [self._use(each) for each in skill.uses],
+        }
+
+    def _parameter(self, found: Parameter) -> dict[str, Any]:
+        return {
+            "name": found.name,
+            "key": found.key,
+            "kind": _KINDS[found.kind],
+            "type": _type_of(found),
+            "is_output": found.is_output,
+            "place": self._places.of(found.span),
+        }
+
+    def _condition(self, clause: Clause, ontology: object) -> dict[str, Any]:
+        text = clause.span.text
+        if isinstance(ontology, Ontology):
+            text = spelled(clause.statement, ontology.model)
+        return {"text": text, "place": self._places.of(clause.span)}
+
+    def _permission(self, found: Permission) -> dict[str, Any]:
+        return {
+            "kind": found.kind.value,
+            "with": [
+                {"parameter": each.parameter, "class": name_of(each.owl_class)}
+                for each in found.things
+            ],
+            "limit": vars(found.limit) if found.limit else None,
+            "place": self._places.of(found.span),
+        }
+
+    def _use(self, found: Use) -> dict[str, Any]:
+        return {
+            "kind": found.kind.value,
+            "name": found.name,
+            "type": found.type,
+            "place": self._places.of(found.span),
+        }
+
+
+def _classes_in(skill: SkillInterface) -> Iterator[ThingClass]:
+    """The classes that the parameters and the permissions of a skill name."""
+    yield from (each.type for each in skill.parameters if isinstance(each.type, ThingClass))
+    yield from (thing.owl_class for each in skill.permits for thing in each.things)
+
+
+def _parents(description: SkillClass) -> list[str]:
+    """The descriptions that one is derived from, nearest first."""
+    above = description.__mro__[1:]
+    return [
+        each.__name__
+        for each in above
+        if issubclass(each, SkillDescription) and each is not SkillDescription
+    ]
+
+
+def _type_of(found: Parameter) -> str:
+    if isinstance(found.type, ThingClass):
+        return name_of(found.type)
+    return found.type.__name__ if found.type in BASIC else "enum"
+
+
+def _by_name(kind: str, found: Iterable[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Things of several ontologies, by their names: those of one IRI are the same."""
+    known: dict[str, dict[str, Any]] = {}
+    for each in found:
+        first = known.setdefault(each["name"], each)
+        if {**first, "place": None} != {**each, "place": None}:
+            wrong = errors.SameName(kind=kind, spelled=each["name"])
+            session.report(wrong.at(session.NOWHERE))
+    return [known[name] for name in sorted(known)]
+
+
+def _text(found: dict[str, Any]) -> str:
+    """JSON with a line for each member of a list: changes are seen in it."""
+    parts = []
+    for key, value in found.items():
+        if isinstance(value, list) and value:
+            lines = ",\n".join(map(_json, value))
+            parts.append(f"{_json(key)}: [\n{lines}\n]")
+        else:
+            parts.append(f"{_json(key)}: {_json(value)}")
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def _json(value: object) -> str:
+    return json.dumps(value, allow_nan=False)
