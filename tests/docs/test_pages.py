@@ -11,6 +11,7 @@ from rossmarie import catalog
 from support import expectations
 from support.checking import compare_file, findings, useless_fixes
 from support.markdown import Block, blocks, replace_block
+from support.rule_skills import put_skills
 
 PAGES = sorted((Path(catalog.__file__).parent / "pages").glob("*.md"))
 
@@ -22,6 +23,7 @@ def programs(page: Path, heading: str) -> list[Block]:
 
 def write(block: Block, folder: Path) -> Path:
     """The program of a block as a file; a block with a name is there for the ones after it."""
+    put_skills(folder)
     path = folder / (block.name or "rules.ross")
     path.write_text(block.text, encoding="utf-8")
     return path

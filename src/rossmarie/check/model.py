@@ -67,9 +67,16 @@ class CheckedInput:
         """The way from the message to what the input selects."""
         return self.path if self.question is None else (self.question,)
 
+    @property
+    def field(self) -> str:
+        """The words for what the input selects: `sensor_msgs/Imu.orientation`, `Push.Speed`."""
+        if self.question is not None:
+            return str(self.question)
+        return ".".join((self.message_type, *self.path))
+
 
 PERIODS_OF_TIMEOUT = 5
-"""How many periods of the context are missed until it is lost, where the rules say no time."""
+"""The periods of the context that are missed until it is lost, where the rules say no time."""
 
 
 @dataclass(frozen=True)

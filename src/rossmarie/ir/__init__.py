@@ -5,7 +5,15 @@ from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.defined import Once, Response, defined, held_of
-from rossmarie.ir.explain import Cause, Explanation, LostInput, Reading, event_line, explain
+from rossmarie.ir.explain import (
+    Cause,
+    Explanation,
+    LostInput,
+    Reading,
+    event_line,
+    exemption_words,
+    explain,
+)
 from rossmarie.ir.feedback import Feedback, Margin
 from rossmarie.ir.filing import SUBJECTS, TASKS, Category, Hazard, LeftOut, is_selected
 from rossmarie.ir.learning import below_margins, margins_of, without_margins
@@ -211,6 +219,7 @@ __all__ = [
     "each_update",
     "element_arrays",
     "event_line",
+    "exemption_words",
     "explain",
     "field_names",
     "functions",

@@ -75,7 +75,9 @@ class LostInput:
 
 @dataclass(frozen=True)
 class Explanation:
-    """Why a rule became active or cleared; `contract` says what clears it."""
+    """Why a rule became active or cleared; `contract` says what clears it. `exempted` says which
+    rule is not applied, if it became active because of an exemption.
+    """
 
     rule: str
     at_ns: int
@@ -83,12 +85,16 @@ class Explanation:
     causes: tuple[Cause, ...]
     lost_inputs: tuple[LostInput, ...]
     contract: str
+    exempted: str | None = None
 
     def lines(self, origin_ns: int = 0) -> tuple[str, ...]:
-        """A line for each lost input; where none is to blame, one for each cause."""
+        """A line for each lost input; where none is to blame, one for each cause. In front of them
+        stands the rule that is not applied.
+        """
+        first = () if self.exempted is None else (self.exempted,)
         if self.lost_inputs:
-            return tuple(lost.line() for lost in self.lost_inputs)
-        return tuple(cause.line(origin_ns) for cause in self.causes)
+            return (*first, *(lost.line() for lost in self.lost_inputs))
+        return (*first, *(cause.line(origin_ns) for cause in self.causes))
 
     def line(self, origin_ns: int = 0) -> str:
         """All of it on one line."""
@@ -131,7 +137,19 @@ def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
         causes=tuple(causes.values()),
         lost_inputs=snapshot.lost_inputs(tuple(causes.values())),
         contract=rule.contract,
+        exempted=None if verdict.change is Change.CLEARED else exemption_words(machine, rule),
     )
+
+
+def exemption_words(machine: ir.Machine, rule: ir.Rule) -> str | None:
+    """The words for the exemption that a rule stands for: which rule is not applied while which
+    skill runs, and what that permits. None if it stands for none.
+    """
+    exempts = rule.exempts
+    if exempts is None:
+        return None
+    permits = f", which permits {' and '.join(exempts.permits)}" if exempts.permits else ""
+    return f"{machine.rules[exempts.rule].name} is not applied: {exempts.doing}{permits}"
 
 
 class _Snapshot:

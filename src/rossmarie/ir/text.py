@@ -161,6 +161,11 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     yield f"{line:{_WIDTH}} | {rule.contract} | {rule.span}"
     yield f"  actions {', '.join(rule.actions)}"
     yield f"  terms {_names('t', rule.terms)}; signals {_names('s', rule.signals)}"
+    if rule.always:
+        yield "  always"
+    if rule.exempts is not None:
+        permits = ", ".join(rule.exempts.permits) or "nothing"
+        yield f"  exempts rule {rule.exempts.rule}: {rule.exempts.doing}, which permits {permits}"
     if rule.categories:
         yield f"  categories {', '.join(each.value for each in rule.categories)}"
     if rule.feedback != NO_FEEDBACK:

@@ -60,11 +60,11 @@ class Json:
             yield Json(element, f"{self.way}[{place}]")
 
     def each(self, make: Callable[[Json], Made]) -> tuple[Made, ...]:
-        """What is made of each element of a list."""
+        """The results for the elements of a list."""
         return tuple(make(element) for element in self.elements())
 
     def optional(self, make: Callable[[Json], Made]) -> Made | None:
-        """What is made of a value that may be null."""
+        """The result for a value that may be null."""
         return None if self.value is None else make(self)
 
     def text(self) -> str:

@@ -1,4 +1,4 @@
-"""What a file of skills says, as far as rules ask."""
+"""The contents of a file of skills, as far as rules ask."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Permission:
-    """What a skill permits, such as `contact`: `things` are pairs of a parameter and a class. The
+    """A permission of a skill, such as `contact`. `things` are pairs of a parameter and a class, the
     limit is in words, such as `30 N`.
     """
 

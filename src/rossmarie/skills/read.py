@@ -89,7 +89,7 @@ def read_text(path: Path) -> SourceFile:
 
 
 def parse_skills(file: SourceFile) -> SkillFile:
-    """What a file of skills says. Raises `UnreadableSkills`."""
+    """The contents of a file of skills. Raises `UnreadableSkills`."""
     try:
         return _skills(parse_json(file.text))
     except UnreadableJson as error:

@@ -95,9 +95,9 @@ def _is_switch(node: ast.Expression, context: Context) -> bool:
 
 
 def _is_apart(node: ast.Expression, context: Context) -> bool:
-    """Say whether a condition names no input and no other one, and looks at no time."""
+    """Say whether a condition names no input, no skill and no other one, and looks at no time."""
     return isinstance(context.type_of(node), Boolean) and not any(
-        isinstance(part, Temporal)
+        isinstance(part, Temporal | ast.Doing)
         or (isinstance(part, ast.Reference) and constant_of(part, context.declarations) is None)
         for part in walk(node)
     )

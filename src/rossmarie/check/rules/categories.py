@@ -13,19 +13,24 @@ _TASKS = {each.value.removeprefix("task "): each for each in TASKS}
 
 
 def check_categories(rule: ast.Rule, context: Context) -> tuple[Category, ...]:
-    """The categories of a rule; words that are none are reported."""
+    """The categories of a rule; words that are none are reported, once for all its exemptions."""
     found = (
-        _known(rule.category, "category", _SUBJECTS, context),
-        _known(rule.task, "task", _TASKS, context),
+        _known(rule, rule.category, "category", _SUBJECTS, context),
+        _known(rule, rule.task, "task", _TASKS, context),
     )
     return tuple(each for each in found if each is not None)
 
 
 def _known(
-    word: ast.Name | None, said: str, known: dict[str, Category], context: Context
+    rule: ast.Rule,
+    word: ast.Name | None,
+    said: str,
+    known: dict[str, Category],
+    context: Context,
 ) -> Category | None:
     if word is None or word.text in known:
         return None if word is None else known[word.text]
-    finding = UnknownCategory(identifier=word.text, said=said, known=listed(tuple(known)))
-    context.report_unknown(finding, word, known)
+    if rule.made_from is None:
+        finding = UnknownCategory(identifier=word.text, said=said, known=listed(tuple(known)))
+        context.report_unknown(finding, word, known)
     return None

@@ -22,7 +22,7 @@ def declared_hazards(context: Context, *, is_parsed: bool) -> Mapping[str, ast.H
                 reason = "rules say by its name which hazard they mitigate"
                 report_second(item.name, first.name, "hazard", reason, context.collector)
     mitigated = [name for rule in context.declarations.rules for name in rule.mitigates]
-    for name in mitigated:
+    for name in dict.fromkeys(mitigated):
         if name.text not in found and context.declarations.is_whole:
             context.report_unknown(UndeclaredHazard(identifier=name.text), name, found)
     used = {name.text for name in mitigated}

@@ -18,7 +18,7 @@ def giving_way(context: Context) -> tuple[tuple[int, ...], ...]:
     rules = context.declarations.rules
     numbers = numbers_of(rules)
     for rule in rules:
-        for name in rule.unless:
+        for name in rule.unless if rule.made_from is None else ():
             if name.text not in numbers and context.declarations.is_whole:
                 report_undeclared(name, numbers, context)
     found = {number: _numbers(rule, numbers) for number, rule in enumerate(rules)}

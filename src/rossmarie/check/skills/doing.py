@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from dslkit.diagnostics import Label, Template, listed
+from dslkit.diagnostics import Label, Remark, Template, listed
 from rossmarie.check.model import CheckedDoing, CheckedSkills
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.skills.errors import (
@@ -117,11 +117,17 @@ def report_unlike(
     may_suggest = context.suggestions.take(len(places))
     near = near_name(name.text, places) if may_suggest else None
     if near is None:
-        known = (Known(known=listed(tuple(places))),) if places and not around else ()
-        context.collector.add(finding.at(name.span, *around, notes=known))
+        context.collector.add(finding.at(name.span, *around, notes=_known(finding, places)))
         return
     labels = _declared(near, places[near], skills)
     context.collector.add(suggesting(finding, name, near, *(labels or around)))
+
+
+def _known(finding: Template, places: Iterable[str]) -> tuple[Remark, ...]:
+    """The names that there are, unless the finding says them already."""
+    names = tuple(places)
+    says_nothing = isinstance(finding, UnknownSkill | UnknownSkillClass)
+    return (Known(known=listed(names)),) if names and says_nothing else ()
 
 
 def _declared(what: str, place: Place | None, skills: CheckedSkills) -> tuple[Label, ...]:

@@ -145,7 +145,7 @@ class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-paramet
         says = "first named here"
 
 
-class SkillsUnreadable(Error, code="ROSS811", name="skills-unreadable"):
+class SkillsUnreadable(Error, code="ROSS249", name="skills-unreadable"):
     """A file of skills that is missing, or is not as its format demands."""
 
     title = "cannot use the skills in `{path}`"
@@ -159,7 +159,7 @@ class SkillsUnreadable(Error, code="ROSS811", name="skills-unreadable"):
         says = "this cannot be read"
 
 
-class SkillsOutOfDate(Error, code="ROSS812", name="skills-out-of-date"):
+class SkillsOutOfDate(Error, code="ROSS257", name="skills-out-of-date"):
     """A file of skills whose sources are no longer what they were."""
 
     title = "`{path}` is out of date"

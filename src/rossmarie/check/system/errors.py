@@ -149,6 +149,11 @@ class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field")
     known: str
     found: str
 
+    class OfSkill(Remark):
+        says = "leave `in {found}` out: the file of skills says that the property is in {known}"
+        found: str
+        known: str
+
 
 class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
     """One field of one topic, said to arrive in two units."""

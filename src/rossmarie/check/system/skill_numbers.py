@@ -164,7 +164,8 @@ def _in_unit(declaration: ast.Input, field: str, stated: str | None, context: Co
         return Quantity(si_unit(known.dimension))
     edits = without(end_of_field(declaration), "in", declaration.unit.span)
     fix = Fix(f"leave out `in {declaration.unit.text}`", edits)
-    context.collector.add(contradiction.at(declaration.unit.span, fix=fix))
+    help = contradiction.OfSkill(found=contradiction.found, known=contradiction.known)
+    context.collector.add(contradiction.at(declaration.unit.span, help=help, fix=fix))
     return Unknown()
 
 

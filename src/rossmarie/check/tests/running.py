@@ -13,7 +13,7 @@ from rossmarie.ir.skills import RunningSkill, SkillArgument
 from rossmarie.syntax import ast
 
 NOTHING = "nothing"
-"""What stands behind `doing` in a test in which no skill runs, unless a skill is called so."""
+"""The word behind `doing` in a test in which no skill runs, unless a skill is called so."""
 
 
 def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None:

@@ -282,5 +282,5 @@ def _labels(operand: Operand, context: Context) -> tuple[Label, ...]:
         return ()
     declaration = found.declaration
     place = declaration.topic.span.to(end_of_field(declaration))
-    field = ".".join((found.message_type, *found.path))
+    field = found.field
     return (OfField(name=declaration.name.text, field=field).at(place),)

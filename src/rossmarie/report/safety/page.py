@@ -55,6 +55,7 @@ def render_safety_file(content: SafetyFile) -> str:
         losses=content.losses,
         effects=(Effect.ACTIVATES, Effect.DEPENDS),
         claims=_claims(machine),
+        exemptions=_exemptions(machine, rules),
         open_points=open_points(content),
         missing=_missing,
         spare_meaning=MEANING,
@@ -192,6 +193,27 @@ def _hazards(machine: ir.Machine, rules: tuple[RuleText, ...]) -> list[_Hazard]:
     return [
         _Hazard(hazard, tuple(rule for rule in rules if index in rule.hazards))
         for index, hazard in enumerate(machine.hazards)
+    ]
+
+
+@dataclass(frozen=True)
+class _Exemption:
+    """A rule that is not applied while a skill runs, what that permits, and the rules instead."""
+
+    exempted: RuleText
+    doing: str
+    permits: tuple[str, ...]
+    instead: tuple[RuleText, ...]
+
+
+def _exemptions(machine: ir.Machine, rules: tuple[RuleText, ...]) -> list[_Exemption]:
+    standing: dict[ir.Exemption, list[RuleText]] = {}
+    for rule, text in zip(machine.rules, rules, strict=True):
+        if rule.exempts is not None:
+            standing.setdefault(rule.exempts, []).append(text)
+    return [
+        _Exemption(rules[each.rule], each.doing, each.permits, tuple(texts))
+        for each, texts in standing.items()
     ]
 
 

@@ -154,7 +154,13 @@ class _Writer:
         return plans[index] if plans else reactions.Plan((), ())
 
     def _order(self, index: int) -> Iterator[str]:
-        """R1, R2: what it gives way to."""
+        """R1, R2, S60: what it gives way to, and what it stands for."""
+        rule = self._machine.rules[index]
+        if rule.always:
+            yield "It holds always: neither a skill nor an operator exempts it."
+        if rule.exempts is not None:
+            name, doing = self._machine.rules[rule.exempts.rule].name, rule.exempts.doing
+            yield f"It stands for an exemption: {name} is not applied while {doing}."
         unless = tuple(self._machine.rules[other].name for other in self._plan(index).unless)
         if unless:
             yield (
