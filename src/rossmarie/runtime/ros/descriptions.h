@@ -24,7 +24,8 @@ struct RuleInput {
     bool has_timeout;
 };
 
-// What a rule says, in the words of its author, and what its verdicts rest on.
+// What a rule says, in the words of its author, and what its verdicts rest on. Nobody can exempt a
+// rule that holds always.
 struct RuleText {
     const char *name;
     const char *condition;
@@ -33,6 +34,7 @@ struct RuleText {
     std::vector<ValueText> values;
     std::vector<RuleInput> inputs;
     std::vector<std::string> categories = {};
+    bool is_always = false;
 };
 extern const std::vector<RuleText> RULES;
 
@@ -85,10 +87,11 @@ template <class Row> int count(const std::vector<Row> &table)
 // The row of a rule that the C describes.
 template <class Description>
 RuleText rule_text(const Description &rule, bool is_latched, std::vector<ValueText> values,
-                   std::vector<RuleInput> inputs, std::vector<std::string> categories = {})
+                   std::vector<RuleInput> inputs, std::vector<std::string> categories = {},
+                   bool is_always = false)
 {
     for (std::size_t value = 0; value < values.size(); value++)
         values[value].name = rule.values[value];
-    return {rule.name,         rule.condition,    rule.contract,        is_latched,
-            std::move(values), std::move(inputs), std::move(categories)};
+    return {rule.name,         rule.condition,    rule.contract,         is_latched,
+            std::move(values), std::move(inputs), std::move(categories), is_always};
 }

@@ -79,6 +79,8 @@ void Guard::exempt(const Exempt::Request &request, Exempt::Response &response)
     const int rule = rule_called(request.rule);
     if (rule < 0)
         response.message = "there is no rule " + request.rule;
+    else if (RULES[rule].is_always)
+        response.message = "the rule " + request.rule + " holds always: nobody can exempt it";
     else if (Middleware::nanoseconds(request.time) < 0)
         response.message = "the time is negative";
     else if (request.reason.empty())

@@ -56,8 +56,10 @@ def _rule(machine: ir.Machine, index: int, name: str) -> list[str]:
     inputs = [_rule_input(machine, used) for used in rule.inputs]
     is_latched = str(rule.release is None).lower()
     parts = [f"{{{', '.join(values)}}}", f"{{{', '.join(inputs)}}}"]
-    if rule.categories:
+    if rule.categories or rule.always:
         parts.append(f"{{{', '.join(string(each.value) for each in rule.categories)}}}")
+    if rule.always:
+        parts.append("true")
     return [
         f"rule_text({name}_rules[{index}], {is_latched}, // {rule.name}",
         *(f"          {part}," for part in parts[:-1]),

@@ -164,6 +164,9 @@ static void check_exemption(Guard &guard)
 {
     level(2.0);
     CHECK(ask<Exempt>("~exempt", {"slow", {1}, "test"}).message == "there is no rule slow");
+    const Exempt::Response refused = ask<Exempt>("~exempt", {"torn", {1}, "test"});
+    CHECK(!refused.success);
+    CHECK(refused.message == "the rule torn holds always: nobody can exempt it");
     CHECK(ask<Exempt>("~exempt", {"fast", {1}, ""}).message == "a reason is required");
     CHECK(ask<Exempt>("~exempt", {"fast", {100 * MILLISECOND_NS}, "test"}).success);
     wait(guard, 50);
