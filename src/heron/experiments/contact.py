@@ -45,7 +45,7 @@ SPONGE = ArmParameters(block_half=0.032)
 """The arm, whose block is a sponge: wider than the hand, which must not touch the board."""
 CAREFUL = ArmControllerParameters(carrying_speed=0.25, carrying_acceleration=1.0)
 """Nowhere faster than the reduced speed of ISO 10218-1: people are about."""
-_BESIDE = 0.04  # m from the box, before it is pushed
+_BESIDE = 0.025  # m from the box, before it is pushed
 _BEFORE = 0.015  # m from the board, before it is pressed on
 _ABOVE_TABLE = 0.015
 _OVER = 0.95  # m: the height of ways over the table

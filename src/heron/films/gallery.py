@@ -72,9 +72,9 @@ EXHIBITS = (
         "contact",
         Encounter.COLLISION,
         "encounter",
-        "The arm pushes a box and wipes a board. In between it hits a forearm. Without a monitor it "
-        "presses on until the forearm is drawn back. The rules know that pushing and wiping need "
-        "contact, and let it be; on the forearm they let the arm back off at once.",
+        "The arm pushes a box and wipes a board. In between it hits a forearm. Without a monitor "
+        "it presses on until the forearm is drawn back. The rules know that pushing and wiping "
+        "need contact, and let it be; on the forearm they let the arm back off at once.",
     ),
 )
 

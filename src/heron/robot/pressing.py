@@ -51,6 +51,9 @@ class PushParameters:
     """Speeds in m/s, lengths in m, forces in N, stiffness in N/m, damping in N s/m, mass in kg."""
 
     speed: float = 0.03
+    approach: float = 0.015
+    """The speed until it touches something."""
+    touch: float = 3.0
     most: float = 120.0
     """It pushes no harder than this, whatever is in the way."""
     stiffness: float = 300.0
@@ -79,7 +82,8 @@ class Push:
         self._start, self._far = place.copy(), float(np.linalg.norm(way))
         self._along = way / max(self._far, 1e-9)
         self._lean = _Lean(found.mass, found.damping)
-        self._wanted = found.speed * found.damping / found.stiffness  # at its speed from the start
+        self._wanted = found.approach * found.damping / found.stiffness  # from the start
+        self._has_touched = False
         self._left: float | None = None
 
     def step(self, grasp: Floats, force: Floats, step_s: float, pace: float) -> Floats:
@@ -88,10 +92,12 @@ class Push:
         if self._left is not None:
             lean.depth -= pace * found.leaving_speed * step_s
         else:
+            felt = -float(force @ self._along)
+            self._has_touched = self._has_touched or felt > found.touch
+            speed = found.speed if self._has_touched else found.approach
             ahead = found.most / found.stiffness
-            self._wanted = min(self._wanted + pace * found.speed * step_s, lean.depth + ahead)
-            drive = found.stiffness * (self._wanted - lean.depth)
-            lean.step(drive, -float(force @ self._along), pace * step_s)
+            self._wanted = min(self._wanted + pace * speed * step_s, lean.depth + ahead)
+            lean.step(found.stiffness * (self._wanted - lean.depth), felt, pace * step_s)
             passed = float((grasp - self._start) @ self._along)
             if self._far - passed < found.reached:
                 self._left = passed - found.leaves
