@@ -40,7 +40,7 @@ class Person(str, enum.Enum):
 
 
 class Encounter(str, enum.Enum):
-    """What the arm touches, apart from what it has to."""
+    """Contact of the arm, apart from that with the box and the board."""
 
     COLLISION = "collision"  # while it moves freely, a forearm that should not be there
     JAMMED = "jammed"  # while it pushes a box, this meets something that is fixed

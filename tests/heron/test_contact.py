@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 
 import numpy as np
@@ -121,10 +122,10 @@ class Server:
     """Reaches a goal when it is told to."""
 
     def __init__(self) -> None:
-        self.done = lambda _: None
+        self.done: Callable[[bool], None] = print
 
-    def send(self, goal: Goal, done: object) -> None:  # noqa: ARG002
-        self.done = done  # type: ignore[assignment]
+    def send(self, goal: Goal, done: Callable[[bool], None]) -> None:  # noqa: ARG002
+        self.done = done
 
     def cancel(self) -> None:
         pass

@@ -14,7 +14,7 @@ from heron.demo.charts import HEIGHT, WIDTH, Chart, Tick, chart_of, time_ticks
 from heron.demo.lanes import SIGNS, Lanes, rules_of, tree_of
 from heron.demo.shots import Shot
 from heron.experiments import EXPERIMENTS
-from heron.experiments.table import ARM_NAMES
+from heron.experiments.experiment import ARM_NAMES
 from heron.tasks.tree import running_of
 from heron.variants import Arm
 

@@ -9,12 +9,12 @@ import numpy as np
 
 from heron.evaluation.sample import Sample
 from heron.evaluation.statistics import Estimate, median
-from heron.experiments.table import ARM_NAMES
+from heron.experiments.experiment import ARM_NAMES
 from heron.variants import Arm
 
 _SURE = 0.05
 MARGIN = 0.1
-"""What is no more than a tenth worse is as good."""
+"""A tenth more harm, or a tenth more time, counts as the same."""
 
 
 class Verdict(enum.Enum):

@@ -24,7 +24,7 @@ from heron.evaluation.claim import (
 )
 from heron.evaluation.sample import Sample
 from heron.evaluation.skill_claims import claims_of_skills
-from heron.experiments.table import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
+from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
 from heron.variants import Arm
 
 

@@ -16,7 +16,7 @@ from heron.evaluation.sample import Sample, samples_of
 from heron.evaluation.statistics import median, share
 from heron.evaluation.study_section import section_of
 from heron.experiments import EXPERIMENTS, STUDIES, Experiment, Measure
-from heron.experiments.table import ARM_NAMES, COMPLETED
+from heron.experiments.experiment import ARM_NAMES, COMPLETED
 from heron.variants import Arm
 
 _HEAD = """\

@@ -16,8 +16,8 @@ from heron.evaluation.rows import StudyRow
 from heron.evaluation.sample import Sample
 from heron.evaluation.study_section import of_case
 from heron.experiments import Measure, Study
+from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION
 from heron.experiments.studies import Case
-from heron.experiments.table import ARM_NAMES, COMPLETED, DURATION
 from heron.variants import Arm
 
 _COLORS = {

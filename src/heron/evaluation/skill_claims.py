@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 from heron.evaluation.claim import Claim, Verdict, acts_in_time, as_safe, there_is_harm
 from heron.evaluation.sample import Sample
-from heron.experiments.table import ARM_NAMES, EXEMPTIONS, WITHOUT_NEED
+from heron.experiments.experiment import ARM_NAMES, EXEMPTIONS, WITHOUT_NEED
 from heron.variants import Arm, Encounter
 
 _WITHIN_A_SKILL = (Encounter.JAMMED.value,)

@@ -1,6 +1,7 @@
 """The experiments of the thesis: each in several arms, on the same seeds, with measures."""
 
 from heron.experiments.contact import ContactEpisode, ContactMeasures, run_contact
+from heron.experiments.experiment import Episode, Experiment, Measure
 from heron.experiments.human import HumanEpisode, HumanMeasures, run_human
 from heron.experiments.measures import NavigationMeasures
 from heron.experiments.navigation import NavigationEpisode, run_navigation
@@ -9,7 +10,7 @@ from heron.experiments.placing import PlacingEpisode, PlacingMeasures, run_placi
 from heron.experiments.runner import Node
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.studies import STUDIES, Study
-from heron.experiments.table import EXPERIMENTS, Episode, Experiment, Measure
+from heron.experiments.table import EXPERIMENTS
 
 __all__ = [
     "EXPERIMENTS",

@@ -186,7 +186,7 @@ def _assembled(
 
 
 def places_of(cell: CellParameters) -> dict[str, Floats]:
-    """Where the sponge is carried to."""
+    """The places that the sponge is carried to."""
     (x, y), half = cell.box_place, SPONGE.block_half
     before_box = np.array(
         [x, y + cell.box_half[1] + half + _BESIDE, cell.table_height + half + _ABOVE_TABLE]
@@ -219,7 +219,7 @@ def _strokes(cell: CellParameters) -> list[Floats]:
 
 
 def hazards(trace: Trace) -> dict[str, Flags]:
-    """When each hazard is there: somebody is touched, or the box is jammed."""
+    """The rows with each hazard: somebody is touched, or the box is jammed."""
     return {
         "collision": trace.columns["pressed"] > _TOUCHED,
         "jam": trace.columns["is_jammed"] > 0,
@@ -258,7 +258,7 @@ def _time_above(limit: float, values: Floats, flags: Flags) -> float | None:
 
 
 def _exemptions(guard: InProcessGuard | None) -> int:
-    """How often an exemption was used: the rules that are active meanwhile say so in the log."""
+    """The number of uses of exemptions: rules of their own are active meanwhile."""
     if guard is None:
         return 0
     telling = {number for number, rule in enumerate(guard.machine.rules)

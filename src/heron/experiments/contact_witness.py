@@ -46,7 +46,7 @@ class ContactWitness:
 
     @property
     def box(self) -> tuple[float, float]:
-        """Where the middle of the box is on the table (m)."""
+        """The place of the middle of the box on the table (m)."""
         x, y, _ = self._arm.data.body(BOX).xpos.tolist()
         return x, y
 

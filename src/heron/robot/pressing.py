@@ -26,8 +26,8 @@ class Pressing(Protocol):
         """From where the grasp is (m)."""
 
     def step(self, grasp: Floats, force: Floats, step_s: float, pace: float) -> Floats:
-        """Where the servos have to bring the grasp (m), one step later. `force` (N) pushes the
-        hand; `pace` is the share of its speed that the motion may have.
+        """The place to which the servos bring the grasp (m), one step later. `force` (N) pushes
+        the hand; `pace` is the share of its speed that the motion may have.
         """
 
 

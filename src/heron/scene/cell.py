@@ -47,14 +47,14 @@ class CellParameters:
     table_middle: tuple[float, float] = (0.0, -0.55)
     table_half: tuple[float, float, float] = (0.62, 0.25, 0.02)
     friction: float = 0.47
-    """Of the box on the table."""
+    """The friction of the box on the table."""
     box_mass: float = 4.5
     box_half: tuple[float, float, float] = (0.08, 0.05, 0.05)
     box_place: tuple[float, float] = (-0.3, -0.44)
     way: float = 0.16
-    """How far the box has to go."""
+    """The way that the box has to go."""
     jam: float | None = None
-    """How far it gets, if something that is fixed to the table stands in its way."""
+    """The way that it gets, if something that is fixed to the table stands there."""
     board_middle: tuple[float, float, float] = (0.32, -0.61, 0.885)
     board_half: tuple[float, float, float] = (0.18, 0.01, 0.115)
     board_friction: float = 0.35
@@ -63,14 +63,14 @@ class CellParameters:
     rows: tuple[float, ...] = (0.94, 0.88)
     """The heights of the strokes."""
     softness: float = 0.03
-    """Of the contact of the sponge with what it touches (s)."""
+    """The time constant of the contact of the sponge with other things (s)."""
     person_y: float = -1.02
-    """Where the person stands, across the table."""
+    """The place of the person, across the table."""
     forearm: ForearmParameters = field(default_factory=ForearmParameters)
 
     @property
     def mark(self) -> tuple[float, float]:
-        """Where the middle of the box has to be."""
+        """The place where the middle of the box has to be."""
         x, y = self.box_place
         return x, y - self.way
 
@@ -80,7 +80,7 @@ class CellParameters:
         return self.board_middle[1] + self.board_half[1]
 
     def stains(self) -> Iterator[tuple[float, float, float]]:
-        """Where the board is dirty."""
+        """The places of the stains on the board."""
         first, last = self.stroke
         count = 7
         for row, z in enumerate(self.rows):

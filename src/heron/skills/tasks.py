@@ -99,7 +99,7 @@ class carry_to_and_fro(CarryToAndFro.SkillBase):
 class TidyUp(SkillDescription):
     """Experiment IV: pushes a box to its mark, and wipes a board.
 
-    What does not succeed in time is left as it is.
+    A skill that does not succeed in time is given up, and the task goes on.
 
     Args:
         Patience: the seconds that pushing may take, and that wiping may take.

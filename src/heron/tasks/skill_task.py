@@ -42,7 +42,7 @@ class SkillTask:
             ),
         )
         self.events: list[tuple[float, Event]] = []
-        """What happened to its skills, with the instants (s)."""
+        """The events of its skills, with their instants (s)."""
         self.outcome = Outcome.RUNNING
 
     @property
