@@ -24,8 +24,8 @@ _FELT = 5.0  # N
 
 @dataclass(frozen=True)
 class Reaching:
-    """The place where somebody reaches over the table (x, m), how far (m more or less), and how long
-    after the robot has begun to work at the box (s).
+    """The place where somebody reaches over the table (x, m), how far (m more or less), and the time
+    since the robot has begun to work at the box (s).
     """
 
     x: float = 0.0
