@@ -9,7 +9,8 @@ from pathlib import Path
 from types import MappingProxyType
 
 from dslkit.diagnostics import Diagnostic, Severity
-from ezskiros.driver import Checked, UnknownSkillError, check_paths
+from dslkit.source import is_file
+from ezskiros.driver import SCENE, Checked, UnknownSkillError, check_paths
 from ezskiros.engine.arguments import read_arguments
 from ezskiros.engine.scenes import load_world
 from ezskiros.engine.world import World
@@ -25,7 +26,8 @@ from ezskiros.trees.tree import Tree
 class Ready:
     """A skill that can be run, with its arguments, and the world that it runs in.
 
-    `elsewhere` is what is wrong with skills that it calls, and that are not among the files.
+    `elsewhere` is what is wrong with skills that it calls, and that are not among the files;
+    `sources` are the files of the skills and of the ontology.
     """
 
     library: Library
@@ -34,6 +36,7 @@ class Ready:
     world: World
     warnings: Sequence[Diagnostic]
     elsewhere: Sequence[Diagnostic]
+    sources: Sequence[Path]
 
 
 class FaultyError(Exception):
@@ -66,7 +69,15 @@ def prepare(skill: str, paths: Iterable[Path], scene: Path | None, texts: Iterab
     assert interface is not None, "a description without errors says something"
     values = read_arguments(interface, texts, world)
     call = SkillCall(description, implementation, MappingProxyType(values), NOWHERE)
-    return Ready(library, checked.trees, call, world, found, library.elsewhere)
+    sources = [*_modules(checked), *ontology.files()]
+    return Ready(library, checked.trees, call, world, found, library.elsewhere, sources)
+
+
+def _modules(checked: Checked) -> list[Path]:
+    """The files with skills: those that were checked, and those of skills that these call."""
+    called = (Path(each.span.file.path) for each in checked.library.skills())
+    known = [*(each for each in checked.files if each.suffix != SCENE), *called]
+    return [each for each in known if is_file(each)]
 
 
 def _ontology(library: Library) -> tuple[Ontology, Sequence[Diagnostic]]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 import signal
-from collections.abc import Iterator, Sequence
+import time
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from types import FrameType
@@ -17,14 +18,17 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.checking import checked, file_count
+from ezskiros.cli.context import Context, export_for
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # the engine is loaded only where it is needed
+    from ezskiros.context.snapshot import Snapshot
     from ezskiros.engine.events import Event
     from ezskiros.engine.inference import Solution
     from ezskiros.engine.setting import Setting
     from ezskiros.engine.task import Outcome
     from ezskiros.engine.tracing import Trace
+    from ezskiros.export import Export
     from ezskiros.runner import Ready
     from ezskiros.skills.calls import SkillCall
     from ezskiros.skills.interface import SkillInterface
@@ -72,6 +76,12 @@ def run(
         float | None,
         typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
     ] = None,
+    context: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Tell which skills run, in the words of this skills.json."
+        ),
+    ] = None,
     ontology: Folders = None,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
@@ -88,6 +98,7 @@ def run(
     ready = _ready(skill, paths, scene, texts)
     if not simulate:
         _refuse_half_modules(ready)
+    export = export_for(context, ready) if context is not None else None
     setting = Setting(
         ready.library,
         ready.world,
@@ -96,7 +107,7 @@ def run(
         expansions=Expansions(ready.trees),
     )
     run = _Run(ready.call, setting, period, timeout)
-    outcome = run.to_the_end(is_asked=ask, trace=trace)
+    outcome = run.to_the_end(is_asked=ask, trace=trace, export=export)
     if save is not None:
         with output.writing(save):
             ready.world.save(save)
@@ -172,11 +183,12 @@ class _Run:
         self._console = Console(highlight=False)
         self._live = LiveTree(self._console) if self._console.is_terminal else None
         self._trace: Trace | None = None
+        self._context: Context | None = None
         self._start = setting.clock()
         self._is_interrupted = False
 
-    def to_the_end(self, *, is_asked: bool, trace: Path | None) -> Outcome:
-        """Run the task, until it has a result or is stopped."""
+    def to_the_end(self, *, is_asked: bool, trace: Path | None, export: Export | None) -> Outcome:
+        """Run the task, until it has a result or is stopped; with an export its context is told."""
         from ezskiros.engine.task import run
         from ezskiros.engine.tracing import Trace
         from ezskiros.skills.stand_ins import without_stand_ins
@@ -194,7 +206,18 @@ class _Run:
             if self._live is not None:
                 self._live.start()
                 stack.callback(self._live.stop)
-            return run(self.task, self._period, why_stop=self._why_stop, after_tick=self._draw)
+            wait: Callable[[float], object] = time.sleep
+            if export is not None:
+                self._context = Context(export, self._setting, self._note)
+                stack.enter_context(self._context.told())
+                wait = self._context.wait
+            return run(
+                self.task,
+                self._period,
+                wait=wait,
+                why_stop=self._why_stop,
+                after_tick=self._after_tick,
+            )
 
     # --- what is shown ----------------------------------------------------------------------------
 
@@ -208,7 +231,17 @@ class _Run:
 
             typer.echo(line(event))
 
-    def _draw(self) -> None:
+    def _note(self, snapshot: Snapshot) -> None:
+        """Write what runs into the trace, by times from its start on."""
+        if self._trace is not None:
+            from ezskiros.context.snapshot import plain
+
+            seconds = self._setting.clock() - self._start
+            self._trace.write_context(plain(snapshot, self._start), self.task.ticks, seconds)
+
+    def _after_tick(self) -> None:
+        if self._context is not None:
+            self._context.tell()
         if self._live is not None:
             self._live.draw(self.task)
 

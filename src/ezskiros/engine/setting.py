@@ -11,6 +11,7 @@ from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.inference import Solution
 from ezskiros.engine.options import Locks
 from ezskiros.engine.plans import Plans
+from ezskiros.engine.running import RunningSkills
 from ezskiros.engine.world import World
 from ezskiros.engine.world_model import WorldModel
 from ezskiros.skills.interface import SkillInterface
@@ -45,4 +46,5 @@ class Setting:
     def __post_init__(self) -> None:
         self.plans = Plans(self.library)
         self.locks = Locks()
+        self.running = RunningSkills()
         self.world_model = WorldModel(self.world)

@@ -163,6 +163,8 @@ class RunningSkill(Behaviour):
             problem = self._setting.locks.lock(self, plan.locked, values)
             if problem is not None:
                 return problem
+        now = self._setting.clock()
+        self._setting.running.start(self, plan.skill, now, lambda: self._values)
         problem = self._begin()
         if problem is None:
             self._tell(Happened.STARTED, 0, "Start")
@@ -288,6 +290,7 @@ class RunningSkill(Behaviour):
         for own, shared in plan.found_out:
             self._names.values[shared] = values[own]
         self._release()
+        self._setting.running.end(self)
         self._tell(Happened.SUCCEEDED, code, text)
         return Status.SUCCESS
 
@@ -300,6 +303,7 @@ class RunningSkill(Behaviour):
 
     def _fail(self, problem: Reason) -> Status:
         self._release()
+        self._setting.running.end(self)
         self._setting.last_failure = problem
         self._tell(Happened.FAILED, problem.code, problem.text)
         return Status.FAILURE
@@ -312,7 +316,9 @@ class RunningSkill(Behaviour):
         if self._tree is not None:
             self._tree.stop(Status.INVALID)
         self._release()
-        return user_code.preempt(self._instance) if self._instance is not None else None
+        problem = user_code.preempt(self._instance) if self._instance is not None else None
+        self._setting.running.end(self)
+        return problem
 
     # --- values, and what is told -----------------------------------------------------------------
 

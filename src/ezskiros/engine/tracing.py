@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import enum
 import json
+from collections.abc import Mapping
 from typing import Any, TextIO
 
 from ezskiros.engine.events import Event
@@ -31,6 +32,11 @@ class Trace:
         if event.values:
             line["parameters"] = {name: _plain(value) for name, value in event.values.items()}
         self._file.write(json.dumps(line, ensure_ascii=False) + "\n")
+
+    def write_context(self, context: Mapping[str, Any], tick: int, seconds: float) -> None:
+        """The skills that run now, as the message about them has it."""
+        line = {"tick": tick, "time": round(seconds, 6), "event": "context", **context}
+        self._file.write(json.dumps(line, ensure_ascii=False, allow_nan=False) + "\n")
 
 
 def _plain(value: Any) -> object:

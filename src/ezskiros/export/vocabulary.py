@@ -60,7 +60,7 @@ class Vocabulary:
                 session.report(wrong.at(self._declarations.place(iri) or NOWHERE))
             yield {
                 "name": name,
-                "type": _type_of(self._model, iri),
+                "type": type_of(self._model, iri),
                 "of": sorted(name_in(self._ontology, each) for each in owners),
                 "unit": found.unit or None,
                 "place": self._place(iri),
@@ -110,7 +110,7 @@ def _related(model: Model, named: set[str]) -> list[str]:
     return sorted(each for each in found if not each.startswith(RESERVED))
 
 
-def _type_of(model: Model, iri: str) -> str:
+def type_of(model: Model, iri: str) -> str:
     """The type of a data property; text where the ontology allows several."""
     if model.values[iri].values:
         return "str"

@@ -26,8 +26,9 @@ from ezskiros.skills.uses import Use
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 
-CONTEXT = {"topic": "/skill_context", "type": "skill_context_msgs/SkillContext", "period": 0.1}
+TOPIC, PERIOD = "/skill_context", 0.1
 """Where the message about running skills comes, and how often, in seconds."""
+CONTEXT = {"topic": TOPIC, "type": "skill_context_msgs/SkillContext", "period": PERIOD}
 _KINDS = {Kind.REQUIRED: "given", Kind.INFERRED: "inferred", Kind.OPTIONAL: "optional"}
 
 
@@ -89,12 +90,7 @@ class _Writer:
         for each in (one for skill in skills for one in _classes_in(skill)):
             if isinstance(each.vocabulary, Ontology):
                 named[each.vocabulary].add(each.iri)
-        self._ontology_files = [
-            Path(document.file.path)
-            for ontology in named
-            for document in ontology.documents
-            if session.is_of_user(str(Path(document.file.path).absolute()))
-        ]
+        self._ontology_files = [file for ontology in named for file in ontology.files()]
         return [Vocabulary(each, iris, self._places) for each, iris in named.items()]
 
     # --- skills -----------------------------------------------------------------------------------

@@ -13,7 +13,9 @@ from rich.console import Console
 
 from dslkit.diagnostics import Collector, Severity
 from dslkit.diagnostics.render_text import render_text
+from dslkit.source import is_file
 from ezskiros import session
+from ezskiros.hosts import skiros2_context
 from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_library import CheckedLibrary, check_library
 from ezskiros.hosts.skiros2_skills import (
@@ -32,9 +34,10 @@ _hosted: dict[SkillClass, HostedSkill] = {}
 """The skills of all libraries that SkiROS2 has loaded."""
 
 
-def load(package: str) -> None:
+def load(package: str, context: str | None = None) -> None:
     """Give SkiROS2 the skills of a library that are without errors; the others raise
-    `RefusedSkillError` when SkiROS2 makes them. All modules of the library are imported.
+    `RefusedSkillError` when SkiROS2 makes them. All modules of the library are imported. `context`
+    is the export in whose words the context is published.
     """
     problem = unfit()
     if problem is not None:
@@ -49,7 +52,21 @@ def load(package: str) -> None:
     if checked.refused:
         names = ", ".join(each.__name__ for each in checked.refused)
         api().log.error("ezskiros", f"{package}: refused: {names}\n{text}")
+    if context is not None:
+        _begin_context(package, context, checked)
     _give(checked, text)
+
+
+def _begin_context(package: str, context: str, checked: CheckedLibrary) -> None:
+    """Publish which skills run; if that cannot be, rules have to take the context for lost."""
+    ontology = checked.library.ontology() or Ontology(())
+    skills = (Path(each.span.file.path) for each in checked.library.skills())
+    files = [*filter(is_file, skills), *ontology.files()]
+    file = sys.modules[package].__file__
+    path = Path(file).parent / context if file else Path(context)
+    problem = skiros2_context.begin(path, files)
+    if problem is not None:
+        api().log.error("ezskiros", f"{package}: the context is not published: {problem}")
 
 
 def _modules(package: str) -> Iterator[ModuleType]:

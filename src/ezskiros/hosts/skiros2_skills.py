@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from ezskiros.engine.world_model import WorldModel
+from ezskiros.hosts import skiros2_context
 from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_children import Child, child
 from ezskiros.hosts.skiros2_form import Form, FormCondition, FormParameter, conditions_of, form_of
@@ -23,7 +24,7 @@ from ezskiros.hosts.skiros2_values import HostedValues, give, refresh, taken
 from ezskiros.hosts.skiros2_world import HostedWorld
 from ezskiros.ontology import Ontology
 from ezskiros.skills.implementation import SkillImplementation, State
-from ezskiros.skills.interface import SkillInterface
+from ezskiros.skills.interface import Parameter, SkillInterface
 from ezskiros.skills.nodes import Flow
 from ezskiros.trees.build import build
 from ezskiros.trees.library import Library
@@ -174,11 +175,15 @@ class Hosted:
         if user is None:
             user = self.setting.implementation()
         self.running = Running(self.setting.hosted, user, self)
+        skiros2_context.start(self, self.setting.hosted.skill, self.running.values)
         # SkiROS2 calls `onInit` when it loads a primitive: then there is no node of a tree yet.
-        if is_new and self.running.call("onInit", failed=False) is False:
-            return False
-        users[self.setting.implementation] = user
-        return bool(self.running.call("onStart", failed=False))
+        is_willing = not (is_new and self.running.call("onInit", failed=False) is False)
+        if is_willing:
+            users[self.setting.implementation] = user
+            is_willing = bool(self.running.call("onStart", failed=False))
+        if not is_willing:
+            skiros2_context.end(self)
+        return is_willing
 
     def onPreempt(self) -> Any:  # noqa: N802
         """A stop while it runs."""
@@ -187,11 +192,14 @@ class Hosted:
     def onEnd(self) -> bool:  # noqa: N802
         """The end, also of a skill that could not start."""
         running, self.running = self.running, None
-        return running is None or bool(running.call("onEnd", failed=False))
+        has_ended = running is None or bool(running.call("onEnd", failed=False))
+        skiros2_context.end(self)
+        return has_ended
 
     def called(self, method: str) -> Any:
         """The state that a method of the user gives."""
         assert self.running is not None, "SkiROS2 starts a skill before it ticks it"
+        skiros2_context.live(self)
         found = self.running.call(method, failed=State.FAILURE)
         if isinstance(found, State):
             return api().State(found.value)
@@ -218,7 +226,8 @@ class Compound(Hosted):
         root = hosted(tree, Scope(known, skill.id, outer), self.setting.library)
         if isinstance(root, HostedCall):
             root = HostedNode(Flow.SERIAL_STAR.value, (root,))
-        skill.setProcessor(processor(root.processor, root.limit))
+        made = processor(root.processor, root.limit)
+        skill.setProcessor(skiros2_context.watched(made, self))
         skill(*(_node(each, self) for each in root.children))
 
 
@@ -288,6 +297,16 @@ class Running:
         for name in ("wmi", "_wmi", "node", "_node"):
             if hasattr(implementation, name):
                 setattr(user, name, getattr(implementation, name))
+
+    def values(self) -> dict[str, Any]:
+        """The values of the parameters, None of what SkiROS2 has no right value of."""
+        return {each.name: self._value(each) for each in self._skill.parameters}
+
+    def _value(self, parameter: Parameter) -> Any:
+        try:
+            return taken(parameter, self._implementation.params, self._world)
+        except ValueError:
+            return None
 
     def call(self, method: str, *, failed: object) -> Any:
         """Call a method of the user; if it raises, that is told, and it has `failed`."""

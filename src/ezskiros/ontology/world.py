@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Sequence
 from functools import cached_property
+from pathlib import Path
 from typing import Any
 
 from dslkit.diagnostics import DeclaredHere, Diagnostic, DidYouMean, Label, Remark, listed
@@ -45,6 +46,11 @@ class Ontology:
         self.model = build(documents)
         self._classes: dict[str, ThingClass] = {}
         self._others: dict[str, ThingClass] = {}
+
+    def files(self) -> list[Path]:
+        """The user's files that it is of."""
+        paths = (Path(each.file.path) for each in self.documents)
+        return [each for each in paths if session.is_of_user(str(each.absolute()))]
 
     @cached_property
     def namespaces(self) -> dict[str, Namespace]:

@@ -48,7 +48,9 @@ def text_at(root: Path, place: dict[str, Any]) -> str:
     """What stands at a place."""
     lines: list[str] = (root / place["path"]).read_text("utf-8").splitlines()
     assert place["line"] == place["end_line"]
-    return lines[place["line"] - 1][place["column"] - 1 : place["end_column"] - 1]
+    start, end = place["column"] - 1, place["end_column"] - 1
+    line = lines[int(place["line"]) - 1]
+    return line[int(start) : int(end)]
 
 
 def test_the_example_is_exported_as_it_is_kept(tmp_path: Path) -> None:

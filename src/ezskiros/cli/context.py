@@ -1,0 +1,98 @@
+"""`ezskiros run --context`: tells which skills run, for rules that watch the robot."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import ExitStack, contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.writing import reason
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # loaded only where it is needed
+    from ezskiros.context.snapshot import Snapshot
+    from ezskiros.context.voice import Publish, Voice
+    from ezskiros.engine.setting import Setting
+    from ezskiros.export import Export
+    from ezskiros.runner import Ready
+
+
+def export_for(path: Path, ready: Ready) -> Export:
+    """The export of what runs; ends the run if it is none, is stale, or is of other skills."""
+    from ezskiros.export import changed_sources, not_exported, read_export
+
+    try:
+        export = read_export(path)
+    except OSError as problem:
+        output.fail(f"cannot read {path}: {reason(problem)}", exit_code=2)
+    if isinstance(export, Diagnostic):
+        _refuse([export])
+    found = [*changed_sources(export)] or [*not_exported(export, ready.sources)]
+    if found:
+        _refuse(found)
+    return export
+
+
+def _refuse(found: Sequence[Diagnostic]) -> NoReturn:
+    output.print_findings(found)
+    output.fail("nothing is run: rules could not know which skills run", exit_code=2)
+
+
+class Context:
+    """Tells of the skills that run in a setting: by a voice, and to whoever hears each change."""
+
+    def __init__(
+        self, export: Export, setting: Setting, hear: Callable[[Snapshot], object]
+    ) -> None:
+        from ezskiros.context.snapshot import Snapshots
+
+        self._snapshots, self._running = Snapshots(export.digest), setting.running
+        self._hear = hear
+        self._last: Snapshot | None = None
+        self._voice: Voice | None = None
+        self._publish = None if setting.simulate else _publish(setting.clock)
+
+    @contextmanager
+    def told(self) -> Iterator[None]:
+        """Within, it is told of."""
+        from ezskiros.context.voice import Voice
+
+        with ExitStack() as stack:
+            if self._publish is not None:
+                self._voice = stack.enter_context(Voice(self._publish))
+            self._running.changed = self.tell
+            self.tell()
+            yield
+        if self._voice is not None and self._voice.problem is not None:
+            output.complain(f"the context was published no more: {self._voice.problem!r}")
+
+    def tell(self) -> None:
+        """Tell of what runs now: asked by the thread that ticks."""
+        snapshot = self._snapshots.of(self._running)
+        if self._voice is not None:
+            self._voice.tell(snapshot)
+        if snapshot != self._last:
+            self._hear(snapshot)
+            self._last = snapshot
+
+    def wait(self, seconds: float) -> None:
+        """Wait between two ticks."""
+        import time
+
+        if self._voice is None:
+            time.sleep(seconds)
+        else:
+            self._voice.wait(seconds)
+
+
+def _publish(clock: Callable[[], float]) -> Publish | None:
+    """What publishes on ROS; None if there is no ROS, which is told."""
+    from ezskiros.context.ros import NoRosError, connect
+
+    try:
+        return connect(clock)
+    except NoRosError as problem:
+        output.complain(f"the context is not published: {problem}")
+        return None

@@ -1,0 +1,1 @@
+"""The context: which skills run, with which things, for rules that watch them."""

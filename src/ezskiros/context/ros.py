@@ -1,0 +1,119 @@
+"""The message over ROS 1 or ROS 2, whichever of them this Python has. Nothing of it is imported
+before that is asked for.
+"""
+
+from __future__ import annotations
+
+import importlib
+import time
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
+
+from ezskiros.context.snapshot import RunningSkill, Snapshot
+from ezskiros.context.voice import Publish
+from ezskiros.export.write import TOPIC
+
+_NODE = "ezskiros_context"
+
+
+class NoRosError(Exception):
+    """The context cannot be published; the text says why."""
+
+
+def connect(clock: Callable[[], float] = time.monotonic) -> Publish:
+    """What publishes snapshots on ROS, whose times are those of `clock`. Raises `NoRosError`."""
+    try:
+        messages = importlib.import_module("skill_context_msgs.msg")
+    except ImportError:
+        raise NoRosError("the messages `skill_context_msgs` are not installed") from None
+    for library, connected in ("rospy", _ros1), ("rclpy", _ros2):
+        try:
+            found = importlib.import_module(library)
+        except ImportError:
+            continue
+        publish, now = connected(found, messages)
+        return Messages(messages, publish, now, clock).publish
+    raise NoRosError("neither `rospy` nor `rclpy` is installed")
+
+
+def _ros1(rospy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Callable[[], Any]]:
+    if not importlib.import_module("rosgraph").is_master_online():
+        raise NoRosError("no ROS master answers")
+    if not rospy.core.is_initialized():
+        rospy.init_node(_NODE, anonymous=True, disable_signals=True)
+    publisher = rospy.Publisher(TOPIC, messages.SkillContext, queue_size=1)
+    return publisher.publish, rospy.Time.now
+
+
+def _ros2(rclpy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Callable[[], Any]]:
+    if not rclpy.ok():
+        rclpy.init()
+    node = rclpy.create_node(_NODE)
+    publisher = node.create_publisher(messages.SkillContext, TOPIC, 1)
+    clock = node.get_clock()
+    return publisher.publish, lambda: clock.now().to_msg()
+
+
+class Messages:
+    """Snapshots as messages: `now` gives the time of ROS as the messages have it."""
+
+    def __init__(
+        self,
+        messages: Any,
+        publish: Callable[[Any], object],
+        now: Callable[[], Any],
+        clock: Callable[[], float],
+    ) -> None:
+        self._messages, self._publish = messages, publish
+        self._now, self._clock = now, clock
+        self._since: dict[str, Any] = {}
+
+    def publish(self, snapshot: Snapshot) -> None:
+        """Send a snapshot."""
+        message = self._messages.SkillContext()
+        message.header.stamp = now = self._now()
+        message.export = snapshot.export
+        goals = {each.goal for each in snapshot.running}
+        self._since = {goal: since for goal, since in self._since.items() if goal in goals}
+        message.running = [self._running(each, now) for each in snapshot.running]
+        self._publish(message)
+
+    def _running(self, found: RunningSkill, now: Any) -> Any:
+        message = self._messages.RunningSkill()
+        message.skill, message.goal = found.skill, found.goal
+        if found.goal not in self._since:
+            self._since[found.goal] = earlier(now, self._clock() - found.since)
+        message.since = self._since[found.goal]
+        for each in found.arguments:
+            argument = self._messages.SkillArgument()
+            argument.parameter, argument.value = each.parameter, each.value
+            argument.type, argument.number = each.type, each.number
+            for one in each.properties:
+                known = self._messages.SkillProperty()
+                known.property, known.number = one.property, one.number
+                argument.properties.append(known)
+            message.arguments.append(argument)
+        for permitted in found.permits:
+            permission = self._messages.SkillPermission()
+            permission.kind, permission.limit = permitted.kind, permitted.limit
+            # A word of Python: ROS 1 calls the field `with_`.
+            setattr(
+                permission, "with_" if hasattr(permission, "with_") else "with", permitted.with_
+            )
+            message.permits.append(permission)
+        return message
+
+
+def earlier(now: Any, seconds: float) -> Any:
+    """A time of ROS that was some seconds before another one; never before 0."""
+    is_ros1 = hasattr(now, "nsecs")
+    whole, rest = (now.secs, now.nsecs) if is_ros1 else (now.sec, now.nanosec)
+    nanoseconds = max(0, whole * 10**9 + rest - round(max(0.0, seconds) * 1e9))
+    return type(now)(*divmod(nanoseconds, 10**9)) if is_ros1 else _stamp(now, nanoseconds)
+
+
+def _stamp(now: Any, nanoseconds: int) -> Any:
+    found = type(now)()
+    found.sec, found.nanosec = divmod(nanoseconds, 10**9)
+    return found

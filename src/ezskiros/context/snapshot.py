@@ -1,0 +1,233 @@
+"""The message `skill_context_msgs/SkillContext` as plain data, made of the skills that run."""
+
+from __future__ import annotations
+
+import enum
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from ezskiros.engine.running import Running
+from ezskiros.engine.values import WorldThing
+from ezskiros.engine.world import World
+from ezskiros.export.vocabulary import name_in, name_of, type_of
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.statements import Value
+from ezskiros.skills.interface import Parameter
+from ezskiros.skills.permits import Permission, PermittedThing
+from ezskiros.skills.quantities import UNITS
+
+
+@dataclass(frozen=True)
+class SkillProperty:
+    """A number that a thing has: of a data property with a unit, in SI."""
+
+    property: str
+    number: float
+
+
+@dataclass(frozen=True)
+class SkillArgument:
+    """A value of a parameter. A thing has a `type`; if it is of several classes of which none is
+    above another, there is an argument for each.
+    """
+
+    parameter: str
+    value: str
+    type: str = ""
+    number: float = math.nan
+    properties: tuple[SkillProperty, ...] = ()
+
+
+@dataclass(frozen=True)
+class SkillPermission:
+    """A permission for one class of things, `with_`, which is empty of a speed; the `limit` is in
+    SI, not a number without one.
+    """
+
+    kind: str
+    with_: str
+    limit: float
+
+
+@dataclass(frozen=True)
+class RunningSkill:
+    """A skill that runs, `since` a time of the clock of whoever runs it, in seconds."""
+
+    skill: str
+    goal: str
+    since: float
+    arguments: tuple[SkillArgument, ...]
+    permits: tuple[SkillPermission, ...]
+
+
+@dataclass(frozen=True)
+class Snapshot:
+    """All that runs, in the order of the starts; `export` is the digest of the file of skills."""
+
+    export: str
+    running: tuple[RunningSkill, ...]
+
+
+def plain(snapshot: Snapshot, start: float = 0.0) -> dict[str, Any]:
+    """A snapshot as JSON has it, by the names of the message; what is not a number is null. Times
+    are seconds since `start`.
+    """
+    return {
+        "export": snapshot.export,
+        "running": [
+            {
+                "skill": each.skill,
+                "goal": each.goal,
+                "since": round(each.since - start, 6),
+                "arguments": [_plain_argument(argument) for argument in each.arguments],
+                "permits": [
+                    {"kind": one.kind, "with": one.with_, "limit": _finite(one.limit)}
+                    for one in each.permits
+                ],
+            }
+            for each in snapshot.running
+        ],
+    }
+
+
+def _plain_argument(found: SkillArgument) -> dict[str, Any]:
+    return {
+        "parameter": found.parameter,
+        "value": found.value,
+        "type": found.type,
+        "number": _finite(found.number),
+        "properties": [
+            {"property": each.property, "number": _finite(each.number)} for each in found.properties
+        ],
+    }
+
+
+def _finite(number: float) -> float | None:
+    return number if math.isfinite(number) else None
+
+
+class Snapshots:
+    """Makes snapshots. What the ontology says is found out once for each class."""
+
+    def __init__(self, export: str) -> None:
+        self._export = export
+        self._numbers: dict[tuple[int, tuple[str, ...]], Sequence[tuple[str, str, float]]] = {}
+
+    def of(self, running: Iterable[Running]) -> Snapshot:
+        """The snapshot of what runs now. Only the thread that ticks may ask for it."""
+        return Snapshot(self._export, tuple(map(self._running, running)))
+
+    def _running(self, found: Running) -> RunningSkill:
+        values = found.values()
+        arguments = (
+            argument
+            for each in found.skill.parameters
+            for argument in self._arguments(each, values.get(each.name))
+        )
+        permits = (one for each in found.skill.permits for one in _permitted(each, values))
+        return RunningSkill(
+            found.skill.name, found.goal, found.since, tuple(arguments), tuple(permits)
+        )
+
+    def _arguments(self, parameter: Parameter, value: object) -> Iterator[SkillArgument]:
+        name = parameter.name
+        if not isinstance(value, WorldThing):
+            yield SkillArgument(name, _text(value), number=_number(value))
+            return
+        classes = _classes(value)
+        properties = tuple(self._properties(value, classes))
+        named = [name_in(value._world.ontology, each) for each in classes]  # noqa: SLF001
+        for each in named or [_declared(parameter)]:
+            yield SkillArgument(name, _text(value), each, properties=properties)
+
+    def _properties(self, thing: WorldThing, classes: Sequence[str]) -> Iterator[SkillProperty]:
+        world = thing._world  # noqa: SLF001
+        key = id(world.ontology), tuple(classes)
+        known = self._numbers.get(key)
+        if known is None:
+            known = self._numbers[key] = list(_numbers_of(world.ontology, classes))
+        for iri, name, scale in known:
+            values = {_number(each) for each in world.values(thing.iri, iri)}
+            if values:
+                number = values.pop() * scale if len(values) == 1 else math.nan
+                yield SkillProperty(name, number if math.isfinite(number) else math.nan)
+
+
+def _classes(thing: WorldThing) -> list[str]:
+    """The classes of a thing, those of which another is a subclass left out; none if it is gone."""
+    world: World = thing._world  # noqa: SLF001
+    if not world.exists(thing.iri):
+        return []
+    known, model = world.classes(thing.iri), world.ontology.model
+    return sorted(each for each in known if not _is_above_another(each, known, model))
+
+
+def _is_above_another(iri: str, known: Iterable[str], model: Model) -> bool:
+    """Say whether a class is above another one; of two that mean the same, the first is not."""
+    below = (each for each in known if each != iri and model.is_a(each, iri))
+    return any(not model.is_a(iri, each) or each < iri for each in below)
+
+
+def _numbers_of(ontology: Ontology, classes: Sequence[str]) -> Iterator[tuple[str, str, float]]:
+    """The data properties that are numbers and that things of some classes can have: the IRI, the
+    name, and what one of its unit is in SI.
+    """
+    model = ontology.model
+    above = frozenset().union(*map(model.above, classes)) if classes else frozenset()
+    for iri, found in model.values.items():
+        is_number = type_of(model, iri) != "str"
+        if is_number and all(not union.isdisjoint(above) for union in model.domain(iri)):
+            scale = UNITS[found.unit].si(1.0) if found.unit in UNITS else 1.0
+            yield iri, name_in(ontology, iri), scale
+
+
+def _permitted(found: Permission, values: Mapping[str, Any]) -> Iterator[SkillPermission]:
+    """A permission for each thing; none for a parameter that stands for nothing."""
+    limit = found.limit.si if found.limit else math.nan
+    if not found.things:
+        yield SkillPermission(found.kind.value, "", limit)
+    for each in found.things:
+        name = _permitted_class(each, values)
+        if name is not None:
+            yield SkillPermission(found.kind.value, name, limit)
+
+
+def _permitted_class(found: PermittedThing, values: Mapping[str, Any]) -> str | None:
+    """The class of a thing that is permitted something. Of several classes it is one alone: the
+    permission is for things that are of all of them.
+    """
+    if found.parameter is None:
+        return name_of(found.owl_class)
+    value = values.get(found.parameter)
+    if not isinstance(value, WorldThing):
+        return None
+    classes = _classes(value)
+    return name_in(value._world.ontology, classes[0]) if classes else None  # noqa: SLF001
+
+
+def _declared(parameter: Parameter) -> str:
+    """The class of a parameter, for a thing that is gone from the world."""
+    return name_of(parameter.type) if parameter.iri is not None else ""  # type: ignore[arg-type]
+
+
+def _text(value: object) -> str:
+    """A value as text that is valid in any encoding of Unicode; empty if there is none."""
+    if value is None:
+        return ""
+    if isinstance(value, enum.Enum):
+        return value.name
+    text = str(value).lower() if isinstance(value, bool) else str(value)
+    return text.encode("utf-8", "replace").decode()
+
+
+def _number(value: Value | object) -> float:
+    """A number, or a truth as 0 or 1; else not a number."""
+    if not isinstance(value, (bool, int, float)) or isinstance(value, enum.Enum):
+        return math.nan
+    try:
+        return float(value)
+    except OverflowError:
+        return math.nan

@@ -1,0 +1,110 @@
+"""The thread that publishes snapshots, as long as the thread that ticks is alive.
+
+Who watches the robot takes silence for a lost context, and then the stricter of two rules. So this
+thread must not go on alone: without a sign of life from the thread that ticks it falls silent. It
+does not speak when the process is stopped, and after that only when the other thread goes on.
+"""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable
+from types import TracebackType
+
+from ezskiros.context.snapshot import Snapshot
+from ezskiros.export.write import PERIOD
+
+PATIENCE = 5
+"""Periods without a sign of life after which it is silent."""
+
+Publish = Callable[[Snapshot], object]
+"""Sends a snapshot. It must not wait for anybody."""
+
+
+class Voice:
+    """Publishes the last snapshot once a period, and each new one at once. Used in `with`."""
+
+    def __init__(
+        self,
+        publish: Publish,
+        *,
+        period: float = PERIOD,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        self._publish, self._period, self._clock = publish, period, clock
+        self._last: tuple[Snapshot, float] | None = None
+        """The last snapshot with the time of the last sign of life: replaced as one."""
+        self._is_new, self._has_ended = threading.Event(), threading.Event()
+        self._thread = threading.Thread(target=self._run, name="skill context", daemon=True)
+        self.problem: BaseException | None = None
+        """The reason for which it publishes no more; None if all is well."""
+
+    # --- for the thread that ticks ----------------------------------------------------------------
+
+    def tell(self, snapshot: Snapshot, alive: float | None = None) -> None:
+        """Give it a snapshot, which is a sign of life of now, or of the time `alive`."""
+        is_new = self._last is None or self._last[0] != snapshot
+        self._last = snapshot, self._clock() if alive is None else alive
+        if is_new:
+            self._is_new.set()
+
+    def live(self, alive: float | None = None) -> None:
+        """Give it a sign of life: what runs is what was told last."""
+        if self._last is not None:
+            self._last = self._last[0], self._clock() if alive is None else alive
+
+    def wait(self, seconds: float, sleep: Callable[[float], object] = time.sleep) -> None:
+        """Sleep between two ticks, and go on living."""
+        end = self._clock() + seconds
+        while (left := end - self._clock()) > 0:
+            sleep(min(left, self._period))
+            self.live()
+
+    # --- the other thread -------------------------------------------------------------------------
+
+    def _run(self) -> None:
+        try:
+            while not self._has_ended.is_set():
+                self._is_new.wait(self._period)
+                self._is_new.clear()
+                self.speak()
+        except Exception as problem:
+            # Silence is what the context has for a fault; who runs the skills can tell of it.
+            self.problem = problem
+
+    def speak(self) -> bool:
+        """Publish, if there is anything to tell and the thread that ticks is alive; say so."""
+        last = self._last
+        if last is None or self._has_ended.is_set():
+            return False
+        snapshot, alive = last
+        if self._clock() - alive > PATIENCE * self._period:
+            return False
+        self._publish(snapshot)
+        return True
+
+    # --- its life ---------------------------------------------------------------------------------
+
+    def begin(self) -> None:
+        """Begin to publish."""
+        self._thread.start()
+
+    def __enter__(self) -> Voice:
+        self.begin()
+        return self
+
+    def __exit__(
+        self,
+        _kind: type[BaseException] | None,
+        _problem: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:
+        self.end()
+
+    def end(self) -> None:
+        """Fall silent for good. Who publishes at this moment is not waited for for long."""
+        self._has_ended.set()
+        self._is_new.set()
+        if self._thread.is_alive():
+            self._thread.join(PATIENCE * self._period)

@@ -1,0 +1,56 @@
+"""The skills that run: a compound, and the children of it that have started and not ended."""
+
+from __future__ import annotations
+
+import itertools
+import os
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ezskiros.skills.interface import SkillInterface
+
+
+@dataclass(frozen=True, eq=False)
+class Running:
+    """A skill that runs. `goal` tells this run of it from all others, `since` is the time of its
+    start by the clock of the engine, `values` are those that its parameters have now.
+    """
+
+    skill: SkillInterface
+    goal: str
+    since: float
+    values: Callable[[], Mapping[str, Any]]
+
+
+class RunningSkills:
+    """All of them, in the order of their starts. `changed` is called after each start and end, by
+    the thread that ticks.
+    """
+
+    def __init__(self, changed: Callable[[], None] = lambda: None) -> None:
+        self.changed = changed
+        self._running: dict[object, Running] = {}
+        # Goals of one process are not those of another, nor of the same one after its restart.
+        self._own = os.urandom(8).hex()
+        self._numbers = itertools.count(1)
+
+    def start(
+        self,
+        owner: object,
+        skill: SkillInterface,
+        since: float,
+        values: Callable[[], Mapping[str, Any]],
+    ) -> None:
+        """A skill starts: nothing of it has moved yet. `owner` is what runs it."""
+        goal = f"{self._own}-{next(self._numbers)}"
+        self._running[owner] = Running(skill, goal, since, values)
+        self.changed()
+
+    def end(self, owner: object) -> None:
+        """A skill has ended, if it runs at all: nothing of it moves any more."""
+        if self._running.pop(owner, None) is not None:
+            self.changed()
+
+    def __iter__(self) -> Iterator[Running]:
+        return iter(list(self._running.values()))
