@@ -131,8 +131,8 @@ class Server:
         pass
 
 
-def played(goals: int) -> Message:
-    """The last context, when the arm has reached so many goals."""
+def contexts(goals: int) -> list[Message]:
+    """All that is told in four seconds, in which the arm reaches so many goals."""
     carrier, server = InProcess(), Server()
     carrier.serve(ARM, server)
     heard: list[Message] = []
@@ -140,27 +140,52 @@ def played(goals: int) -> Message:
     arguments = ["Box=box", "Mark=mark", "Board=board"]
     task = SkillTask(carrier, "TidyUp", "contact.turtle", arguments)
     context = SkillContext(carrier, task)
-    for index in range(100):
-        now_ns = index * SkillTask.period_ns
-        task.tick(now_ns)
-        if goals and now_ns > SECOND:
-            goals -= 1
-            server.done(True)
-    context.tick(4 * SECOND)
-    return heard[-1]
+    for now_ns in range(0, 4 * SECOND + 1, 20_000_000):
+        if now_ns % SkillTask.period_ns == 0:
+            task.tick(now_ns)
+            if goals and now_ns > SECOND:
+                goals -= 1
+                server.done(True)
+        if now_ns % SkillContext.period_ns == 0:
+            context.tick(now_ns)
+    return heard
 
 
-def test_the_context_tells_of_a_compound_and_of_its_child_that_runs() -> None:
-    message = played(2)
-    assert [one.skill for one in message.running] == ["TidyUp", "Push"]
-    assert len({one.goal for one in message.running}) == 2
-    assert message.header.stamp.sec == 4
-    assert [one.since.sec for one in message.running] == [1, 1]
+def names(message: Message) -> list[str]:
+    return [one.skill for one in message.running]
+
+
+def seconds(stamp: Message) -> float:
+    return float(stamp.sec) + 1e-9 * float(stamp.nanosec)
+
+
+def test_the_context_tells_of_a_compound_and_of_its_child_with_things_and_permissions() -> None:
+    message = contexts(2)[-1]
+    assert names(message) == ["TidyUp", "Push"]
+    assert seconds(message.header.stamp) == pytest.approx(4.0)
+    push = message.running[1]
+    assert push.goal != message.running[0].goal
+    assert seconds(push.since) == pytest.approx(1.12, abs=0.05)
+    assert {one.parameter: one.type for one in push.arguments}["Object"] == "heron.Box"
+    told = {(one.kind, one.type, one.limit) for one in push.permits if one.kind == "force"}
+    assert told == {("force", "heron.Box", 30.0)}
+
+
+def test_it_is_told_ten_times_a_second_and_at_once_when_a_skill_starts_or_ends() -> None:
+    heard = contexts(3)
+    stamps = [seconds(message.header.stamp) for message in heard]
+    assert max(np.diff(stamps)) < 0.11
+    started = next(message for message in heard if "Push" in names(message))
+    assert seconds(started.header.stamp) == pytest.approx(seconds(started.running[-1].since))
+    ended = next(message for message in heard[heard.index(started) :]
+                 if "Push" not in names(message))  # fmt: skip
+    assert names(ended) == ["TidyUp"], "before the next one starts"
 
 
 def test_before_and_after_a_task_no_skill_runs_and_that_is_told() -> None:
-    assert [one.skill for one in played(0).running] == ["TidyUp", "Reach"]
-    assert played(7).running == []
+    heard = contexts(7)
+    assert names(heard[0]) == names(heard[-1]) == []
+    assert names(contexts(0)[-1]) == ["TidyUp", "Reach"]
 
 
 # --- what is not known is not exempted -------------------------------------------------------
@@ -185,7 +210,7 @@ class Watch:
         self.carrier.serve(ARM, Server())
         machine = machine_of(CONTACT_RULES[Arm.SKILL_AWARE])
         self.guard = InProcessGuard(machine, self.carrier, lambda: self.now_ns)
-        self.digest = played(0).digest
+        self.digest = contexts(0)[0].digest
 
     def pass_time(self, seconds: float, force: float, told: Message | None) -> None:
         """A force on the hand, and a context, if somebody tells one."""

@@ -24,8 +24,8 @@ _FELT = 5.0  # N
 
 @dataclass(frozen=True)
 class Reaching:
-    """The place where somebody reaches over the table (x, m), how far (m more or less), and the time
-    since the robot has begun to work at the box (s).
+    """Somebody reaches over the table at `x` (m), so much `further` than usual (m), and so long
+    `after` the robot has begun to work at the box (s).
     """
 
     x: float = 0.0
