@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 
+from ezskiros.export import read, trees
 from ezskiros.ontology import limits as ontologies
 from ezskiros.trees import launch
 from rossmarie.driver import package_xml
@@ -69,6 +70,8 @@ def number(count: int) -> str:
             f"{package_xml.LARGEST_FILE >> 10} KiB",
         ),
         ("Elements of a `package.xml` in each other", number(package_xml.DEEPEST)),
+        ("File of skills", mib(read.LARGEST_EXPORT)),
+        ("Levels of a behavior tree in a file of skills", number(trees.MOST_LEVELS)),
         (
             "Values that are known at launch",
             f"{launch.LARGEST_FILE >> 10} KiB",

@@ -29,6 +29,7 @@ from dslkit.diagnostics.render_text import render_text
 from ezskiros import session
 from ezskiros.driver import check_paths
 from ezskiros.engine.scenes import load_world
+from ezskiros.export import changed_sources, not_exported, read_export
 from ezskiros.migrate.files import migrate_paths
 from ezskiros.ontology import Ontology, load
 from fuzz.engine import trying
@@ -276,6 +277,21 @@ def _describe(content: bytes, folder: Path) -> None:
     _say(migration.diagnostics, EZSKIROS)
 
 
+def _exports() -> list[bytes]:
+    whole = (ROOT / "examples" / "whiteboard" / "skills.json").read_bytes()
+    return [whole, whole.partition(b'"context"')[0].rstrip().rstrip(b",") + b"}"]
+
+
+def _read_export(content: bytes, folder: Path) -> None:
+    """Read a file of skills, and compare its sources."""
+    path = _written(content, folder, "fuzzed.json")
+    found = read_export(path)
+    if isinstance(found, Diagnostic):
+        _say([found], EZSKIROS)
+    else:
+        _say([*changed_sources(found), *not_exported(found, [path])], EZSKIROS)
+
+
 TARGETS = {
     "rules": Target(_rules, _check_rules),
     "bag": Target(_bags, partial(_replay, ".bag")),
@@ -285,6 +301,7 @@ TARGETS = {
     "ontology": Target(_ontologies, _load),
     "scene": Target(_scenes, _open_scene),
     "skills": Target(_values, _describe),
+    "export": Target(_exports, _read_export),
     ENGINE: Target(trying.seeds, trying.read),
 }
 """By what `make fuzz TARGET=...` calls them."""

@@ -58,10 +58,20 @@ class SameName(Error, code="EZS864", name="same-exported-name"):
         says = "the other one"
 
 
+class DeepTree(Error, code="EZS865", name="deep-exported-tree"):
+    """A behavior tree that readers of a file of skills would not get to the end of."""
+
+    title = "the behavior tree has more than {most} levels here"
+    note = "not every program reads JSON that lies so deep in itself"
+    help = "make a compound skill of a part of it"
+    most: int
+
+
 ALL: tuple[type[Template], ...] = (
     NoExport,
     StaleExport,
     NotExported,
     UnknownPropertyUnit,
     SameName,
+    DeepTree,
 )

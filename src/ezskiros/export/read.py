@@ -22,7 +22,7 @@ from ezskiros.export.sources import (
     sha256_of,
 )
 
-_LARGEST = 1 << 26
+LARGEST_EXPORT = 1 << 26
 """Bytes of a file: no export is larger."""
 _HEXADECIMAL = re.compile(r"[0-9a-f]{64}")
 
@@ -47,9 +47,9 @@ def read_export(path: Path) -> Export | Diagnostic:
     """The head of an export, or why it is none. Raises `OSError` if it cannot be read."""
     file = SourceFile(shown(str(path)), "")
     with path.open("rb") as opened:
-        content = opened.read(_LARGEST + 1)
-    if len(content) > _LARGEST:
-        return _no_export(file, 0, f"it is larger than {_LARGEST >> 20} MiB")
+        content = opened.read(LARGEST_EXPORT + 1)
+    if len(content) > LARGEST_EXPORT:
+        return _no_export(file, 0, f"it is larger than {LARGEST_EXPORT >> 20} MiB")
     try:
         file = SourceFile.decoded(file.path, content)
     except UnicodeDecodeError as problem:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import enum
 from typing import Any
 
+from ezskiros import session
+from ezskiros.export import errors
 from ezskiros.export.places import Places
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.nodes import Decorator, Node, Processor
@@ -13,17 +15,20 @@ from ezskiros.trees.library import Library
 from ezskiros.trees.names import shared_names
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
+MOST_LEVELS = 200
+"""Of a tree. Whoever reads JSON goes as deep as this without care, and not ten times as deep."""
+
 
 def tree_of(tree: Tree, library: Library, places: Places) -> dict[str, Any]:
     """One way through a compound skill."""
     return {
         "implementation": tree.implementation,
         "place": places.of(tree.span),
-        "children": [_node(tree.root, library, places)],
+        "children": [_node(tree.root, library, places, 1)],
     }
 
 
-def _node(node: Node, library: Library, places: Places) -> dict[str, Any]:
+def _node(node: Node, library: Library, places: Places, level: int) -> dict[str, Any]:
     place = places.of(node.span)
     match node:
         case SkillCall():
@@ -33,7 +38,10 @@ def _node(node: Node, library: Library, places: Places) -> dict[str, Any]:
             control, below = flow.value.lower(), children
         case Decorator(decoration=decoration, child=child):
             control, below = decoration.value.lower(), (child,)
-    found = [_node(each, library, places) for each in below]
+    if level >= MOST_LEVELS:
+        session.report(errors.DeepTree(most=MOST_LEVELS).at(node.span))
+        below = ()
+    found = [_node(each, library, places, level + 1) for each in below]
     return {"control": control, "children": found, "place": place}
 
 

@@ -101,10 +101,16 @@ class Followed:
 
 
 def followed(
-    folder: Path, tree: str, at_tick: Callable[[list[str], list[str]], None], most: int = 12
+    folder: Path,
+    tree: str,
+    at_tick: Callable[[list[str], list[str]], None],
+    *,
+    most: int = 12,
+    compatible: bool = False,
 ) -> set[str]:
     """Run a task, and compare after each tick; the goals that were told."""
-    skills = Skills(folder, LEAVES.replace("{tree}", f"self.serialstar({tree})"))
+    source = LEAVES.replace("{tree}", f"self.serialstar({tree})")
+    skills = Skills(folder, source, options={"compatible": compatible})
     task, _, clock = skills.task("Task")
     known, goals = Followed(), set[str]()
     task.setting.tell = known.hear
@@ -123,15 +129,15 @@ def followed(
     return goals
 
 
-@given(trees)
+@given(trees, st.booleans())
 @settings(max_examples=examples(0.5), deadline=None)
 def test_what_runs_is_what_has_started_and_not_ended(
-    tmp_path_factory: pytest.TempPathFactory, tree: str
+    tmp_path_factory: pytest.TempPathFactory, tree: str, compatible: bool
 ) -> None:
     def compare(running: list[str], told: list[str]) -> None:
         assert running == told
 
-    followed(tmp_path_factory.getbasetemp(), tree, compare)
+    followed(tmp_path_factory.getbasetemp(), tree, compare, compatible=compatible)
 
 
 def test_each_run_has_a_goal_of_its_own(tmp_path: Path) -> None:

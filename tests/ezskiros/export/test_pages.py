@@ -25,7 +25,7 @@ def write(code: str, heading: str, folder: Path) -> dict[str, str]:
     return {str(each.name): each.text for each in found}
 
 
-@pytest.mark.parametrize("code", ["EZS863", "EZS864"])
+@pytest.mark.parametrize("code", ["EZS863", "EZS864", "EZS865"])
 @pytest.mark.parametrize("heading", ["Example", "Write instead"])
 def test_the_example_has_the_finding(code: str, heading: str, tmp_path: Path) -> None:
     if not write(code, heading, tmp_path):

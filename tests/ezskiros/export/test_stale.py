@@ -11,7 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics.render_text import render_text
 from ezskiros.export import Export, changed_sources, not_exported, read_export
+from ezskiros.export.read import LARGEST_EXPORT
 from ezskiros.export.sources import FORMAT, VERSION, Source, digest_of, sources_of
 
 
@@ -110,6 +112,15 @@ def test_what_is_no_export_is_refused_at_its_place(text: str, reason: str, tmp_p
     assert (found.primary.text or "").startswith(reason)
 
 
+def test_a_file_that_is_too_large_is_not_read_to_its_end(tmp_path: Path) -> None:
+    path = tmp_path / "skills.json"
+    with path.open("wb") as file:
+        file.truncate(LARGEST_EXPORT + 1)
+    found = read_export(path)
+    assert isinstance(found, Diagnostic)
+    assert found.primary.text == "it is larger than 64 MiB"
+
+
 def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
     path = tmp_path / "skills.json"
     path.write_bytes(b'{"format": "\xff"}')
@@ -124,7 +135,9 @@ def test_a_path_that_none_can_be_is_stale(tmp_path: Path) -> None:
     head = {**HEAD, "digest": digest_of(sources), "sources": [vars(each) for each in sources]}
     path = tmp_path / "skills.json"
     path.write_text(json.dumps(head))
-    assert len(list(changed_sources(right(path)))) == len(names)
+    found = list(changed_sources(right(path)))
+    assert len(found) == len(names)
+    assert render_text(found).plain.encode()
 
 
 json_values = st.recursive(

@@ -58,6 +58,11 @@ def test_of_the_examples(folder: Path) -> None:
             + "\n\n  :A a owl:Class .\n:A-B\n a owl:Class .\n<http://x.org/y#Z> a owl:Class .",
             3,
         ),
+        (
+            "x.ttl",
+            f"{PREFIXES}\n:A a owl:Class .\n<http://example.org/test.owl#A> rdfs:comment 'full' .",
+            1,
+        ),
     ],
 )
 def test_of_each_format(name: str, text: str, count: int, tmp_path: Path) -> None:

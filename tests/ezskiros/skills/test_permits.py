@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from pathlib import Path
+
 import pytest
 
+from ezskiros.hosts.skiros2_form import form_of
+from ezskiros.migrate.files import migrate_paths
 from ezskiros.skills.interface import SkillInterface
 from support.skill_files import HEADER, checked, described, found, warned
 
@@ -169,6 +174,31 @@ class push(Push.SkillBase):
     def execute(self):
         return self.success("")
 """
+
+
+def test_skiros2_sees_nothing_of_it() -> None:
+    result = checked(
+        HEADER
+        + DERIVED
+        + DERIVED.replace("Move", "Other")
+        .replace('        self.permits += speed("0.2 m/s")\n', "")
+        .replace(
+            '        self.uses += topic("/cmd_vel", "geometry_msgs/Twist")\n', "        pass\n"
+        )
+        .partition("class Push")[0]
+    )
+    assert found(result) == []
+    ontology = result.library.ontology()
+    assert ontology is not None
+    forms = {each.name: form_of(each, ontology.model) for each in result.skills}
+    assert replace(forms["Move"], name="") == replace(forms["Other"], name="")
+
+
+def test_migrate_leaves_it_as_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "skills.py"
+    path.write_text(HEADER + DERIVED + IMPLEMENTED)
+    (migrated,) = migrate_paths([path]).files
+    assert not migrated.is_changed
 
 
 def test_an_implementation_adds_none() -> None:
