@@ -23,11 +23,17 @@ _LEGS = 4
 
 def find_chattering(inquiry: Inquiry, within_ns: int) -> Iterator[Finding]:
     """A warning of each rule that is shown to become active twice within a time. A rule whose
-    contract asks for time (`clear for`), or for a reset, is not asked about.
+    contract asks for time (`clear for`), or for a reset, is not asked about; nor one that stands
+    for an exemption, which has no contract.
     """
     machine = inquiry.machine
     for index, rule in enumerate(machine.rules):
-        if rule.release is None or not rule.inputs or not _is_simple(machine, rule.release):
+        if (
+            rule.exempts is not None
+            or rule.release is None
+            or not rule.inputs
+            or not _is_simple(machine, rule.release)
+        ):
             continue
         alone = inquiry.about(index)
         claim = partial(_toggles, rule=0, within_ns=within_ns)

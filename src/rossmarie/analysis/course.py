@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.formulas import Formulas, exactly
@@ -29,17 +30,21 @@ from rossmarie.analysis.terms import (
 from rossmarie.analysis.times import SECOND, Times
 from rossmarie.core import View, sampling_row
 from rossmarie.core.expressions import Operand
+from rossmarie.ir.calls import question_at
 
 
 @dataclass(frozen=True)
 class Leg:
-    """The messages of a leg, as terms; `shakes` are oscillations that they make."""
+    """The messages of a leg, as terms; `shakes` are oscillations that they make, `calls` those of
+    skills that they tell of.
+    """
 
     sends: dict[int, z3.BoolRef]
     slots: dict[int, Number]
     cells: dict[int, Sequence[Cell]]
     length_ns: z3.ArithRef
     shakes: dict[int, z3.BoolRef]
+    calls: Calls
 
     @property
     def is_silent(self) -> z3.BoolRef:
@@ -298,6 +303,7 @@ class Course:
             cells,
             z3.Int(f"leg{number}.length"),
             {truth: z3.Bool(f"leg{number}.shakes{truth}") for truth in self._shakable()},
+            Calls(machine, f"leg{number}"),
         )
 
     def _cells(self, name: str, count: int) -> Sequence[Cell]:
@@ -316,9 +322,20 @@ class Course:
             if isinstance(machine.signals[node.signal].node, ir.Read):
                 yield truth
 
+    def _skill_facts(self, leg: Leg) -> list[z3.BoolRef]:
+        """The answers about skills in one message go together, and so does what is not known."""
+        slots = self.asked.machine.slots
+        asking = {index: number for index, number in leg.slots.items()
+                  if question_at(slots[index].path) is not None}  # fmt: skip
+        found: list[z3.BoolRef] = []
+        for index, number in asking.items():
+            found += leg.calls.facts(slots[index], number.value)
+        known = [number.known for number in asking.values()]
+        return found + [each == known[0] for each in known[1:]]
+
     def _leg_facts(self, leg: Leg) -> list[z3.BoolRef]:
         machine = self.asked.machine
-        found = []
+        found = self._skill_facts(leg)
         for index, number in leg.slots.items():
             found += slot_facts(machine, machine.slots[index], number.value, rounded=False)
         for index, cells in leg.cells.items():

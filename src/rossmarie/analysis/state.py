@@ -13,6 +13,7 @@ from collections.abc import Sequence
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.terms import Fact, Number, choice, free_fact, literal
@@ -32,6 +33,7 @@ class ArbitraryState(Encoding):
         super().__init__(asked)
         self._settled = settled
         self._slots: dict[int, Number] = {}
+        self._calls = Calls(self.machine, "state")
         self._cells: dict[int, Sequence[Cell]] = {}
         self._before: dict[int, Fact] = {}
         self._elapsed: dict[int, z3.ArithRef] = {}
@@ -43,6 +45,7 @@ class ArbitraryState(Encoding):
             slot = self.machine.slots[index]
             value, known = z3.Real(f"slot{index}"), z3.Bool(f"slot{index}.known")
             self.facts += slot_facts(self.machine, slot, value, rounded=True)
+            self.facts += self._calls.facts(slot, value)
             self.facts.append(z3.Implies(known, self.is_fresh(slot.input)))
             self._slots[index] = Number(known, value)
         return self._slots[index]

@@ -4,6 +4,7 @@ from rossmarie.core import Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
+from rossmarie.ir.calls import SkillCall
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import (
     Cause,
@@ -194,6 +195,7 @@ __all__ = [
     "Signal",
     "SignalNode",
     "Since",
+    "SkillCall",
     "SkillStep",
     "Slot",
     "State",

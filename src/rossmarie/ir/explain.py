@@ -137,11 +137,11 @@ def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
         causes=tuple(causes.values()),
         lost_inputs=snapshot.lost_inputs(tuple(causes.values())),
         contract=rule.contract,
-        exempted=None if verdict.change is Change.CLEARED else exemption_words(machine, rule),
+        exempted=None if verdict.change is Change.CLEARED else exemption_words(rule),
     )
 
 
-def exemption_words(machine: ir.Machine, rule: ir.Rule) -> str | None:
+def exemption_words(rule: ir.Rule) -> str | None:
     """The words for the exemption that a rule stands for: which rule is not applied while which
     skill runs, and what that permits. None if it stands for none.
     """
@@ -149,7 +149,7 @@ def exemption_words(machine: ir.Machine, rule: ir.Rule) -> str | None:
     if exempts is None:
         return None
     permits = f", which permits {' and '.join(exempts.permits)}" if exempts.permits else ""
-    return f"{machine.rules[exempts.rule].name} is not applied: {exempts.doing}{permits}"
+    return f"{exempts.rule} is not applied: {exempts.doing}{permits}"
 
 
 class _Snapshot:

@@ -17,6 +17,7 @@ from dataclasses import dataclass
 
 from dslkit.source import Span
 from rossmarie.core import Function, Sampling
+from rossmarie.ir.calls import SkillCall
 from rossmarie.ir.feedback import NO_FEEDBACK, Feedback
 from rossmarie.ir.filing import Category, Hazard, LeftOut
 from rossmarie.ir.path import Path
@@ -330,12 +331,12 @@ class Truth:
 
 @dataclass(frozen=True)
 class Exemption:
-    """A rule that is active while another one is not applied: `rule` is the number of that one,
+    """A rule that is active while another one is not applied: `rule` is the name of that one,
     `doing` the skill that runs meanwhile, as in `doing Push(Object: Fragile)`, and `permits` what
     the description of the skill permits, in words.
     """
 
-    rule: int
+    rule: str
     doing: str
     permits: tuple[str, ...]
 
@@ -381,7 +382,8 @@ class Rule:
 class Machine:
     """A whole rules file. `watches` are the truths that the confirmations in `reactions` ask.
     `left_out` are the rules that a selection does not hold, None if nobody selected.
-    `readings` are the signals that memories of poses ask.
+    `readings` are the signals that memories of poses ask. `calls` are the calls of skills that the
+    questions to skills tell apart, none if that is not known.
     """
 
     name: str
@@ -399,3 +401,4 @@ class Machine:
     lists: tuple[List, ...] = ()
     left_out: LeftOut | None = None
     readings: tuple[int, ...] = ()
+    calls: tuple[SkillCall, ...] = ()

@@ -165,7 +165,7 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
         yield "  always"
     if rule.exempts is not None:
         permits = ", ".join(rule.exempts.permits) or "nothing"
-        yield f"  exempts rule {rule.exempts.rule}: {rule.exempts.doing}, which permits {permits}"
+        yield f"  exempts {rule.exempts.rule}: {rule.exempts.doing}, which permits {permits}"
     if rule.categories:
         yield f"  categories {', '.join(each.value for each in rule.categories)}"
     if rule.feedback != NO_FEEDBACK:

@@ -12,6 +12,8 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedFeedback, CheckedProgram
 from rossmarie.check.rules.rule_names import rule_names
 from rossmarie.check.scopes.exemptions import exempted_by
+from rossmarie.ir.calls import question_at
+from rossmarie.lowering.calls import calls_of
 from rossmarie.lowering.contracts import Contract, contract_of
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.margins import Margins
@@ -53,8 +55,15 @@ def lower(program: CheckedProgram) -> ir.Machine:
             for name, item in program.hazards.items()
         ),
         left_out=program.left_out,
+        calls=_calls(program, inputs),
     )
     return _with_rules(machine, program, contracts, feedback)
+
+
+def _calls(program: CheckedProgram, inputs: Inputs) -> tuple[ir.SkillCall, ...]:
+    asked = (question_at(slot.path) for slot in inputs.slots)
+    steps = dict.fromkeys(step for step in asked if step is not None)
+    return () if program.skills is None else calls_of(program.skills, tuple(steps))
 
 
 def _feedback(checked: CheckedFeedback, contract: Contract, margins: Margins) -> ir.Feedback:
@@ -92,7 +101,7 @@ def _with_rules(
             feedback=taught,
             categories=categories,
             always=rule.always is not None,
-            exempts=_exemption(number, program),
+            exempts=_exemption(number, names, program),
         )
         for number, (name, rule, contract, taught, categories) in enumerate(
             zip(names, program.rules, contracts, feedback, program.categories, strict=True)
@@ -101,11 +110,11 @@ def _with_rules(
     return dataclasses.replace(machine, rules=rules)
 
 
-def _exemption(number: int, program: CheckedProgram) -> ir.Exemption | None:
+def _exemption(number: int, names: list[str], program: CheckedProgram) -> ir.Exemption | None:
     """The exemption that a rule stands for."""
     exempted = exempted_by(program.rules, number)
     made_from = program.rules[number].made_from
     if exempted is None or made_from is None:
         return None
     asked = program.doing[made_from.doing]
-    return ir.Exemption(exempted, asked.text, asked.permits)
+    return ir.Exemption(names[exempted], asked.text, asked.permits)

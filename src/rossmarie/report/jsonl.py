@@ -100,18 +100,17 @@ def _verdict(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> dict[str,
         "categories": [each.value for each in rule.categories],
         "actions": list(rule.actions),
         "clears": rule.contract,
-        "exempts": _exemption(replay, rule),
+        "exempts": _exemption(rule),
         "cause": cause_data(explain(replay.machine, verdict), placed.origin_ns),
     }
 
 
-def _exemption(replay: Replay, rule: Rule) -> dict[str, object] | None:
+def _exemption(rule: Rule) -> dict[str, object] | None:
     """The exemption that a rule stands for, and the permissions that it rests on."""
     exempts = rule.exempts
     if exempts is None:
         return None
-    exempted = replay.machine.rules[exempts.rule].name
-    return {"rule": exempted, "doing": exempts.doing, "permits": list(exempts.permits)}
+    return {"rule": exempts.rule, "doing": exempts.doing, "permits": list(exempts.permits)}
 
 
 def _order(replay: Replay, each: Rehearsed, placed: PlacedEvent) -> dict[str, object]:

@@ -60,8 +60,8 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Permission:
-    """A permission of a skill, such as `contact`. `things` are pairs of a parameter and a class, the
-    limit is in words, such as `30 N`.
+    """A permission of a skill, such as `contact`. `things` are pairs of a parameter and a class;
+    the limit is in words, such as `30 N`.
     """
 
     kind: str

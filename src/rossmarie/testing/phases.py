@@ -16,6 +16,7 @@ from rossmarie import ir
 from rossmarie.ir.carried import carries, holds_flags
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.goals import visible_step
+from rossmarie.testing.skills import told_by_skills
 from rossmarie.testing.solve import Ramp, Values, Variable, World
 
 _ANGLES = {ir.Function.ROLL: "roll", ir.Function.PITCH: "pitch", ir.Function.YAW: "yaw"}
@@ -62,7 +63,9 @@ class Stage:
     ramp: Ramp
 
     def script(self, name: str, phases: Sequence[Phase]) -> Script:
-        """The events of phases; nothing is expected yet."""
+        """The events of phases; nothing is expected yet. There are none if no skills give the
+        answers that phases want.
+        """
         ends = list(itertools.accumulate(phase.length_ns for phase in phases))
         starts = [0, *ends[:-1]]
         events: list[ScriptedArrival | ScriptedReset] = list(self._beats(phases, starts, ends))
@@ -73,7 +76,7 @@ class Stage:
             if self.machine.rules[self.rule].release is None:
                 events.append(ScriptedReset(end_ns - self.beat_ns, self.rule))
         events.sort(key=_start)
-        return Script(name, tuple(events), (), None)
+        return Script(name, told_by_skills(self.machine, events) or (), (), None)
 
     # --- messages that keep inputs alive -----------------------------------------------------
 

@@ -15,6 +15,7 @@ from rossmarie.ir.script import Script, ScriptedArrival, Setting, SettingValue
 from rossmarie.testing.goals import edges
 from rossmarie.testing.orientation import ANGLES, UPRIGHT
 from rossmarie.testing.run import expectations_of
+from rossmarie.testing.skills import told_by_skills
 from rossmarie.units import parse_unit
 
 _DEGREES = parse_unit("deg")
@@ -33,8 +34,10 @@ def script_of(
     the rules; as they are in messages otherwise.
     """
     for is_plain in (False, True):
-        events = _Teller(machine, is_plain).events(witness)
-        script = Script(name, tuple(events), (), None)
+        events = told_by_skills(machine, _Teller(machine, is_plain).events(witness))
+        if events is None:
+            return None
+        script = Script(name, events, (), None)
         if all(is_shown(machine, witness, script, rule) for rule in rules):
             return script
     return None

@@ -21,6 +21,7 @@ from fractions import Fraction
 import z3
 
 from rossmarie import ir
+from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
@@ -86,6 +87,7 @@ class World:
 
     def __post_init__(self) -> None:
         self.length = self._length()
+        self.calls = Calls(self.machine, "world")
         for truth in self.truths:
             self.formula(truth)
 
@@ -217,6 +219,7 @@ class World:
         variable = self._element_of(self.machine.slots[slot]) or Variable("slot", slot)
         term = self._real(variable)
         self._side += kind_facts(self.machine, self.machine.slots[slot], term)
+        self._side += self.calls.facts(self.machine.slots[slot], term)
         return term
 
     def _element_of(self, slot: ir.Slot) -> Variable | None:

@@ -16,6 +16,17 @@ NOTHING = "nothing"
 """The word behind `doing` in a test in which no skill runs, unless a skill is called so."""
 
 
+DOING = "doing"
+"""The word that sends once more which skills run, where no input is called so."""
+
+
+def repeats_skills(setting: ast.Setting, context: Context) -> bool:
+    """Say whether a setting is the word `doing` alone."""
+    first, *rest = setting.path.steps
+    is_word = isinstance(first, ast.Name) and first.text == DOING and DOING not in context.inputs
+    return is_word and not rest and setting.value is None and context.skills is not None
+
+
 def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None:
     """All skills that run from a statement on; None after reporting what is wrong with them."""
     skills = known_skills(written[0], context)

@@ -14,7 +14,7 @@ from rossmarie.check.tests.errors import (
     NothingExpected,
     TooManyMessages,
 )
-from rossmarie.check.tests.running import running_of
+from rossmarie.check.tests.running import DOING, repeats_skills, running_of
 from rossmarie.check.tests.settings import settings_of
 from rossmarie.check.units.quantities import SECOND
 from rossmarie.check.wording.describe import describe
@@ -101,6 +101,8 @@ class _TestChecker:
             rule = None if statement.rule is None else self._rule(statement.rule)
             return None if at_ns is None else script.ScriptedReset(at_ns, rule)
         written = [each for each in statement.settings if isinstance(each, ast.Setting)]
+        repeated = [each for each in written if repeats_skills(each, self._context)]
+        written = [each for each in written if each not in repeated]
         skills = [each for each in statement.settings if isinstance(each, ast.Doing)]
         settings = settings_of(written, self._context)
         running = running_of(skills, self._context) if skills else None
@@ -110,9 +112,11 @@ class _TestChecker:
             return None
         inputs = tuple(dict.fromkeys(map(_input, written)))
         topics = [self._context.inputs[name].topic for name in inputs]
-        topics += [] if running is None else [running.topic]
+        told = () if self._context.skills is None else (self._context.skills.file.topic,)
+        topics += told if repeated or skills else ()
+        names = (*inputs, DOING) if repeated else inputs
         known = tuple(dict.fromkeys(topics))
-        return script.ScriptedArrival(*times, inputs, known, settings, running)
+        return script.ScriptedArrival(*times, names, known, settings, running)
 
     def _times(self, statement: ast.Arrival) -> tuple[int, int, int | None] | None:
         """The first and the last instant, and the period."""

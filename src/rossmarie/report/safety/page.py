@@ -207,12 +207,13 @@ class _Exemption:
 
 
 def _exemptions(machine: ir.Machine, rules: tuple[RuleText, ...]) -> list[_Exemption]:
+    by_name = {text.name: text for text in rules}
     standing: dict[ir.Exemption, list[RuleText]] = {}
     for rule, text in zip(machine.rules, rules, strict=True):
         if rule.exempts is not None:
             standing.setdefault(rule.exempts, []).append(text)
     return [
-        _Exemption(rules[each.rule], each.doing, each.permits, tuple(texts))
+        _Exemption(by_name[each.rule], each.doing, each.permits, tuple(texts))
         for each, texts in standing.items()
     ]
 

@@ -159,7 +159,7 @@ class _Writer:
         if rule.always:
             yield "It holds always: neither a skill nor an operator exempts it."
         if rule.exempts is not None:
-            name, doing = self._machine.rules[rule.exempts.rule].name, rule.exempts.doing
+            name, doing = rule.exempts.rule, rule.exempts.doing
             yield f"It stands for an exemption: {name} is not applied while {doing}."
         unless = tuple(self._machine.rules[other].name for other in self._plan(index).unless)
         if unless:

@@ -1,0 +1,29 @@
+"""Answers of the skills that run, as facts: which of them go together (S58).
+
+Any number of skills may run at a time. So what a machine is told is the union of what calls give.
+"""
+
+from __future__ import annotations
+
+import z3
+
+from rossmarie import ir
+from rossmarie.ir.calls import question_at
+
+
+class Calls:
+    """The calls that run when one message is sent; `name` sets its variables apart."""
+
+    def __init__(self, machine: ir.Machine, name: str) -> None:
+        self._machine = machine
+        self._runs = [
+            (call, z3.Bool(f"{name}.call{number}")) for number, call in enumerate(machine.calls)
+        ]
+
+    def facts(self, slot: ir.Slot, value: z3.ArithRef) -> list[z3.BoolRef]:
+        """Say that a slot is what the calls that run answer, if it asks skills."""
+        step = question_at(slot.path)
+        if step is None or not self._runs:
+            return []
+        yes = z3.Or([runs for call, runs in self._runs if call.answers(step)])
+        return [(value == 1) == yes]

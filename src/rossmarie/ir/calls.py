@@ -1,0 +1,54 @@
+"""The ways in which skills may run, as far as the questions of a machine can tell them apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from rossmarie.ir.path import Doing, Path
+from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answer
+
+
+@dataclass(frozen=True)
+class SkillCall:
+    """A skill that runs, and the classes of the things that are its arguments, as pairs of a
+    parameter and a class. `text` is how a test says so.
+    """
+
+    skill: str
+    types: tuple[tuple[str, str], ...]
+    text: str
+
+    @property
+    def running(self) -> RunningSkill:
+        """The call as a message tells of it."""
+        arguments = (SkillArgument(parameter, type=kind) for parameter, kind in self.types)
+        return RunningSkill(self.skill, tuple(arguments))
+
+    def answers(self, step: Doing) -> bool:
+        """Say whether a question is answered by yes while this call runs."""
+        return answer(step, SkillContext(step.export, (self.running,))) == 1.0
+
+
+def question_at(path: Path) -> Doing | None:
+    """The question that a path asks of the skills that run; None if it asks none."""
+    match path:
+        case (Doing() as step,):
+            return step
+        case _:  # open: any other path
+            return None
+
+
+def covering(calls: Iterable[SkillCall], wanted: dict[Doing, bool]) -> tuple[SkillCall, ...] | None:
+    """Calls that together give questions these answers, a few of them; None if there are none."""
+    possible = [(call, {step for step in wanted if call.answers(step)}) for call in calls]
+    left = {step for step, is_yes in wanted.items() if is_yes}
+    useful = [(call, yes) for call, yes in possible if yes <= left]
+    chosen: list[SkillCall] = []
+    while left:
+        call, yes = max(useful, key=lambda each: len(each[1] & left), default=(None, set[Doing]()))
+        if call is None or not yes & left:
+            return None
+        chosen.append(call)
+        left -= yes
+    return tuple(chosen)
