@@ -54,6 +54,8 @@ class Readings:
         machine = self._machine
         paths = [slot.path for slot in self._on(channel, machine.slots)]
         arrays = [array.path for array in self._on(channel, machine.arrays)]
+        if paths and all(isinstance(path[-1], Doing | Quantity) for path in paths):
+            return _reader(paths, arrays)
         empty = messages.new_message(machine.channels[channel].message_type)
         is_plain = all(_is_plain(empty, path) for path in paths)
         if not is_plain or not all(_are_floats(empty, path) for path in arrays):
@@ -128,8 +130,6 @@ def _is_plain(empty: Message, path: Path) -> bool:
     *parents, last = path
     if not all(isinstance(part, str) for part in parents):
         return False
-    if isinstance(last, Doing | Quantity):
-        return True
     if not isinstance(last, str):
         return isinstance(_value(empty, tuple(parents)), np.ndarray)
     return isinstance(_field(empty, path), int | float)
@@ -179,8 +179,6 @@ def _field(message: Message, path: Path) -> Any:
             continue
         if isinstance(part, Each):
             return [_field(each, path[step + 1 :]) for each in value]
-        if isinstance(part, Doing | Quantity):
-            return answer(part, value)
         if isinstance(part, Doing | Quantity):
             return answer(part, value)
         assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
