@@ -93,17 +93,17 @@ def at_most(found: Estimate, most: float) -> Verdict:
     return Verdict.FAILS if found.low > most else Verdict.OPEN
 
 
-def acts_in_time(sample: Sample, hazard: str, seconds: float, ours: Arm = Arm.ROSSMARIE) -> Claim:
+def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Claim:
     """Expect that something is done so soon (s).
 
     An episode without a reaction has no value here; how many have one stands in the table.
     """
     measure = sample.experiment.measure(f"reaction_{hazard}")
-    values = sample.values(ours, measure.name)
+    values = sample.values(Arm.ROSSMARIE, measure.name)
     found = median(values) if values else None
     return Claim(
         f"in time {hazard}",
-        f"{measure.label}: with {with_arm(ours)} within {seconds:g} s",
+        f"{measure.label}: with ROSSMARie within {seconds:g} s",
         "it never acted" if found is None else f"{between(found, measure.digits)} s",
         Verdict.FAILS if found is None else at_most(found, seconds),
     )

@@ -8,9 +8,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from heron.evaluation.claim import Claim, Verdict, acts_in_time, as_safe, there_is_harm
+from heron.evaluation.claim import Claim, Verdict, as_safe, there_is_harm, with_arm
 from heron.evaluation.sample import Sample
-from heron.experiments.experiment import ARM_NAMES, EXEMPTIONS, WITHOUT_NEED
+from heron.experiments.experiment import EXEMPTIONS, WITHOUT_NEED
 from heron.variants import Arm, Encounter
 
 _WITHIN_A_SKILL = (Encounter.JAMMED.value,)
@@ -28,8 +28,7 @@ def claims_of_skills(sample: Sample) -> Iterator[Claim]:
         if not is_within:
             yield as_safe(sample, harm, Arm.ROSSMARIE, Arm.SKILL_AWARE)
     for hazard, seconds in sample.acts_within.items():
-        yield from (_stops(sample, hazard, arm) for arm in guarded)
-        yield acts_in_time(sample, hazard, seconds, Arm.SKILL_AWARE)
+        yield from (_stops(sample, hazard, seconds, arm) for arm in guarded)
     if not is_within:
         yield _finishes(sample)
     if not sample.harms:
@@ -37,12 +36,14 @@ def claims_of_skills(sample: Sample) -> Iterator[Claim]:
         yield _uses_exemptions(sample)
 
 
-def _stops(sample: Sample, hazard: str, arm: Arm) -> Claim:
+def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> Claim:
     measure = sample.experiment.measure(f"reaction_{hazard}")
-    stopped, total = len(sample.values(arm, measure.name)), sample.count(arm)
+    times = sample.values(arm, measure.name)
+    stopped, total = sum(time <= seconds for time in times), sample.count(arm)
     return Claim(
         f"stops {arm.value} {hazard}",
-        f"{sample.experiment.hazards[hazard]}: {ARM_NAMES[arm]} acts on it in every episode",
+        f"{sample.experiment.hazards[hazard]}: with {with_arm(arm)} it is acted on within "
+        f"{seconds:g} s in every episode",
         f"in {stopped} of {total}",
         Verdict.HOLDS if stopped == total else Verdict.FAILS,
     )
