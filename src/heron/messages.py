@@ -12,9 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 from rosbags.interfaces import Nodetype
-from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 from rosbags.typesys.stores import ros1_noetic
+
+from rossmarie.types.definitions import own_texts
 
 __all__ = [
     "Bool",
@@ -29,7 +31,9 @@ __all__ = [
     "Twist",
     "WrenchStamped",
     "full_name",
+    "header",
     "imu",
+    "instant",
     "joint_state",
     "laser_scan",
     "message_class",
@@ -108,9 +112,12 @@ def full_name(name: str) -> str:
 
 
 @cache
-def store() -> Typestore:
-    """All types that are known."""
-    return get_typestore(Stores.ROS1_NOETIC)
+def store(kind: Stores = Stores.ROS1_NOETIC) -> Typestore:
+    """All types that are known: those of ROS, and those that tell which skills run."""
+    known = get_typestore(kind)
+    for name, text in own_texts().items():
+        known.register(get_types_from_msg(text, full_name(name)))
+    return known
 
 
 # --- makers ----------------------------------------------------------------------------------
@@ -129,27 +136,28 @@ def imu(
 ) -> Message:
     """A reading of an inertial measurement unit; its covariances are not known."""
     none = np.zeros(9)
-    header = _header(at_ns, "imu")
-    return Imu(header, orientation, none, Vector3(*rates), none, Vector3(*acceleration), none)
+    return Imu(
+        header(at_ns, "imu"), orientation, none, Vector3(*rates), none, Vector3(*acceleration), none
+    )
 
 
 def odometry(at_ns: int, x: float, y: float, yaw: float, velocity: Message) -> Message:
     """Where the wheels say that the base is, and how fast it is."""
     pose = PoseWithCovariance(_pose(x, y, yaw), np.zeros(36))
     return Odometry(
-        _header(at_ns, "odom"), "base_link", pose, TwistWithCovariance(velocity, np.zeros(36))
+        header(at_ns, "odom"), "base_link", pose, TwistWithCovariance(velocity, np.zeros(36))
     )
 
 
 def stamped_pose(at_ns: int, x: float, y: float, yaw: float) -> Message:
     """Where the base is on the map."""
     pose = PoseWithCovariance(_pose(x, y, yaw), np.zeros(36))
-    return PoseWithCovarianceStamped(_header(at_ns, "map"), pose)
+    return PoseWithCovarianceStamped(header(at_ns, "map"), pose)
 
 
 def wrench(at_ns: int, force: tuple[float, float, float]) -> Message:
     """The force that pushes the hand; torques are not measured."""
-    return WrenchStamped(_header(at_ns, "wrist"), Wrench(Vector3(*force), Vector3(0.0, 0.0, 0.0)))
+    return WrenchStamped(header(at_ns, "wrist"), Wrench(Vector3(*force), Vector3(0.0, 0.0, 0.0)))
 
 
 def laser_scan(
@@ -158,22 +166,28 @@ def laser_scan(
     """A scan of a whole turn; a beam that nothing sends back has an infinite range."""
     first, last, step = angles
     none = np.zeros(0, dtype=np.float32)
-    return LaserScan(_header(at_ns, "scanner"), first, last, step, 0.0, 0.0, *reach, ranges, none)
+    return LaserScan(header(at_ns, "scanner"), first, last, step, 0.0, 0.0, *reach, ranges, none)
 
 
 def joint_state(
     at_ns: int, names: list[str], positions: Floats, velocities: Floats, efforts: Floats
 ) -> Message:
     """Where the joints are (rad), how fast (rad/s), and with which torque they move (Nm)."""
-    return JointState(_header(at_ns, ""), names, positions, velocities, efforts)
+    return JointState(header(at_ns, ""), names, positions, velocities, efforts)
 
 
 def _pose(x: float, y: float, yaw: float) -> Message:
     return Pose(Point(x, y, 0.0), quaternion_about_z(yaw))
 
 
-def _header(at_ns: int, frame: str) -> Message:
-    return Header(0, Time(*divmod(at_ns, 1_000_000_000)), frame)
+def header(at_ns: int, frame: str) -> Message:
+    """A header: a time stamp, and the frame that numbers are in."""
+    return Header(0, instant(at_ns), frame)
+
+
+def instant(at_ns: int) -> Message:
+    """A time stamp."""
+    return Time(*divmod(at_ns, 1_000_000_000))
 
 
 def quaternion_about_z(yaw: float) -> Message:

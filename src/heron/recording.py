@@ -8,11 +8,11 @@ from functools import partial
 from pathlib import Path
 
 from rosbags.rosbag2 import StoragePlugin, Writer
-from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys import Stores
 
 from heron.experiments import Node
 from heron.guard import Guard
-from heron.messages import Message
+from heron.messages import Message, store
 from heron.robot.physics import Physics
 from heron.topics import InProcess, Topic
 
@@ -21,8 +21,8 @@ class Recorder:
     """An observer. Stamps are those of the simulation, which begins at 0."""
 
     def __init__(self) -> None:
-        self._ros1 = get_typestore(Stores.ROS1_NOETIC)
-        self._ros2 = get_typestore(Stores.ROS2_HUMBLE)
+        self._ros1 = store()
+        self._ros2 = store(Stores.ROS2_HUMBLE)
         self._topics: dict[Topic, None] = {}
         self._heard: list[tuple[str, int, bytes]] = []
 

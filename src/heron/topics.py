@@ -12,12 +12,10 @@ from dataclasses import dataclass
 from typing import Protocol
 
 from heron import messages
+from heron.goals import Server
 from heron.messages import Message, type_name
 
 Publish = Callable[[Message], None]
-Scalar = bool | float | str
-Goal = Mapping[str, Scalar]
-"""The fields of a goal, by name."""
 
 
 @dataclass(frozen=True)
@@ -39,27 +37,12 @@ SCAN = Topic("/scan", type_name(messages.LaserScan))
 JOINT_STATES = Topic("/joint_states", type_name(messages.JointState))
 GRAVITY_FREE = Topic("/arm/gravity_free", type_name(messages.Bool))
 ARM_STOP = Topic("/arm/stop", type_name(messages.Bool))
+SKILL_CONTEXT = Topic("/skill_context", "skill_context_msgs/SkillContext")
 REPLAN = Topic("/navigation/replan", type_name(messages.Bool))
-
-NAVIGATE = "/navigate"
-"""The action server of the base: it drives along its route to a place."""
-
-ARM = "/arm"
-"""The action server of the arm: it carries what it holds, places it, and retracts."""
 
 
 class TopicTypeError(TypeError):
     """A topic is used with messages of two types."""
-
-
-class Server(Protocol):
-    """An action server: it has one goal at a time."""
-
-    def send(self, goal: Goal, done: Callable[[bool], None]) -> None:
-        """A new goal takes the place of the one at hand; `done` hears whether it was reached."""
-
-    def cancel(self) -> None:
-        """The goal at hand, if there is one, is given up; `done` hears of that."""
 
 
 @dataclass(frozen=True)

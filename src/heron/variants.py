@@ -13,6 +13,7 @@ class Arm(str, enum.Enum):
     COLLISION_MONITOR = "collision_monitor"  # zones of a range scan slow it down and stop it
     DEROS = "deros"  # rules stop it until an operator comes
     ROSSMARIE = "rossmarie"  # by rules, it recovers
+    SKILL_AWARE = "skill_aware"  # the same, by rules that know which skills run
 
 
 class Terrain(str, enum.Enum):
@@ -38,16 +39,27 @@ class Person(str, enum.Enum):
     INSIDE = "inside"  # into the room, close to the arm, and out again
 
 
+class Encounter(str, enum.Enum):
+    """Contact of the arm, apart from that with the box and the board."""
+
+    COLLISION = "collision"  # while it moves freely, a forearm that should not be there
+    JAMMED = "jammed"  # while it pushes a box, this meets something that is fixed
+    MEANT = "meant"  # nothing: whatever a monitor restricts here is without need
+
+
 VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
     "nav": (Terrain.GENTLE, Terrain.STEEP, Terrain.FLAT),
     "place": (Table.HIGH, Table.HURRIED, Table.EXPECTED),
     "human": (Person.INSIDE, Person.OUTSIDE),
+    "contact": (Encounter.COLLISION, Encounter.JAMMED, Encounter.MEANT),
 }
 """Of each experiment, by its name. The first one is run if none is named."""
 
+_THESIS = (Arm.NONE, Arm.COLLISION_MONITOR, Arm.DEROS, Arm.ROSSMARIE)
 ARMS: Mapping[str, tuple[Arm, ...]] = {
-    "nav": tuple(Arm),
+    "nav": _THESIS,
     "place": (Arm.NONE, Arm.DEROS, Arm.ROSSMARIE),  # no zone says anything of a table
-    "human": tuple(Arm),
+    "human": _THESIS,
+    "contact": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE),
 }
 """The guards of each experiment, by its name, in the order in which they are shown."""

@@ -14,7 +14,7 @@ import mujoco.viewer
 
 from heron.appearance import Stage, moment_of
 from heron.experiments import Node
-from heron.experiments.table import Camera
+from heron.experiments.experiment import Camera
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess

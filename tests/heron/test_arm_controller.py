@@ -14,12 +14,13 @@ require(MUJOCO)
 
 from heron import messages
 from heron.experiments.runner import run
+from heron.goals import ARM
 from heron.robot import Arm, ArmController, ArmControllerParameters
 from heron.robot.arm_controller import SPEED_SCALE
 from heron.robot.physics import Floats
 from heron.robot.trajectory import Trajectory, duration_of
 from heron.scene import ArmParameters, TableParameters, build_placing
-from heron.topics import ARM, ARM_STOP, GRAVITY_FREE, InProcess, Topic
+from heron.topics import ARM_STOP, GRAVITY_FREE, InProcess, Topic
 
 SECOND = 1_000_000_000
 WAY = np.array([0.2, 0.0, 0.05])

@@ -28,7 +28,7 @@ from heron.demo.frames import Frames
 from heron.demo.lanes import rules_of, tree_of
 from heron.evaluation import Folder
 from heron.experiments import EXPERIMENTS, run_placing
-from heron.experiments.table import COMPLETED, INTERVENTIONS
+from heron.experiments.experiment import COMPLETED, INTERVENTIONS
 from heron.tasks import Span, Status, TreeSkill
 from heron.tasks.tree import running_of
 from heron.variants import Arm, Table

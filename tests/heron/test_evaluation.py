@@ -29,7 +29,8 @@ from heron.evaluation import (
     sources,
     write_page,
 )
-from heron.evaluation.claims import Verdict, claims_of
+from heron.evaluation.claim import Verdict
+from heron.evaluation.claims import claims_of
 from heron.evaluation.sample import samples_of
 from heron.evaluation.statistics import compare, median, share
 from heron.evaluation.study_section import slope_torque
@@ -122,7 +123,9 @@ def visit(arm: Arm, seed: int, **numbers: float) -> Row:
 
 def of_visits(**changed: dict[str, float]) -> dict[str, Verdict]:
     """The verdicts on ten visits in each arm; numbers of an arm are changed by its name."""
-    rows = [visit(arm, seed, **changed.get(arm.value, {})) for seed in range(10) for arm in Arm]
+    rows = [
+        visit(arm, seed, **changed.get(arm.value, {})) for seed in range(10) for arm in HUMAN.arms
+    ]
     (sample,) = (one for one in samples_of(HUMAN, rows) if one.variant == "inside")
     return {claim.key: claim.verdict for claim in claims_of(sample)}
 
@@ -354,7 +357,7 @@ def test_results_of_another_program_do_not_get_in(tmp_path: Path) -> None:
 def test_an_unknown_experiment_is_told_with_those_that_there_are() -> None:
     found = CliRunner().invoke(app, ["evaluate", "--experiment", "fly"])
     assert found.exit_code == 2
-    assert "there is no experiment fly; there are nav, place, human" in found.output
+    assert "there is no experiment fly; there are nav, place, human, contact" in found.output
 
 
 def test_an_interrupted_evaluation_says_how_it_goes_on(

@@ -14,10 +14,11 @@ require(MUJOCO)
 
 from heron.experiments import NavigationEpisode, run_navigation
 from heron.experiments.picking import Standing, pick_up
+from heron.goals import NAVIGATE, Goal
 from heron.robot import Base
 from heron.scene import BaseParameters, CourseParameters, build_navigation, course
 from heron.tasks import Outcome, SkillTask, Status
-from heron.topics import NAVIGATE, Goal, InProcess
+from heron.topics import InProcess
 from heron.variants import Arm, Terrain
 
 SEED = 3

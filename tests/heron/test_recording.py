@@ -16,16 +16,16 @@ from rosbags.highlevel import AnyReader
 from typer.testing import CliRunner
 
 from heron.cli.main import app
-from heron.experiments import Episode, run_human, run_navigation
+from heron.experiments import Episode, run_contact, run_human, run_navigation
 from heron.rules import FOLDER
-from heron.variants import Arm, Person, Terrain
+from heron.variants import Arm, Encounter, Person, Terrain
 from rossmarie.cli.main import app as rossmarie
 
 PLACING = ["record", "place", "--seed", "3", "--out"]
 
 
-def recorded(name: str, path: Path) -> None:
-    found = CliRunner().invoke(app, ["record", name, "--seed", "3", "--out", str(path)])
+def recorded(name: str, path: Path, *more: str) -> None:
+    found = CliRunner().invoke(app, ["record", name, "--seed", "3", "--out", str(path), *more])
     assert found.exit_code == 0, found.output
 
 
@@ -78,6 +78,20 @@ def test_a_drive_is_recorded_until_the_block_is_picked_up(tmp_path: Path) -> Non
     found = replayed("navigation.ross", path, tmp_path / "report")
     # A guard waits until all sensors have spoken for the first time, a replay does not.
     assert [one for one in found if one[0] > 2.0] == changes(episode)
+
+
+@pytest.mark.deep
+def test_exemptions_are_replayed_as_they_were_used(tmp_path: Path) -> None:
+    path = tmp_path / "contact.mcap"
+    recorded("contact", path, "--arm", "skill_aware")
+    told = changes(run_contact(Arm.SKILL_AWARE, Encounter.COLLISION, 3))
+    assert {words for _, words in told} >= {
+        "back_off_on_contact activated",
+        "back_off_on_contact_doing_Push activated",
+        "back_off_on_contact_doing_Wipe activated",
+    }
+    found = replayed("contact_skills.ross", path, tmp_path / "report")
+    assert [one for one in found if one[0] > 2.0] == told
 
 
 def test_all_topics_are_in_it_with_the_definitions_of_their_types(tmp_path: Path) -> None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from heron.goals import Goal
 from heron.guard import InProcessGuard
-from heron.topics import Goal, Parameter
+from heron.topics import Parameter
 from support.guarding import Guarded
 
 SECOND = 1_000_000_000

@@ -13,7 +13,8 @@ from rossmarie.driver import check_file, compile_file
 from rossmarie.ir import Machine
 
 EXPERIMENTS = ("navigation", "placing", "human")
-FILES = [f"{name}{arm}" for name in EXPERIMENTS for arm in ("", "_deros")]
+CONTACT = ("contact", "contact_skills")
+FILES = [*(f"{name}{arm}" for name in EXPERIMENTS for arm in ("", "_deros")), *CONTACT]
 
 
 def conditions(machine: Machine) -> set[str]:
@@ -41,3 +42,22 @@ def test_both_arms_look_at_the_same_hazards(name: str) -> None:
     assert {hazard.name for hazard in ours.hazards} == {hazard.name for hazard in theirs.hazards}
     assert all(rule.release is None for rule in theirs.rules), "DeROS waits for an operator"
     assert all(rule.release is not None for rule in ours.rules), "ROSSMARie never does"
+
+
+def test_rules_that_know_skills_are_those_that_know_sensors_with_exemptions() -> None:
+    """Each exemption has a bound of its own, which acts in the place of the rule."""
+    sensors, skills = (compile_file(FOLDER / f"{name}.ross").machine for name in CONTACT)
+    (ours,) = sensors.rules
+    exempted, *made = skills.rules
+    text = skills.truths[exempted.condition].text
+    assert exempted.name == ours.name
+    assert text == "contact.hard unless doing Push unless doing Wipe"
+    assert [hazard.name for hazard in skills.hazards] == [hazard.name for hazard in sensors.hazards]
+    assert {rule.exempts.doing for rule in made if rule.exempts} == {"doing Push", "doing Wipe"}
+    acting = [rule.name for rule, plan in zip(skills.rules, skills.reactions.plans, strict=True)
+              if plan.tasks]  # fmt: skip
+    assert acting == [
+        "back_off_on_contact",
+        "back_off_on_contact_while_Push",
+        "back_off_on_contact_while_Wipe",
+    ]

@@ -11,9 +11,10 @@ import pytest
 
 from ezskiros.driver import check_paths
 from ezskiros.runner import FaultyError
+from heron.goals import ARM, NAVIGATE, Goal
 from heron.skills import FOLDER
 from heron.tasks import Outcome, SkillTask, Status, skill_task
-from heron.topics import ARM, NAVIGATE, Goal, InProcess
+from heron.topics import InProcess
 
 PERIOD = SkillTask.period_ns
 

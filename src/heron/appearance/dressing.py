@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from heron.appearance.cell import dress_cell
 from heron.appearance.materials import add_light, add_materials
 from heron.appearance.robot import dress_arm, dress_base, dress_pedestal
 from heron.appearance.surroundings import (
@@ -14,6 +15,7 @@ from heron.appearance.surroundings import (
     dress_table,
 )
 from heron.scene import BaseParameters, PersonParameters, RoomParameters
+from heron.scene.cell import BOX
 from heron.scene.person import PERSON
 
 _ALONG, _AGAINST = (0.45, 0.5, -1.0), (-0.45, 0.4, -1.0)  # the x axis; to walls that are seen
@@ -34,7 +36,10 @@ def dressed(spec: Any) -> Any:
     if table is not None:
         dress_table(copy, table)
         add_hall(copy)
-    if copy.body(PERSON) is not None:
+    if copy.geom("right_table") is not None:
         dress_room(copy, RoomParameters())
+    if copy.body(BOX) is not None:
+        dress_cell(copy)
+    if copy.body(PERSON) is not None:
         dress_person(copy, PersonParameters())
     return copy.compile()

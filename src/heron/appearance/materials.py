@@ -14,8 +14,8 @@ SHELL, DARK, RUBBER, LAMP, STEEL, JOINT, CAP = (
 TILES, CONCRETE, GRIP, STRIPES, WALL, BOARD, WOOD, MARK, WARNING = (
     "tiles", "concrete", "grip", "stripes", "wall", "board", "wood", "mark", "warning",
 )  # fmt: skip
-BLOCK, VEST, BAND, TROUSERS, SKIN, HELMET = (
-    "block", "vest", "band", "trousers", "skin", "helmet",
+BLOCK, VEST, BAND, TROUSERS, SKIN, HELMET, CARDBOARD, INK = (
+    "block", "vest", "band", "trousers", "skin", "helmet", "cardboard", "ink",
 )  # fmt: skip
 
 _PLAIN = {
@@ -36,6 +36,8 @@ _PLAIN = {
     TROUSERS: (0.20, 0.26, 0.40),
     SKIN: (0.87, 0.68, 0.55),
     HELMET: (0.97, 0.83, 0.20),
+    CARDBOARD: (0.72, 0.55, 0.36),
+    INK: (0.20, 0.24, 0.52),
 }
 _SHINY = (SHELL, LAMP, STEEL, JOINT, CAP, HELMET)
 _GLOWING = {LAMP: 0.6}

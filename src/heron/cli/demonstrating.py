@@ -12,7 +12,7 @@ from dslkit.command_line import CommandLine
 from dslkit.writing import write_whole
 from heron.demo import Shot, page_of, shoot_all
 from heron.experiments import EXPERIMENTS
-from heron.experiments.table import ARM_NAMES
+from heron.experiments.experiment import ARM_NAMES
 
 
 def demonstrate(output: CommandLine, seed: int, out: Path) -> None:

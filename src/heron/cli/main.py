@@ -27,7 +27,7 @@ from heron.cli.choices import (
     variant_of,
     workers_of,
 )
-from heron.variants import VARIANTS, Arm, Person, Table, Terrain
+from heron.variants import VARIANTS, Arm, Encounter, Person, Table, Terrain
 
 if TYPE_CHECKING:  # needs MuJoCo
     from heron.experiments import Observer
@@ -114,6 +114,22 @@ def human(
     _run("human", arm, person, seed, view, film)
 
 
+@runs.command()
+def contact(
+    arm: Guarding = Arm.SKILL_AWARE,
+    encounter: Annotated[
+        Encounter, typer.Option(help="What it touches, apart from box and board.")
+    ] = Encounter.COLLISION,
+    seed: Seed = 0,
+    view: View = False,
+    film: Filming = None,
+) -> None:
+    """Experiment IV: push a box to a mark and wipe a board, while somebody reaches over the table
+    or the box gets jammed.
+    """
+    _run("contact", arm, encounter, seed, view, film)
+
+
 def _run(
     name: str,
     arm: Arm,
@@ -169,11 +185,12 @@ def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
 
 @app.command()
 def record(
-    experiment: Annotated[str, typer.Argument(help="Which one: nav, place or human.")],
+    experiment: Annotated[str, typer.Argument(help="Which one: nav, place, human or contact.")],
     out: Annotated[Path, typer.Option(help="The file, such as drive.mcap.")],
     arm: Guarding = Arm.ROSSMARIE,
     variant: Annotated[
-        str | None, typer.Option(help="Which terrain, table or person; the first one if not given.")
+        str | None,
+        typer.Option(help="Which terrain, table, person or encounter; the first one if not given."),
     ] = None,
     seed: Seed = 0,
 ) -> None:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from matplotlib.ticker import MaxNLocator
 
 from heron.demo.shots import Curve, Shot
-from heron.experiments.table import Signal
+from heron.experiments.experiment import Signal
 from heron.variants import Arm
 
 WIDTH, HEIGHT = 1000, 100

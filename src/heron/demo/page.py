@@ -14,11 +14,10 @@ from heron.demo.charts import HEIGHT, WIDTH, Chart, Tick, chart_of, time_ticks
 from heron.demo.lanes import SIGNS, Lanes, rules_of, tree_of
 from heron.demo.shots import Shot
 from heron.experiments import EXPERIMENTS
-from heron.experiments.table import ARM_NAMES
+from heron.experiments.experiment import ARM_NAMES
 from heron.tasks.tree import running_of
 from heron.variants import Arm
 
-SHOWN_FIRST = (Arm.NONE, Arm.ROSSMARIE)
 _SPEEDS = (1, 2, 4, 8)
 _PLAYING_S = 20.0
 
@@ -43,6 +42,7 @@ class Section:
     title: str
     about: str
     variant: str
+    shown_first: Sequence[Arm]
     shots: Sequence[Shot]
     duration: float
     opening: float
@@ -74,7 +74,6 @@ def page_of(shots: Sequence[Shot]) -> str:
     return environment.get_template("demo.html.j2").render(
         sections=sections,
         names=ARM_NAMES,
-        shown_first=SHOWN_FIRST,
         speeds=_SPEEDS,
         style=palette + own.joinpath("demo.css").read_text("utf-8"),
         script=own.joinpath("demo.js").read_text("utf-8"),
@@ -92,9 +91,10 @@ def _section(name: str, shots: Sequence[Shot]) -> Section:
         title=f"Experiment {experiment.title}",
         about=experiment.about,
         variant=shots[0].title,
+        shown_first=experiment.shown_first,
         shots=shots,
         duration=duration,
-        opening=experiment.opening_of(shot.onsets for shot in shots if shot.arm in SHOWN_FIRST),
+        opening=experiment.opening_of(shot.onsets for shot in _shown_first(shots)),
         speed=_speed(shots),
         ticks=time_ticks(duration),
         marks=list(_marks(name, shots, duration)),
@@ -108,10 +108,13 @@ def _section(name: str, shots: Sequence[Shot]) -> Section:
 
 def _speed(shots: Sequence[Shot]) -> int:
     """The least speed at which the arms that are shown first are over in time, or the greatest."""
-    longest = max(
-        (shot.duration for shot in shots if shot.arm in SHOWN_FIRST), default=shots[0].duration
-    )
+    longest = max((shot.duration for shot in _shown_first(shots)), default=shots[0].duration)
     return next((speed for speed in _SPEEDS if longest / speed <= _PLAYING_S), _SPEEDS[-1])
+
+
+def _shown_first(shots: Sequence[Shot]) -> list[Shot]:
+    shown = EXPERIMENTS[shots[0].experiment].shown_first
+    return [shot for shot in shots if shot.arm in shown]
 
 
 def _marks(name: str, shots: Sequence[Shot], duration: float) -> Iterator[Mark]:

@@ -6,55 +6,45 @@ its operator; ROSSMARie is as safe and finishes without one.
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 import numpy as np
 
+from heron.evaluation.claim import (
+    MARGIN,
+    Claim,
+    Verdict,
+    acts_in_time,
+    as_safe,
+    at_most,
+    between,
+    greater,
+    there_is_harm,
+    with_arm,
+)
 from heron.evaluation.sample import Sample
-from heron.evaluation.statistics import Estimate, median
-from heron.experiments.table import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
+from heron.evaluation.skill_claims import claims_of_skills
+from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
 from heron.variants import Arm
-
-_SURE = 0.05
-_MARGIN = 0.1
-
-
-class Verdict(enum.Enum):
-    """The verdict on an expectation."""
-
-    HOLDS = "as expected"
-    FAILS = "not as expected"
-    OPEN = "not to be told from these episodes"
-
-
-@dataclass(frozen=True)
-class Claim:
-    """An expectation, what was found about it, and the verdict. Its key does not change when its
-    words do.
-    """
-
-    key: str
-    expected: str
-    found: str
-    verdict: Verdict
 
 
 def claims_of(sample: Sample) -> Iterator[Claim]:
     """All that is expected of a variant."""
+    if Arm.SKILL_AWARE in sample.arms:
+        yield from claims_of_skills(sample)
+        return
     if not sample.harms:
         yield _everybody_finishes(sample)
         yield _nobody_interferes(sample)
         return
     for harm in sample.harms:
-        yield _there_is_harm(sample, harm, Arm.DEROS)
-        yield _there_is_harm(sample, harm, Arm.ROSSMARIE)
-        yield from (_as_safe(sample, harm, other) for other in _others(sample))
+        yield there_is_harm(sample, harm, Arm.DEROS)
+        yield there_is_harm(sample, harm, Arm.ROSSMARIE)
+        yield from (as_safe(sample, harm, other) for other in _others(sample))
     for gain in sample.gains:
         yield from (_better(sample, gain, other) for other in _others(sample))
     for hazard, seconds in sample.acts_within.items():
-        yield _acts_in_time(sample, hazard, seconds)
+        yield acts_in_time(sample, hazard, seconds)
     yield _unguarded_is_fastest(sample)
     yield _finishes_with_operator(sample)
     yield _finishes_alone(sample)
@@ -68,80 +58,15 @@ def _others(sample: Sample) -> list[Arm]:
     return [arm for arm in sample.arms if arm not in (Arm.NONE, Arm.ROSSMARIE)]
 
 
-def between(estimate: Estimate, digits: int) -> str:
-    """`1.0 [0.9, 1.2]`; without the brackets where nothing is known of it, or all are the same."""
-    text, low, high = (
-        f"{round(number, digits) + 0.0:.{digits}f}"  # no zero with a sign
-        for number in (estimate.value, estimate.low, estimate.high)
-    )
-    return text if np.isnan(estimate.low) or low == high else f"{text} [{low}, {high}]"
-
-
-def _there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Claim:
-    measure = sample.experiment.measure(harm)
-    compared = sample.compared(harm, Arm.NONE, guarded)
-    difference = between(compared.difference, measure.digits)
-    return Claim(
-        f"harm {guarded.value} {harm}",
-        f"{measure.label}: greater without a monitor than with {ARM_NAMES[guarded]}",
-        f"by {difference} {measure.unit}, p = {compared.chance:.2g}",
-        _greater(compared.difference.value, compared.chance),
-    )
-
-
-def _greater(difference: float, chance: float) -> Verdict:
-    if chance < _SURE:
-        return Verdict.HOLDS
-    return Verdict.OPEN if difference > 0 else Verdict.FAILS
-
-
-def _as_safe(sample: Sample, harm: str, other: Arm) -> Claim:
-    measure = sample.experiment.measure(harm)
-    found = sample.compared(harm, Arm.ROSSMARIE, other).difference
-    margin = _MARGIN * float(np.median(sample.values(other, harm)))
-    return Claim(
-        f"safe {other.value} {harm}",
-        f"{measure.label}: with ROSSMARie at most a tenth more than with {_with(other)}",
-        f"the difference is {between(found, measure.digits)} {measure.unit}",
-        _at_most(found, margin),
-    )
-
-
-def _with(arm: Arm) -> str:
-    """The name of an arm in a sentence."""
-    return f"the {ARM_NAMES[arm]}" if arm is Arm.COLLISION_MONITOR else ARM_NAMES[arm]
-
-
-def _at_most(found: Estimate, most: float) -> Verdict:
-    if np.isnan(found.low):
-        return Verdict.OPEN
-    if found.high <= most:
-        return Verdict.HOLDS
-    return Verdict.FAILS if found.low > most else Verdict.OPEN
-
-
 def _better(sample: Sample, gain: str, other: Arm) -> Claim:
     measure = sample.experiment.measure(gain)
     compared = sample.compared(gain, Arm.ROSSMARIE, other)
     return Claim(
         f"better {other.value} {gain}",
-        f"{measure.label}: more with ROSSMARie than with {_with(other)}",
+        f"{measure.label}: more with ROSSMARie than with {with_arm(other)}",
         f"by {between(compared.difference, measure.digits)} {measure.unit}, "
         f"p = {compared.chance:.2g}",
-        _greater(compared.difference.value, compared.chance),
-    )
-
-
-def _acts_in_time(sample: Sample, hazard: str, seconds: float) -> Claim:
-    """An episode without a reaction has no value here; how many have one stands in the table."""
-    measure = sample.experiment.measure(f"reaction_{hazard}")
-    values = sample.values(Arm.ROSSMARIE, measure.name)
-    found = median(values) if values else None
-    return Claim(
-        f"in time {hazard}",
-        f"{measure.label}: with ROSSMARie within {seconds:g} s",
-        "it never acted" if found is None else f"{between(found, measure.digits)} s",
-        Verdict.FAILS if found is None else _at_most(found, seconds),
+        greater(compared.difference.value, compared.chance),
     )
 
 
@@ -151,8 +76,8 @@ def _does_as_much(sample: Sample) -> Claim:
     ours, theirs = sample.completed(Arm.ROSSMARIE), sample.completed(other)
     found = sample.compared(DURATION.name, Arm.ROSSMARIE, other).difference
     if theirs == sample.count(other):
-        margin = _MARGIN * float(np.median(sample.values(other, DURATION.name)))
-        verdict = _at_most(found, margin) if ours == sample.count(Arm.ROSSMARIE) else Verdict.FAILS
+        margin = MARGIN * float(np.median(sample.values(other, DURATION.name)))
+        verdict = at_most(found, margin) if ours == sample.count(Arm.ROSSMARIE) else Verdict.FAILS
     else:
         verdict = Verdict.HOLDS if ours >= theirs else Verdict.FAILS
     return Claim(
@@ -209,7 +134,7 @@ def _sooner(sample: Sample) -> Claim:
         "sooner",
         "ROSSMARie is done sooner than DeROS",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
-        _greater(compared.difference.value, compared.chance),
+        greater(compared.difference.value, compared.chance),
     )
 
 

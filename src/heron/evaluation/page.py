@@ -8,14 +8,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 
-from heron.evaluation.claims import Claim, Verdict, between, claims_of
+from heron.evaluation.claim import Claim, Verdict, between
+from heron.evaluation.claims import claims_of
 from heron.evaluation.reasons import REASONS
 from heron.evaluation.rows import Row, StudyRow
 from heron.evaluation.sample import Sample, samples_of
 from heron.evaluation.statistics import median, share
 from heron.evaluation.study_section import section_of
 from heron.experiments import EXPERIMENTS, STUDIES, Experiment, Measure
-from heron.experiments.table import ARM_NAMES, COMPLETED
+from heron.experiments.experiment import ARM_NAMES, COMPLETED
 from heron.variants import Arm
 
 _HEAD = """\
@@ -36,6 +37,8 @@ same seeds in these arms:
   It has no say in experiment II: no range scan tells of a table's height.
 - *DeROS*: rules stop the robot until an operator has come, half a minute later.
 - *ROSSMARie*: rules let the robot recover.
+- *ROSSMARie with skills*: the same by rules that know which skills run, in experiment IV only.
+  The thesis leaves them open (section 5.2). The expectations of them are older than the runs.
 
 [How to run the experiments](how-to/run-the-experiments.md) says what differs from seed to seed, and
 how this page is made.

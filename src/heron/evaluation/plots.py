@@ -16,8 +16,8 @@ from heron.evaluation.rows import StudyRow
 from heron.evaluation.sample import Sample
 from heron.evaluation.study_section import of_case
 from heron.experiments import Measure, Study
+from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION
 from heron.experiments.studies import Case
-from heron.experiments.table import ARM_NAMES, COMPLETED, DURATION
 from heron.variants import Arm
 
 _COLORS = {
@@ -25,6 +25,7 @@ _COLORS = {
     Arm.COLLISION_MONITOR: "#2e7d4f",
     Arm.DEROS: "#d1690f",
     Arm.ROSSMARIE: "#1f6fb4",
+    Arm.SKILL_AWARE: "#7d4fb0",
 }
 _MARKERS = "os^Dv"
 _WIDTH, _HEIGHT = 2.5, 2.3
@@ -91,6 +92,8 @@ def _fill(row: Sequence[Axes], sample: Sample) -> None:
 def _draw(axes: Axes, sample: Sample, measure: Measure) -> None:
     for place, arm in enumerate(sample.arms):
         values = sample.values(arm, measure.name)
+        if not values:
+            continue
         spread = np.linspace(-0.25, 0.25, len(values)) if len(values) > 1 else [0.0]
         axes.plot(
             place + np.asarray(spread), values, "o", color=_COLORS[arm], markersize=2.5, alpha=0.6

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from heron.evaluation.rows import Row
 from heron.evaluation.statistics import Comparison, compare
 from heron.experiments import Experiment
-from heron.experiments.table import COMPLETED
+from heron.experiments.experiment import COMPLETED
 from heron.variants import Arm
 
 

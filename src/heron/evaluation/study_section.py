@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from heron.evaluation.claims import between
+from heron.evaluation.claim import between
 from heron.evaluation.rows import Row, StudyRow
 from heron.evaluation.statistics import median
 from heron.experiments import Study
+from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION
 from heron.experiments.studies import OPERATOR, TORQUE, Case
-from heron.experiments.table import ARM_NAMES, COMPLETED, DURATION
 from heron.scene import BaseParameters, CourseParameters
 
 _GRAVITY = 9.81

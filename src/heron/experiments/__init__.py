@@ -1,5 +1,7 @@
 """The experiments of the thesis: each in several arms, on the same seeds, with measures."""
 
+from heron.experiments.contact import ContactEpisode, ContactMeasures, run_contact
+from heron.experiments.experiment import Episode, Experiment, Measure
 from heron.experiments.human import HumanEpisode, HumanMeasures, run_human
 from heron.experiments.measures import NavigationMeasures
 from heron.experiments.navigation import NavigationEpisode, run_navigation
@@ -8,12 +10,14 @@ from heron.experiments.placing import PlacingEpisode, PlacingMeasures, run_placi
 from heron.experiments.runner import Node
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.studies import STUDIES, Study
-from heron.experiments.table import EXPERIMENTS, Episode, Experiment, Measure
+from heron.experiments.table import EXPERIMENTS
 
 __all__ = [
     "EXPERIMENTS",
     "STUDIES",
     "USUAL",
+    "ContactEpisode",
+    "ContactMeasures",
     "Episode",
     "Experiment",
     "HumanEpisode",
@@ -27,6 +31,7 @@ __all__ = [
     "PlacingMeasures",
     "Settings",
     "Study",
+    "run_contact",
     "run_human",
     "run_navigation",
     "run_placing",

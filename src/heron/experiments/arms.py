@@ -22,6 +22,10 @@ HUMAN_RULES = {
     Arm.DEROS: FOLDER / "human_deros.ross",
     Arm.ROSSMARIE: FOLDER / "human.ross",
 }
+CONTACT_RULES = {
+    Arm.ROSSMARIE: FOLDER / "contact.ross",
+    Arm.SKILL_AWARE: FOLDER / "contact_skills.ross",
+}
 
 
 @cache

@@ -19,6 +19,7 @@ from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import ArmWitness, Trace
+from heron.goals import ARM
 from heron.guard import InProcessGuard, unfiltered
 from heron.robot import (
     Arm as RobotArm,
@@ -35,7 +36,7 @@ from heron.robot.arm_controller import PLACE
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, TableParameters, build_placing
 from heron.tasks import Outcome, SkillTask, TreeSkill
-from heron.topics import ARM, Carrier, InProcess, Remapped
+from heron.topics import Carrier, InProcess, Remapped
 from heron.variants import Arm, Table
 
 LONGEST_S = 90.0

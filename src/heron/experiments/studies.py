@@ -8,8 +8,9 @@ import enum
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
+from heron.experiments.experiment import Experiment
 from heron.experiments.settings import USUAL, Settings
-from heron.experiments.table import EXPERIMENTS, Experiment
+from heron.experiments.table import EXPERIMENTS
 from heron.variants import Arm, Person, Table, Terrain
 
 

@@ -5,216 +5,17 @@ An experiment is one entry here; evaluation, printing, recording and the demo go
 
 from __future__ import annotations
 
-import enum
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
 from operator import attrgetter
-from typing import Any, Protocol
 
+from heron.experiments.contact import ContactEpisode, run_contact
+from heron.experiments.experiment import EXEMPTIONS, Camera, Experiment, Measure, Signal
 from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
-from heron.experiments.observer import Observer
 from heron.experiments.placing import PlacingEpisode, run_placing
-from heron.experiments.settings import Settings
-from heron.experiments.trace import Trace
 from heron.scene import BaseParameters
-from heron.tasks import Outcome, TreeSkill
-from heron.variants import ARMS, VARIANTS, Arm, Person, Table, Terrain
-
-
-class Measures(Protocol):
-    """The measures of every experiment. Times in s."""
-
-    @property
-    def is_completed(self) -> bool:
-        """True if the task was done."""
-
-    @property
-    def duration(self) -> float:
-        """From the start to the end, whatever it was."""
-
-    @property
-    def interventions(self) -> int:
-        """The number of times that an operator came."""
-
-    @property
-    def reactions(self) -> Mapping[str, float]:
-        """From when a hazard began to the first action against it, by the name of the hazard."""
-
-    @property
-    def time_restricted(self) -> float:
-        """For how long rules interfered."""
-
-    @property
-    def time_restricted_without_need(self) -> float:
-        """For how long of that there was no hazard."""
-
-
-class Episode(Protocol):
-    """The facts that are known of every episode."""
-
-    @property
-    def arm(self) -> Arm:
-        """The arm of the experiment, which says what guarded the robot."""
-
-    @property
-    def seed(self) -> int:
-        """Of all that was left to chance."""
-
-    @property
-    def outcome(self) -> Outcome:
-        """The outcome of the task."""
-
-    @property
-    def measures(self) -> Measures:
-        """The measures that were taken."""
-
-    @property
-    def told(self) -> tuple[tuple[float, str], ...]:
-        """The messages of the guard, with their instants (s)."""
-
-    @property
-    def onsets(self) -> Mapping[str, float]:
-        """The instant (s) at which each hazard began, of those that there were."""
-
-    @property
-    def tree(self) -> tuple[TreeSkill, ...]:
-        """The skills of the task, and what became of them."""
-
-    @property
-    def trace(self) -> Trace:
-        """The truth about the episode."""
-
-
-ARM_NAMES: Mapping[Arm, str] = {
-    Arm.NONE: "no monitor",
-    Arm.COLLISION_MONITOR: "collision monitor",
-    Arm.DEROS: "DeROS",
-    Arm.ROSSMARIE: "ROSSMARie",
-}
-
-
-@dataclass(frozen=True)
-class Measure:
-    """A number of an episode: `of` finds it in the measures of the episode; None where there is no
-    such thing. A harm is the less, the better.
-    """
-
-    name: str
-    label: str
-    unit: str
-    digits: int
-    of: Callable[[Any], float | None]
-
-    def text(self, value: float) -> str:
-        """`23.9 m/s²`."""
-        return f"{value:.{self.digits}f} {self.unit}".strip()
-
-
-@dataclass(frozen=True)
-class Signal:
-    """A column of the trace as it is shown: times `factor`, with a line at `limit`. In films it is
-    told by its `short` name, if it has one.
-    """
-
-    column: str
-    label: str
-    unit: str
-    factor: float = 1.0
-    limit: float | None = None
-    short: str = ""
-
-
-@dataclass(frozen=True)
-class Camera:
-    """The view of an episode (m, degrees), from so far from a place above the body."""
-
-    body: str
-    distance: float
-    azimuth: float
-    elevation: float
-    above: float = 0.0
-
-
-@dataclass(frozen=True)
-class Experiment:
-    """`harms` names for each variant the measures of what is dangerous there and in no variant
-    before it: none, and whatever a monitor restricts there is without need. `gains` are those that
-    are the better, the more. `acts_within` says how soon (s) something has to be done about a
-    hazard, `hazards` how each is called. The first variant is shown in the demo, by a camera for
-    each scene, from so many seconds after the beginning of a hazard on: that is `opening`.
-    """
-
-    name: str
-    title: str
-    about: str
-    run: Callable[[Arm, Any, int, Sequence[Observer], Settings], Episode]
-    describe: Callable[[Any], str]
-    own_measures: tuple[Measure, ...]
-    hazards: Mapping[str, str]
-    harms: Mapping[enum.Enum, tuple[str, ...]]
-    gains: Mapping[enum.Enum, tuple[str, ...]]
-    acts_within: Mapping[enum.Enum, Mapping[str, float]]
-    signals: tuple[Signal, ...]
-    cameras: tuple[Camera, ...]
-    opening: tuple[str, float]
-
-    @property
-    def variants(self) -> Mapping[str, enum.Enum]:
-        """By their names."""
-        return {variant.value: variant for variant in VARIANTS[self.name]}
-
-    @property
-    def arms(self) -> tuple[Arm, ...]:
-        """The guards that it is run with."""
-        return ARMS[self.name]
-
-    @property
-    def measures(self) -> tuple[Measure, ...]:
-        """All of them, in the order in which they are shown."""
-        reactions = (_reaction(*each) for each in self.hazards.items())
-        return (*_TASK, *self.own_measures, *reactions, *_RESTRICTIONS)
-
-    def opening_of(self, onsets: Iterable[Mapping[str, float]]) -> float:
-        """The instant (s) with most to see in episodes whose hazards began at these instants."""
-        hazard, later = self.opening
-        found = [each[hazard] for each in onsets if hazard in each]
-        return max(found) + later if found else 0.0
-
-    def measure(self, name: str) -> Measure:
-        """The one of that name. Raises `StopIteration`."""
-        return next(one for one in self.measures if one.name == name)
-
-
-COMPLETED = Measure("completed", "task completed", "", 0, attrgetter("is_completed"))
-DURATION = Measure("duration", "time", "s", 1, attrgetter("duration"))
-INTERVENTIONS = Measure(
-    "interventions", "operator interventions", "", 0, attrgetter("interventions")
-)
-WITHOUT_NEED = Measure(
-    "restricted_without_need",
-    "restricted without need",
-    "s",
-    1,
-    attrgetter("time_restricted_without_need"),
-)
-_TASK = (COMPLETED, DURATION, INTERVENTIONS)
-_RESTRICTIONS = (
-    Measure("restricted", "restricted", "s", 1, attrgetter("time_restricted")),
-    WITHOUT_NEED,
-)
-
-
-def _reaction(hazard: str, words: str) -> Measure:
-    """None where the hazard was not there, or nobody acted on it."""
-    return Measure(
-        f"reaction_{hazard}",
-        f"reaction, {words}",
-        "s",
-        2,
-        lambda measures: measures.reactions.get(hazard),
-    )
+from heron.variants import Encounter, Person, Table, Terrain
 
 
 def _peak(place: str, words: str) -> Measure:
@@ -242,6 +43,15 @@ def _of_person(episode: HumanEpisode) -> str:
     return f"somebody {episode.person.value}"
 
 
+def _of_contact(episode: ContactEpisode) -> str:
+    return _ENCOUNTERS[episode.encounter]
+
+
+_ENCOUNTERS = {
+    Encounter.COLLISION: "a forearm in its way",
+    Encounter.JAMMED: "the box gets jammed",
+    Encounter.MEANT: "all contact is meant",
+}
 _ON_BUMP = ("peak_front", "peak_drive", "peak_rear")
 _OVER_TORQUE = "time_over_torque"
 _USUAL_TORQUE = BaseParameters().torque
@@ -373,4 +183,51 @@ HUMAN = Experiment(
     opening=("close", 2.0),
 )
 
-EXPERIMENTS: Mapping[str, Experiment] = {one.name: one for one in (NAVIGATION, PLACING, HUMAN)}
+CONTACT = Experiment(
+    name="contact",
+    title="IV, contact that is meant",
+    about=(
+        "The arm pushes a box to a mark, and wipes a board. Both need more force than it may have "
+        "elsewhere. In between, somebody reaches over the table."
+    ),
+    run=run_contact,
+    describe=_of_contact,
+    own_measures=(
+        Measure("pushed", "box pushed", "m", 2, attrgetter("pushed")),
+        Measure("wiped", "board wiped", "%", 0, lambda measures: 100 * measures.wiped),
+        Measure("peak_force", "peak force on the hand", "N", 0, attrgetter("peak_force")),
+        Measure(
+            "peak_on_person", "peak force on the forearm", "N", 0, attrgetter("peak_on_person")
+        ),
+        Measure(
+            "time_on_person",
+            "forearm pressed with more than 15 N",
+            "s",
+            2,
+            attrgetter("time_on_person"),
+        ),
+        Measure("peak_in_jam", "peak force in the jam", "N", 0, attrgetter("peak_in_jam")),
+        Measure("time_in_jam", "above 30 N in the jam", "s", 2, attrgetter("time_in_jam")),
+        EXEMPTIONS,
+    ),
+    hazards={"collision": "forearm touched", "jam": "box jammed"},
+    harms={
+        Encounter.COLLISION: ("peak_on_person", "time_on_person"),
+        Encounter.JAMMED: ("peak_in_jam", "time_in_jam"),
+        Encounter.MEANT: (),
+    },
+    gains={},
+    acts_within={Encounter.COLLISION: {"collision": 0.1}, Encounter.JAMMED: {"jam": 0.3}},
+    signals=(
+        Signal("force", "force on the hand", "N", 1.0, 15.0, "force"),
+        Signal("pressed", "force on the forearm", "N"),
+        Signal("pushed", "box pushed", "cm", 100.0),
+        Signal("wiped", "board wiped", "%", 100.0),
+    ),
+    cameras=(Camera("table", distance=1.65, azimuth=211.0, elevation=-19.0, above=0.2),),
+    opening=("collision", 0.1),
+)
+
+EXPERIMENTS: Mapping[str, Experiment] = {
+    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT)
+}

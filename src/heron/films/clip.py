@@ -12,7 +12,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from heron.experiments import USUAL, Episode, Experiment
-from heron.experiments.table import ARM_NAMES
+from heron.experiments.experiment import ARM_NAMES
 from heron.films.film import Film, Pixels, Size
 from heron.films.rules_watch import RulesWatch, Spans
 from heron.tasks.tree import running_of

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from heron.appearance import Moment, Stage, moment_of
 from heron.experiments import Node
-from heron.experiments.table import Camera
+from heron.experiments.experiment import Camera
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess

@@ -10,15 +10,15 @@ from pathlib import Path
 
 from dslkit.writing import write_whole
 from heron.experiments import EXPERIMENTS
+from heron.experiments.experiment import ARM_NAMES
 from heron.films.clip import film_of
 from heron.films.movie import write_movie
 from heron.films.processes import in_processes
-from heron.variants import Arm, Person, Table, Terrain
+from heron.variants import Encounter, Person, Table, Terrain
 
 PAGE = "gallery.md"
 _FOLDER = "gallery"
 _SIZE = (400, 225)
-_ARMS = (Arm.NONE, Arm.ROSSMARIE)
 
 
 @dataclass(frozen=True)
@@ -68,6 +68,14 @@ EXHIBITS = (
         "before they are within its reach, gives way when they push it, and goes on when they "
         "have left.",
     ),
+    Exhibit(
+        "contact",
+        Encounter.COLLISION,
+        "encounter",
+        "The arm pushes a box and wipes a board. In between it hits a forearm. Without a monitor "
+        "it presses on until the forearm is drawn back. The rules know that pushing and wiping "
+        "need contact, and let it be; on the forearm they let the arm back off at once.",
+    ),
 )
 
 
@@ -87,7 +95,7 @@ def write_gallery(out: Path, seed: int) -> Path:
 
 def _write_film(exhibit: Exhibit, seed: int, path: Path) -> None:
     experiment = EXPERIMENTS[exhibit.experiment]
-    clips = [film_of(experiment, exhibit.variant, arm, seed) for arm in _ARMS]
+    clips = [film_of(experiment, exhibit.variant, arm, seed) for arm in experiment.shown_first]
     write_movie(path, clips, _SIZE)
 
 
@@ -106,12 +114,13 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
     for exhibit in exhibits:
         experiment = EXPERIMENTS[exhibit.experiment]
         title = f"{experiment.title}, {exhibit.variant.value}"
+        guard = ARM_NAMES[experiment.shown_first[-1]]
         lines += [
             f"## {title}",
             "",
             exhibit.words,
             "",
-            f"![{title}: without a monitor, and with ROSSMARie]({_FOLDER}/{exhibit.name}.webp)",
+            f"![{title}: without a monitor, and with {guard}]({_FOLDER}/{exhibit.name}.webp)",
             "",
             "For a film of your own, of one episode, as MP4 or GIF:",
             "",

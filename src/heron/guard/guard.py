@@ -33,7 +33,7 @@ class InProcessGuard:
     period_ns = PERIOD_NS
 
     def __init__(self, machine: Machine, carrier: Carrier, clock: Callable[[], int]) -> None:
-        self._machine = machine
+        self.machine = machine
         self._clock = clock
         core, readings = _prepared(machine)
         self._core = core.fresh()
@@ -78,7 +78,7 @@ class InProcessGuard:
     def latched(self) -> tuple[str, ...]:
         """Those of them that wait for an operator."""
         if self._latched is None:
-            self._latched = waiting(self._machine, self.active)
+            self._latched = waiting(self.machine, self.active)
         return self._latched
 
     @property
@@ -110,7 +110,7 @@ class InProcessGuard:
     # --- what comes in -----------------------------------------------------------------------
 
     def _subscribe(self, carrier: Carrier) -> None:
-        for index, channel in enumerate(self._machine.channels):
+        for index, channel in enumerate(self.machine.channels):
             topic = Topic(channel.topic, channel.message_type)
             carrier.subscribe(topic, self._listener(index))
 
@@ -198,9 +198,9 @@ class InProcessGuard:
             self._perform(now_ns, order)
 
     def _perform(self, now_ns: int, order: Order) -> None:
-        task = self._machine.reactions.tasks[order.task]
-        rule = self._machine.rules[self._rules[order.task]].name
-        action = self._machine.reactions.actions[task.action].name
+        task = self.machine.reactions.tasks[order.task]
+        rule = self.machine.rules[self._rules[order.task]].name
+        action = self.machine.reactions.actions[task.action].name
         self.occurrences.append(Occurrence(now_ns, rule, action, order.kind))
         if order.kind is OrderKind.START:
             self._performers[order.task].start(now_ns)
@@ -217,7 +217,7 @@ class InProcessGuard:
 
     def _make_filters(self, carrier: Carrier) -> dict[int, CommandFilter[Message]]:
         filters = {}
-        for index, command in enumerate(self._machine.reactions.commands):
+        for index, command in enumerate(self.machine.reactions.commands):
             require_scalar_fields(command)
             filters[index] = CommandFilter(
                 CommandMessages(command),

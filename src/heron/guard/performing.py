@@ -10,9 +10,10 @@ from functools import partial
 from typing import Protocol
 
 from heron import messages
+from heron.goals import Goal, Scalar
 from heron.guard.relay import Relay
 from heron.messages import Message
-from heron.topics import Carrier, Goal, Parameter, Scalar, Topic
+from heron.topics import Carrier, Parameter, Topic
 from heron.topics import Publish as Publisher
 from rossmarie.guard import CommandFilter
 from rossmarie.ir import Machine

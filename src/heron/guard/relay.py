@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from heron.topics import Goal, Server
+from heron.goals import Goal, Server
 
 Done = Callable[[bool], None]
 

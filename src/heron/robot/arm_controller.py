@@ -15,18 +15,21 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from heron.goals import ARM, Goal
 from heron.messages import Message
 from heron.robot.admittance import Admittance
 from heron.robot.arm import Arm
 from heron.robot.physics import Floats
+from heron.robot.pressing import Pressing
 from heron.robot.trajectory import Trajectory, duration_of
 from heron.scene.scene import STEP_NS
-from heron.topics import ARM, ARM_STOP, GRAVITY_FREE, WRENCH, Carrier, Goal, Parameter
+from heron.topics import ARM_STOP, GRAVITY_FREE, WRENCH, Carrier, Parameter
 
 STIFFNESS = "/arm_controller.stiffness"
 SPEED_SCALE = "/arm_controller.speed_scale"
 PLACE = "place"
 RETRACTED = "retracted"
+BACKED_OFF = "backed_off"
 GRASP = "grasp"
 _NEVER = -(10**18)
 _GRAVITY = 9.81
@@ -49,6 +52,7 @@ class ArmControllerParameters:
     touch: float = 5.0
     release: float = 6.0
     retraction: float = 0.04
+    backing: float = 0.05
     reached: float = 0.005
     payload: float = 0.5
     """The mass of the block (kg): when it is gone, its weight is missing in what is felt."""
@@ -58,9 +62,10 @@ class ArmControllerParameters:
 
 
 class ArmController:
-    """Goals are `{"pose": "place"}`, `{"pose": "retracted"}` and `{"pose": "grasp"}`, and places to
-    carry the block to, with the `seconds` in which it has to be there; `places` are where its
-    middle is then. Under `place` stands where it is believed to lie on the table.
+    """Goals are `{"pose": "place"}`, `{"pose": "retracted"}`, `{"pose": "backed_off"}` and
+    `{"pose": "grasp"}`, and places to carry the block to, with the `seconds` in which it has to be
+    there; `places` are where its middle is then. Under `place` stands where it is believed to lie
+    on the table. `pressings` are goals, too: motions in contact.
     """
 
     period_ns = STEP_NS
@@ -71,9 +76,12 @@ class ArmController:
         carrier: Carrier,
         places: Mapping[str, Floats],
         parameters: ArmControllerParameters,
+        pressings: Mapping[str, Pressing] | None = None,
     ) -> None:
         self._arm = arm
         self._places = places
+        self._pressings = pressings or {}
+        self._pressing: Pressing | None = None
         self._parameters = parameters
         self._step_s = 1 / parameters.rate
         self._steps = round(1e9 / parameters.rate / STEP_NS)
@@ -109,8 +117,13 @@ class ArmController:
             self._begin_to_place()
         elif self._goal in (PLACE, RETRACTED):  # what is placed needs no placing
             self._rise()
+        elif self._goal == BACKED_OFF:
+            self._back_off()
         elif self._goal == GRASP:
             self._end(is_reached=self._arm.take_hold())
+        elif self._goal in self._pressings:
+            self._pressing = self._pressings[self._goal]
+            self._pressing.begin(self._arm.grasp.copy())
         elif self._goal in self._places:
             self._begin_to_carry(float(goal.get("seconds", 0.0)))
         else:
@@ -119,7 +132,7 @@ class ArmController:
     def cancel(self) -> None:
         """The goal at hand, if there is one, is given up: the arm stays where it is."""
         self._wanted = self._target = self._arm.grasp.copy()
-        self._way = None
+        self._way = self._pressing = None
         self._end(is_reached=False)
 
     def lead_up(self, height: float) -> None:
@@ -153,6 +166,12 @@ class ArmController:
         self._wanted = self._arm.grasp.copy()
         self._target = self._wanted + _UP * self._parameters.retraction
 
+    def _back_off(self) -> None:
+        """Away from what it feels."""
+        felt = max(float(np.linalg.norm(self._force)), 1e-9)
+        self._wanted = self._arm.grasp.copy()
+        self._target = self._wanted + self._force * (self._parameters.backing / felt)
+
     def _end(self, *, is_reached: bool) -> None:
         done, self._done, self._goal = self._done, _nobody, None
         done(is_reached)
@@ -179,6 +198,8 @@ class ArmController:
             self._carry(self._way)
         elif is_stopped:
             self._stay()
+        elif self._pressing is not None:
+            self._press(self._pressing)
         else:
             self._go_on(now_ns)
 
@@ -194,6 +215,8 @@ class ArmController:
         self._admittance.rest()
         if self._way is not None:
             self._begin_to_carry()
+        if self._pressing is not None:
+            self._pressing.begin(self._arm.grasp.copy())
 
     def _carry(self, way: Trajectory) -> None:
         """Stiffly: what gives way to forces would come too late."""
@@ -202,6 +225,17 @@ class ArmController:
         self._arm.move(self._wanted, self._steps)
         if way.is_over and self._is_there():
             self._way = None
+            self._end(is_reached=True)
+
+    def _press(self, pressing: Pressing) -> None:
+        """In contact, as that motion wants it."""
+        place = pressing.step(self._arm.grasp, self._force, self._step_s, self._pace)
+        self._wanted = self._admittance.place = place
+        self._admittance.rest()
+        self._arm.move(place, self._steps)
+        if pressing.is_over:
+            self._pressing = None
+            self._target = self._arm.grasp.copy()
             self._end(is_reached=True)
 
     def _stay(self) -> None:

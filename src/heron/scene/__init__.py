@@ -2,6 +2,7 @@
 
 from heron.scene.arm import ArmParameters
 from heron.scene.base import AXLES, BaseParameters, add_base
+from heron.scene.cell import CellParameters, ForearmParameters, build_cell
 from heron.scene.course import Course, CourseParameters, Slope, add_course, course
 from heron.scene.ground import Contact
 from heron.scene.person import PersonParameters
@@ -13,15 +14,18 @@ __all__ = [
     "AXLES",
     "ArmParameters",
     "BaseParameters",
+    "CellParameters",
     "Contact",
     "Course",
     "CourseParameters",
+    "ForearmParameters",
     "PersonParameters",
     "RoomParameters",
     "Slope",
     "TableParameters",
     "add_base",
     "add_course",
+    "build_cell",
     "build_navigation",
     "build_placing",
     "build_room",

@@ -5,3 +5,5 @@ from __future__ import annotations
 from pathlib import Path
 
 FOLDER = Path(__file__).parent
+EXPORT = FOLDER / "skills.json"
+"""The skills as rules know them, written by `ezskiros export`."""

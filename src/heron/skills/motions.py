@@ -1,9 +1,9 @@
 """The motions of the robot: each is a goal for an action server."""
 
-from ezskiros import INFERRED, SkillDescription
+from ezskiros import INFERRED, SkillDescription, contact, force, server
+from heron.goals import ARM, NAVIGATE
 from heron.skills.servers import Sent
 from heron.skills.world import heron
-from heron.topics import ARM, NAVIGATE
 
 
 class Drive(SkillDescription):
@@ -115,6 +115,66 @@ class put_down(PutDown.SkillBase):
         self.world.unrelate(self.params.Robot, heron.holds, self.params.Block)
         self.world.relate(self.params.Table, heron.carries, self.params.Block)
         return self.success(f"{self.params.Block} is on {self.params.Table}")
+
+    def onPreempt(self):
+        self.sent.cancel()
+        return self.fail("the arm has stopped")
+
+
+class Push(SkillDescription):
+    """Pushes a box along a table to a mark, with what the hand holds."""
+
+    def description(
+        self, Robot: heron.Robot, Sponge: INFERRED[heron.Block], Object: heron.Box, Mark: heron.Mark
+    ):
+        self.pre_conditions += Robot.holds(Sponge)
+        self.post_conditions += Object.standsOn(Mark)
+        self.permits += contact(Object)
+        self.permits += force(Object, "30 N")
+        self.uses += server(ARM)
+
+
+class push(Push.SkillBase):
+    def onStart(self):
+        self.sent = Sent(ARM, {"pose": "push"})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step(f"pushing {self.params.Object}")
+        if not self.sent.is_reached:
+            return self.fail(f"{self.params.Mark} was not reached")
+        self.world.relate(self.params.Object, heron.standsOn, self.params.Mark)
+        return self.success(f"{self.params.Object} stands on {self.params.Mark}")
+
+    def onPreempt(self):
+        self.sent.cancel()
+        return self.fail("the arm has stopped")
+
+
+class Wipe(SkillDescription):
+    """Presses what the hand holds on a board, and strokes over it."""
+
+    def description(self, Robot: heron.Robot, Sponge: INFERRED[heron.Block], Board: heron.Board):
+        self.pre_conditions += Robot.holds(Sponge)
+        self.post_conditions += Robot.hasWiped(Board)
+        self.permits += contact(Board)
+        self.permits += force(Board, "30 N")
+        self.uses += server(ARM)
+
+
+class wipe(Wipe.SkillBase):
+    def onStart(self):
+        self.sent = Sent(ARM, {"pose": "wipe"})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step(f"wiping {self.params.Board}")
+        if not self.sent.is_reached:
+            return self.fail(f"{self.params.Board} was not wiped")
+        self.world.relate(self.params.Robot, heron.hasWiped, self.params.Board)
+        return self.success(f"{self.params.Board} is clean")
 
     def onPreempt(self):
         self.sent.cancel()

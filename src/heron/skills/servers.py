@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from contextvars import ContextVar
 
-from heron.topics import Carrier, Goal
+from heron.goals import Goal, Servers
 
-CARRIER: ContextVar[Carrier] = ContextVar("carrier")
+CARRIER: ContextVar[Servers] = ContextVar("carrier")
 
 
 class Sent:

@@ -1,7 +1,7 @@
 """The tasks of the experiments, as behavior trees."""
 
 from ezskiros import INFERRED, SkillDescription
-from heron.skills.motions import Drive, Grasp, PutDown, Reach
+from heron.skills.motions import Drive, Grasp, Push, PutDown, Reach, Wipe
 from heron.skills.world import heron
 
 
@@ -94,3 +94,41 @@ class carry_to_and_fro(CarryToAndFro.SkillBase):
     def expandBT(self, params):
         way = ("here", "above_here", "above_there", "there", "above_there", "above_here")
         self.serialstar(*(Reach(Pose=pose) for _ in range(4) for pose in way))
+
+
+class TidyUp(SkillDescription):
+    """Experiment IV: pushes a box to its mark, and wipes a board.
+
+    A skill that does not succeed in time is given up, and the task goes on.
+
+    Args:
+        Patience: the seconds that pushing may take, and that wiping may take.
+
+    """
+
+    def description(
+        self,
+        Robot: heron.Robot,
+        Sponge: INFERRED[heron.Block],
+        Box: heron.Box,
+        Mark: heron.Mark,
+        Board: heron.Board,
+        Patience: float = 16.0,
+    ):
+        self.pre_conditions += Robot.holds(Sponge)
+        self.hold_conditions += Robot.holds(Sponge)
+
+
+class tidy_up(TidyUp.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(
+            Reach(Pose="above_box"),
+            Reach(Pose="before_box"),
+            self.nofail(
+                self.timeout(Push(Object=params.Box, Mark=params.Mark), params.Patience),
+            ),
+            Reach(Pose="above_box"),
+            Reach(Pose="before_board"),
+            self.nofail(self.timeout(Wipe(Board=params.Board), params.Patience)),
+            Reach(Pose="home"),
+        )

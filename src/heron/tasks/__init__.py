@@ -2,6 +2,7 @@
 
 from heron.tasks.navigation import Navigation, NavigationParameters
 from heron.tasks.outcome import Outcome
+from heron.tasks.skill_context import SkillContext
 from heron.tasks.skill_task import SkillTask
 from heron.tasks.tree import Span, Status, TreeSkill
 
@@ -9,6 +10,7 @@ __all__ = [
     "Navigation",
     "NavigationParameters",
     "Outcome",
+    "SkillContext",
     "SkillTask",
     "Span",
     "Status",

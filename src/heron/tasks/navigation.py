@@ -9,9 +9,10 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from heron import messages
+from heron.goals import NAVIGATE, Goal
 from heron.messages import Message
 from heron.tasks.outcome import Outcome
-from heron.topics import COMMAND, NAVIGATE, POSE, REPLAN, Carrier, Goal
+from heron.topics import COMMAND, POSE, REPLAN, Carrier
 
 Point = tuple[float, float]
 

@@ -8,6 +8,7 @@ from py_trees.common import Status
 
 from ezskiros.engine.events import Event
 from ezskiros.engine.expansion import Expansions
+from ezskiros.engine.running import RunningSkills
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.task import Task
 from ezskiros.runner import prepare
@@ -30,19 +31,25 @@ class SkillTask:
         """Raises `FaultyError` if the skills or the scene have errors."""
         ready = prepare(skill, [FOLDER], FOLDER / scene, ["Robot=heron", *arguments])
         self._carrier = carrier
-        self._now_ns = self._offset_ns = 0
+        self.now_ns = self._offset_ns = 0
+        """The time of the episode, at the last tick."""
         self._task = Task(
             ready.call,
             Setting(
                 ready.library,
                 ready.world,
-                tell=lambda event: self._events.append((self._now_ns * 1e-9, event)),
-                clock=lambda: self._now_ns * 1e-9,
+                tell=lambda event: self._events.append((self.now_ns * 1e-9, event)),
+                clock=lambda: self.now_ns * 1e-9,
                 expansions=Expansions(ready.trees),
             ),
         )
         self._events: list[tuple[float, Event]] = []
         self.outcome = Outcome.RUNNING
+
+    @property
+    def running(self) -> RunningSkills:
+        """The skills that run now."""
+        return self._task.setting.running
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
@@ -56,8 +63,8 @@ class SkillTask:
 
     def tick(self, now_ns: int) -> None:
         """One period later."""
-        self._now_ns = now_ns + self._offset_ns
-        if self._now_ns < self._BEGIN_NS or self.outcome is not Outcome.RUNNING:
+        self.now_ns = now_ns + self._offset_ns
+        if self.now_ns < self._BEGIN_NS or self.outcome is not Outcome.RUNNING:
             return
         token = CARRIER.set(self._carrier)
         try:

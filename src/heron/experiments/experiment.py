@@ -1,0 +1,216 @@
+"""An experiment: what it varies, what is measured, what is dangerous in it."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from operator import attrgetter
+from typing import Any, Protocol
+
+from heron.experiments.observer import Observer
+from heron.experiments.settings import Settings
+from heron.experiments.trace import Trace
+from heron.tasks import Outcome, TreeSkill
+from heron.variants import ARMS, VARIANTS, Arm
+
+
+class Measures(Protocol):
+    """The measures of every experiment. Times in s."""
+
+    @property
+    def is_completed(self) -> bool:
+        """True if the task was done."""
+
+    @property
+    def duration(self) -> float:
+        """From the start to the end, whatever it was."""
+
+    @property
+    def interventions(self) -> int:
+        """The number of times that an operator came."""
+
+    @property
+    def reactions(self) -> Mapping[str, float]:
+        """From when a hazard began to the first action against it, by the name of the hazard."""
+
+    @property
+    def time_restricted(self) -> float:
+        """For how long rules interfered."""
+
+    @property
+    def time_restricted_without_need(self) -> float:
+        """For how long of that there was no hazard."""
+
+
+class Episode(Protocol):
+    """The facts that are known of every episode."""
+
+    @property
+    def arm(self) -> Arm:
+        """The arm of the experiment, which says what guarded the robot."""
+
+    @property
+    def seed(self) -> int:
+        """Of all that was left to chance."""
+
+    @property
+    def outcome(self) -> Outcome:
+        """The outcome of the task."""
+
+    @property
+    def measures(self) -> Measures:
+        """The measures that were taken."""
+
+    @property
+    def told(self) -> tuple[tuple[float, str], ...]:
+        """The messages of the guard, with their instants (s)."""
+
+    @property
+    def onsets(self) -> Mapping[str, float]:
+        """The instant (s) at which each hazard began, of those that there were."""
+
+    @property
+    def tree(self) -> tuple[TreeSkill, ...]:
+        """The skills of the task, and what became of them."""
+
+    @property
+    def trace(self) -> Trace:
+        """The truth about the episode."""
+
+
+ARM_NAMES: Mapping[Arm, str] = {
+    Arm.NONE: "no monitor",
+    Arm.COLLISION_MONITOR: "collision monitor",
+    Arm.DEROS: "DeROS",
+    Arm.ROSSMARIE: "ROSSMARie",
+    Arm.SKILL_AWARE: "ROSSMARie with skills",
+}
+
+
+@dataclass(frozen=True)
+class Measure:
+    """A number of an episode: `of` finds it in the measures of the episode; None where there is no
+    such thing. A harm is the less, the better.
+    """
+
+    name: str
+    label: str
+    unit: str
+    digits: int
+    of: Callable[[Any], float | None]
+
+    def text(self, value: float) -> str:
+        """`23.9 m/s²`."""
+        return f"{value:.{self.digits}f} {self.unit}".strip()
+
+
+@dataclass(frozen=True)
+class Signal:
+    """A column of the trace as it is shown: times `factor`, with a line at `limit`. In films it is
+    told by its `short` name, if it has one.
+    """
+
+    column: str
+    label: str
+    unit: str
+    factor: float = 1.0
+    limit: float | None = None
+    short: str = ""
+
+
+@dataclass(frozen=True)
+class Camera:
+    """The view of an episode (m, degrees), from so far from a place above the body."""
+
+    body: str
+    distance: float
+    azimuth: float
+    elevation: float
+    above: float = 0.0
+
+
+@dataclass(frozen=True)
+class Experiment:
+    """`harms` names for each variant the measures of what is dangerous there and in no variant
+    before it: none, and whatever a monitor restricts there is without need. `gains` are those that
+    are the better, the more. `acts_within` says how soon (s) something has to be done about a
+    hazard, `hazards` how each is called. The first variant is shown in the demo, by a camera for
+    each scene, from so many seconds after the beginning of a hazard on: that is `opening`.
+    """
+
+    name: str
+    title: str
+    about: str
+    run: Callable[[Arm, Any, int, Sequence[Observer], Settings], Episode]
+    describe: Callable[[Any], str]
+    own_measures: tuple[Measure, ...]
+    hazards: Mapping[str, str]
+    harms: Mapping[enum.Enum, tuple[str, ...]]
+    gains: Mapping[enum.Enum, tuple[str, ...]]
+    acts_within: Mapping[enum.Enum, Mapping[str, float]]
+    signals: tuple[Signal, ...]
+    cameras: tuple[Camera, ...]
+    opening: tuple[str, float]
+
+    @property
+    def variants(self) -> Mapping[str, enum.Enum]:
+        """By their names."""
+        return {variant.value: variant for variant in VARIANTS[self.name]}
+
+    @property
+    def arms(self) -> tuple[Arm, ...]:
+        """The guards that it is run with."""
+        return ARMS[self.name]
+
+    @property
+    def shown_first(self) -> tuple[Arm, ...]:
+        """The guards of which episodes are shown side by side: none, and the last one."""
+        return Arm.NONE, self.arms[-1]
+
+    @property
+    def measures(self) -> tuple[Measure, ...]:
+        """All of them, in the order in which they are shown."""
+        reactions = (_reaction(*each) for each in self.hazards.items())
+        return (*_TASK, *self.own_measures, *reactions, *_RESTRICTIONS)
+
+    def opening_of(self, onsets: Iterable[Mapping[str, float]]) -> float:
+        """The instant (s) with most to see in episodes whose hazards began at these instants."""
+        hazard, later = self.opening
+        found = [each[hazard] for each in onsets if hazard in each]
+        return max(found) + later if found else 0.0
+
+    def measure(self, name: str) -> Measure:
+        """The one of that name. Raises `StopIteration`."""
+        return next(one for one in self.measures if one.name == name)
+
+
+COMPLETED = Measure("completed", "task completed", "", 0, attrgetter("is_completed"))
+DURATION = Measure("duration", "time", "s", 1, attrgetter("duration"))
+INTERVENTIONS = Measure(
+    "interventions", "operator interventions", "", 0, attrgetter("interventions")
+)
+WITHOUT_NEED = Measure(
+    "restricted_without_need",
+    "restricted without need",
+    "s",
+    1,
+    attrgetter("time_restricted_without_need"),
+)
+EXEMPTIONS = Measure("exemptions", "uses of exemptions", "", 0, attrgetter("exemptions"))
+_TASK = (COMPLETED, DURATION, INTERVENTIONS)
+_RESTRICTIONS = (
+    Measure("restricted", "restricted", "s", 1, attrgetter("time_restricted")),
+    WITHOUT_NEED,
+)
+
+
+def _reaction(hazard: str, words: str) -> Measure:
+    """None where the hazard was not there, or nobody acted on it."""
+    return Measure(
+        f"reaction_{hazard}",
+        f"reaction, {words}",
+        "s",
+        2,
+        lambda measures: measures.reactions.get(hazard),
+    )

@@ -1,0 +1,83 @@
+"""The context of a task: which of its skills run. It is told ten times a second, and at once when
+one of them starts or ends.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from dslkit.diagnostics import Diagnostic
+from ezskiros.context.snapshot import RunningSkill, SkillArgument, Snapshots
+from ezskiros.export import read_export
+from ezskiros.runner import FaultyError
+from heron import messages
+from heron.messages import Message
+from heron.skills import EXPORT
+from heron.tasks.skill_task import SkillTask
+from heron.topics import SKILL_CONTEXT, Carrier
+
+_PACKAGE = "skill_context_msgs"
+
+
+class SkillContext:
+    """Tells of a task, as long as it is there."""
+
+    period_ns = 100_000_000
+
+    def __init__(self, carrier: Carrier, task: SkillTask) -> None:
+        """Raises `FaultyError` if there is no export of the skills."""
+        self._publish = carrier.publisher(SKILL_CONTEXT)
+        self._task = task
+        export = read_export(EXPORT)
+        if isinstance(export, Diagnostic):
+            raise FaultyError([export])
+        self._snapshots = Snapshots(export.digest)
+        self._goals: dict[str, str] = {}
+        task.running.changed = lambda: self._tell(task.now_ns)
+
+    def tick(self, now_ns: int) -> None:
+        """Say which skills run."""
+        self._tell(now_ns)
+
+    def _tell(self, now_ns: int) -> None:
+        snapshot = self._snapshots.of(self._task.running)
+        running = [self._skill(each) for each in snapshot.running]
+        header = messages.header(now_ns, "")
+        self._publish(_new("SkillContext", header=header, digest=snapshot.export, running=running))
+
+    def _skill(self, found: RunningSkill) -> Message:
+        """Its goal gets a name that is the same in each run of an episode."""
+        goal = self._goals.setdefault(found.goal, str(len(self._goals) + 1))
+        since = messages.instant(round(found.since * 1e9))
+        permits = [
+            _new("SkillPermission", kind=each.kind, type=each.with_, limit=each.limit)
+            for each in found.permits
+        ]
+        arguments = [_argument(each) for each in found.arguments]
+        return _new(
+            "RunningSkill",
+            skill=found.skill,
+            goal=goal,
+            since=since,
+            arguments=arguments,
+            permits=permits,
+        )
+
+
+def _argument(found: SkillArgument) -> Message:
+    properties = [
+        _new("SkillProperty", property=each.property, number=each.number)
+        for each in found.properties
+    ]
+    return _new(
+        "SkillArgument",
+        parameter=found.parameter,
+        value=found.value,
+        type=found.type,
+        number=found.number,
+        properties=properties,
+    )
+
+
+def _new(name: str, **fields: Any) -> Message:
+    return messages.message_class(f"{_PACKAGE}/{name}")(**fields)
