@@ -11,10 +11,10 @@ import pytest
 import typer
 
 import rossmarie.syntax
-from dslkit.catalog import Catalog
-from dslkit.diagnostics import Template
 from crosscheck.catalog import CATALOG as CROSSCHECK
 from crosscheck.cli.main import app as crosscheck_app
+from dslkit.catalog import Catalog
+from dslkit.diagnostics import Template
 from ezskiros.catalog import CATALOG as EZSKIROS
 from ezskiros.cli.main import app as ezskiros_app
 from rossmarie.catalog import CATALOG as ROSSMARIE
