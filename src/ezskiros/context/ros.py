@@ -73,7 +73,7 @@ class Messages:
         """Send a snapshot."""
         message = self._messages.SkillContext()
         message.header.stamp = now = self._now()
-        message.export = snapshot.export
+        message.digest = snapshot.digest
         goals = {each.goal for each in snapshot.running}
         self._since = {goal: since for goal, since in self._since.items() if goal in goals}
         message.running = [self._running(each, now) for each in snapshot.running]
@@ -96,11 +96,8 @@ class Messages:
             message.arguments.append(argument)
         for permitted in found.permits:
             permission = self._messages.SkillPermission()
-            permission.kind, permission.limit = permitted.kind, permitted.limit
-            # A word of Python: ROS 1 calls the field `with_`.
-            setattr(
-                permission, "with_" if hasattr(permission, "with_") else "with", permitted.with_
-            )
+            permission.kind, permission.type = permitted.kind, permitted.type
+            permission.limit = permitted.limit
             message.permits.append(permission)
         return message
 

@@ -43,12 +43,12 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class SkillPermission:
-    """A permission for one class of things, `with_`, which is empty of a speed; the `limit` is in
+    """A permission for one class of things, the `type`, which is empty of a speed; the `limit` is in
     SI, not a number without one.
     """
 
     kind: str
-    with_: str
+    type: str
     limit: float
 
 
@@ -65,9 +65,9 @@ class RunningSkill:
 
 @dataclass(frozen=True)
 class Snapshot:
-    """All that runs, in the order of the starts; `export` is the digest of the file of skills."""
+    """All that runs, in the order of the starts; `digest` is that of the file of skills."""
 
-    export: str
+    digest: str
     running: tuple[RunningSkill, ...]
 
 
@@ -76,7 +76,7 @@ def plain(snapshot: Snapshot, start: float = 0.0) -> dict[str, Any]:
     are seconds since `start`.
     """
     return {
-        "export": snapshot.export,
+        "digest": snapshot.digest,
         "running": [
             {
                 "skill": each.skill,
@@ -84,7 +84,7 @@ def plain(snapshot: Snapshot, start: float = 0.0) -> dict[str, Any]:
                 "since": round(each.since - start, 6),
                 "arguments": [_plain_argument(argument) for argument in each.arguments],
                 "permits": [
-                    {"kind": one.kind, "with": one.with_, "limit": _finite(one.limit)}
+                    {"kind": one.kind, "type": one.type, "limit": _finite(one.limit)}
                     for one in each.permits
                 ],
             }
@@ -112,13 +112,13 @@ def _finite(number: float) -> float | None:
 class Snapshots:
     """Makes snapshots. What the ontology says is found out once for each class."""
 
-    def __init__(self, export: str) -> None:
-        self._export = export
+    def __init__(self, digest: str) -> None:
+        self._digest = digest
         self._numbers: dict[tuple[int, tuple[str, ...]], Sequence[tuple[str, str, float]]] = {}
 
     def of(self, running: Iterable[Running]) -> Snapshot:
         """The snapshot of what runs now. Only the thread that ticks may ask for it."""
-        return Snapshot(self._export, tuple(map(self._running, running)))
+        return Snapshot(self._digest, tuple(map(self._running, running)))
 
     def _running(self, found: Running) -> RunningSkill:
         values = found.values()

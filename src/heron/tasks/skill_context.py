@@ -43,14 +43,14 @@ class SkillContext:
         snapshot = self._snapshots.of(self._task.running)
         running = [self._skill(each) for each in snapshot.running]
         header = messages.header(now_ns, "")
-        self._publish(_new("SkillContext", header=header, digest=snapshot.export, running=running))
+        self._publish(_new("SkillContext", header=header, digest=snapshot.digest, running=running))
 
     def _skill(self, found: RunningSkill) -> Message:
         """Its goal gets a name that is the same in each run of an episode."""
         goal = self._goals.setdefault(found.goal, str(len(self._goals) + 1))
         since = messages.instant(round(found.since * 1e9))
         permits = [
-            _new("SkillPermission", kind=each.kind, type=each.with_, limit=each.limit)
+            _new("SkillPermission", kind=each.kind, type=each.type, limit=each.limit)
             for each in found.permits
         ]
         arguments = [_argument(each) for each in found.arguments]

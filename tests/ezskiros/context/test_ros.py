@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 import sys
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
@@ -19,6 +22,7 @@ from ezskiros.context.snapshot import (
 )
 from support.engine import Clock
 
+ROOT = Path(__file__).parents[3]
 SNAPSHOT = Snapshot(
     "digest",
     (
@@ -51,19 +55,32 @@ class Time2:
         self.sec, self.nanosec = 0, 0
 
 
-def messages(with_name: str) -> ModuleType:
-    """The package of messages: plain objects with the fields."""
+PLAIN: Mapping[str, Callable[[], Any]] = {"string": str, "float64": float}
+OTHERS: Mapping[str, Callable[[], Any]] = {
+    "std_msgs/Header": lambda: SimpleNamespace(stamp=None),
+    "time": lambda: None,
+    "builtin_interfaces/Time": lambda: None,
+}
+
+
+def messages(generation: str) -> ModuleType:
+    """The package of messages, of its definitions: objects that have these fields and no others."""
     found: Any = ModuleType("skill_context_msgs.msg")
-
-    def kind(**fields: Any) -> Any:
-        return lambda: SimpleNamespace(**{k: v() for k, v in fields.items()})
-
-    found.SkillContext = kind(header=lambda: SimpleNamespace(stamp=None), export=str, running=list)
-    found.RunningSkill = kind(skill=str, goal=str, since=lambda: None, arguments=list, permits=list)
-    found.SkillArgument = kind(parameter=str, value=str, type=str, number=float, properties=list)
-    found.SkillProperty = kind(property=str, number=float)
-    found.SkillPermission = kind(kind=str, limit=float, **{with_name: str})
+    for path in (ROOT / "ros" / generation / "skill_context_msgs" / "msg").glob("*.msg"):
+        lines = (line.partition("#")[0].split() for line in path.read_text().splitlines())
+        fields = {words[1]: words[0] for words in lines if words}
+        setattr(
+            found, path.stem, partial(_made, type(path.stem, (), {"__slots__": (*fields,)}), fields)
+        )
     return found  # type: ignore[no-any-return]
+
+
+def _made(kind: type, fields: Mapping[str, str]) -> Any:
+    made = kind()
+    for name, its_type in fields.items():
+        make = list if its_type.endswith("[]") else {**PLAIN, **OTHERS}[its_type]
+        setattr(made, name, make())
+    return made
 
 
 @pytest.fixture
@@ -96,7 +113,7 @@ def ros1(
         "rospy": rospy,
         "rosgraph": rosgraph,
         "skill_context_msgs": ModuleType("skill_context_msgs"),
-        "skill_context_msgs_msg": messages("with_"),
+        "skill_context_msgs_msg": messages("ros1"),
     }
 
 
@@ -110,7 +127,7 @@ def test_the_message_of_ros_1_says_all_of_a_snapshot(modules: Any) -> None:
     publish(SNAPSHOT)
     assert begun == ["ezskiros_context"]
     first, second = sent
-    assert (first.export, first.header.stamp.secs) == ("digest", 100)
+    assert (first.digest, first.header.stamp.secs) == ("digest", 100)
     (skill,) = first.running
     assert (skill.skill, skill.goal) == ("Push", "goal-1")
     assert (skill.since.secs, skill.since.nsecs) == (96, 750_000_000)
@@ -125,7 +142,7 @@ def test_the_message_of_ros_1_says_all_of_a_snapshot(modules: Any) -> None:
     assert [(each.property, each.number) for each in thing.properties] == [("skiros.Weight", 1.5)]
     assert (number.type, number.number, number.properties) == ("", 0.3, [])
     (permission,) = skill.permits
-    assert (permission.kind, permission.with_) == ("contact", "skiros.Product")
+    assert (permission.kind, permission.type) == ("contact", "skiros.Product")
     assert math.isnan(permission.limit)
 
 
@@ -149,13 +166,13 @@ def test_the_message_of_ros_2(modules: Any) -> None:
     modules(
         rclpy=rclpy,
         skill_context_msgs=ModuleType("skill_context_msgs"),
-        skill_context_msgs_msg=messages("with"),
+        skill_context_msgs_msg=messages("ros2"),
     )
     clock.seconds = 10.0
     connect(clock)(SNAPSHOT)
     (skill,) = sent[0].running
     assert (skill.since.sec, skill.since.nanosec) == (0, 0), "no time is before 0"
-    assert getattr(skill.permits[0], "with") == "skiros.Product"
+    assert skill.permits[0].type == "skiros.Product"
 
 
 def test_what_is_missing_is_told(modules: Any) -> None:

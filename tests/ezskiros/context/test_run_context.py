@@ -149,7 +149,7 @@ def test_the_trace_has_what_runs(whiteboard: Path) -> None:
     lines = [json.loads(line) for line in (whiteboard / "trace.jsonl").read_text().splitlines()]
     contexts = [each for each in lines if each["event"] == "context"]
     digest = json.loads((whiteboard / "skills.json").read_text())["digest"]
-    assert {each["export"] for each in contexts} == {digest}
+    assert {each["digest"] for each in contexts} == {digest}
     names = [[skill["skill"] for skill in each["running"]] for each in contexts]
     assert names[0] == names[-1] == []
     for child in ("Drive", "Reach", "Wipe"):
@@ -161,7 +161,7 @@ def test_the_trace_has_what_runs(whiteboard: Path) -> None:
     board: dict[str, Any] = next(each for each in wipe["arguments"] if each["parameter"] == "Board")
     assert (board["type"], board["value"]) == ("office.GlassBoard", "office:GlassBoard-6")
     assert {"property": "office.Withstands", "number": 30.0} in board["properties"]
-    assert {"kind": "force", "with": "office.GlassBoard", "limit": 20.0} in wipe["permits"]
+    assert {"kind": "force", "type": "office.GlassBoard", "limit": 20.0} in wipe["permits"]
     assert all(
         0 <= each["since"] <= context["time"] for context in contexts for each in context["running"]
     )

@@ -78,7 +78,7 @@ def test_arguments_have_their_values_types_and_numbers(tmp_path: Path) -> None:
 
 def test_permissions_are_those_of_what_it_has(tmp_path: Path) -> None:
     permits = [
-        (each["kind"], each["with"], each["limit"]) for each in told(pushing(tmp_path))["permits"]
+        (each["kind"], each["type"], each["limit"]) for each in told(pushing(tmp_path))["permits"]
     ]
     assert permits == [
         ("contact", "skiros.Product", None),
@@ -93,7 +93,7 @@ def test_a_thing_has_the_lowest_of_its_classes(tmp_path: Path) -> None:
     found = told(pushing(tmp_path, SCENE, *given))
     types = [each["type"] for each in found["arguments"] if each["parameter"] == "Goal"]
     assert types == ["skiros.Container"]
-    assert ("contact", "skiros.Container") in [(p["kind"], p["with"]) for p in found["permits"]]
+    assert ("contact", "skiros.Container") in [(p["kind"], p["type"]) for p in found["permits"]]
 
 
 def test_a_thing_of_two_classes_is_told_twice(tmp_path: Path) -> None:
@@ -102,7 +102,7 @@ def test_a_thing_of_two_classes_is_told_twice(tmp_path: Path) -> None:
     found = told(pushing(tmp_path, prefix + scene))
     types = [each["type"] for each in found["arguments"] if each["parameter"] == "Object"]
     assert types == ["skiros.Product", "sumo.Device"]
-    contacts = [each["with"] for each in found["permits"] if each["kind"] == "contact"]
+    contacts = [each["type"] for each in found["permits"] if each["kind"] == "contact"]
     assert contacts == ["skiros.Product"], "a permission is not for all of either class"
 
 
@@ -138,7 +138,7 @@ def test_two_snapshots_of_the_same_are_equal(tmp_path: Path) -> None:
     snapshots = Snapshots("digest")
     first, second = snapshots.of(task.setting.running), snapshots.of(task.setting.running)
     assert first == second
-    assert first.export == "digest"
+    assert first.digest == "digest"
     assert math.isnan(asdict(first)["running"][0]["arguments"][0]["number"])
 
 
