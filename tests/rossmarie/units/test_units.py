@@ -158,6 +158,14 @@ def test_any_text_is_a_unit_or_refused_with_units_as_suggestions(text: str) -> N
             parse_unit(suggestion)
 
 
+def test_what_is_suggested_has_temperatures_in_kelvin() -> None:
+    with pytest.raises(UnknownUnitError) as caught:
+        parse_unit("C/H")
+    assert caught.value.suggestions
+    for suggestion in caught.value.suggestions:
+        parse_unit(suggestion)
+
+
 def test_scales_are_rounded_once() -> None:
     pi = Fraction("3.14159265358979323846264338327950288")
     for text, exact in {"rpm": pi / 30, "deg/h": pi / 180 / 3600, "km/h": Fraction(10, 36)}.items():
