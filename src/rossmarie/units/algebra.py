@@ -7,7 +7,7 @@ integers and rounded once, so `km/h`, `deg/s` and the like are the doubles neare
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import cache, lru_cache
 
 from rossmarie.units.model import (
@@ -92,20 +92,19 @@ def _parse(text: str) -> Factors:
         match = _FACTOR.fullmatch(part)
         known = _expand(match["symbol"]) if match else None
         if match is None or known is None:
-            raise UnknownUnitError(text, part or text, tuple(_suggested(text)))
+            near = [each for found in suggest(text, _is_unit) for each in _in_kelvin(found)]
+            raise UnknownUnitError(text, part or text, tuple(near))
         _add(factors, known, sign * int(match["exponent"] or 1))
     return factors
 
 
-def _suggested(text: str) -> Iterator[str]:
-    """Units that resemble an unknown one; temperatures in products are in kelvin."""
-    for near in suggest(text, _is_unit):
-        try:
-            parse_unit(near)
-        except UnknownUnitError as error:
-            yield from error.suggestions
-        else:
-            yield near
+def _in_kelvin(unit: str) -> tuple[str, ...]:
+    """The unit, or what it is with temperatures in kelvin where these stand in a product."""
+    try:
+        parse_unit(unit)
+    except UnknownUnitError as error:
+        return error.suggestions
+    return (unit,)
 
 
 def _is_unit(text: str) -> bool:
