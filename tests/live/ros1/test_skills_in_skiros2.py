@@ -1,0 +1,179 @@
+"""Rules that know which skills run in real SkiROS2: an exemption ends with the skill manager."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from ezskiros.hosts.owl_files import owl_files
+from ezskiros.ontology import load
+from rossmarie.driver import compile_file
+from support import command_line
+from support.live import LIMIT, Ears, Process, talking, until
+from support.ontologies import HALL
+from support.parts import SKIROS2, needs
+from support.ros1_live import Ros1, set_parameters
+
+ROOT = Path(__file__).parents[3]
+START = ROOT / "tests" / "support" / "skiros2_start.py"
+MESSAGES = ROOT / "ros" / "ros1" / "skill_context_msgs"
+TIMEOUT = 0.5
+"""Seconds after which the rules give up a context: five periods of it."""
+SOON = 0.5
+"""Seconds in which a node on a busy machine says what it has noticed."""
+
+SKILLS = """
+from pathlib import Path
+
+from ezskiros import SkillDescription, contact, force
+from ezskiros.ontology import load
+
+world = load(Path(__file__).parents[1] / "ontology")
+
+
+class Push(SkillDescription):
+    def description(self, Object: world.skiros.Product):
+        self.permits += contact(Object)
+        self.permits += force(Object, "30 N")
+
+
+class push(Push.SkillBase):
+    def execute(self):
+        return self.step("pushing")
+
+    def onPreempt(self):
+        return self.fail("stopped")
+"""
+RULES = """
+skills "skills.json";
+input force = topic /force : std_msgs/Float64 in N timeout 3 sec;
+action halt { block /cmd_vel : geometry_msgs/Twist; }
+rule contact: if force > 5 N then { halt; }
+    unless doing Push then if force > 30 N then { halt; };
+"""
+
+
+@pytest.fixture(scope="module")
+def robot(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a robot: its ontology and scene, its skills, their export, and its rules."""
+    return made(tmp_path_factory.mktemp("pushing"))
+
+
+def made(folder: Path) -> Path:
+    shutil.copytree(HALL, folder / "ontology")
+    shutil.copy(HALL.parent / "lab.turtle", folder)
+    library = folder / "pushing_skills"
+    library.mkdir()
+    (library / "__init__.py").write_text("")
+    (library / "motions.py").write_text(SKILLS)
+    (folder / "pushing.ross").write_text(RULES)
+    host = 'from ezskiros.hosts.skiros2 import host\n\nhost(__name__, context="../skills.json")\n'
+    (library / "__init__.py").write_text(host)
+    command = ("export", "pushing_skills", "-o", "skills.json")
+    done = command_line.run("ezskiros", *command, folder=folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    files, found = owl_files(load(folder / "ontology", relations=False))
+    assert found == []
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return folder
+
+
+pytestmark = [needs(SKIROS2)]
+
+
+class SkiROS2:
+    """A world model and a skill manager, in processes of their own; all that was `started`."""
+
+    def __init__(self, ros: Ros1, robot: Path, log: Path, started: list[Process]) -> None:
+        self._ros, self._log, self._started = ros, log, started
+        own = {key: ros.variables[key] for key in ("ROS_MASTER_URI", "ROS_IP", "ROS_LOG_DIR")}
+        paths = [ros.variables["PYTHONPATH"], str(robot), os.environ["PYTHONPATH"], *sys.path]
+        self.variables = {**os.environ, **own, "PYTHONPATH": ":".join(filter(None, paths))}
+        set_parameters(
+            ros.variables,
+            "wm",
+            {"workspace_dir": str(robot), "init_scene": "lab.turtle"},
+            use_sim_time=False,
+        )
+        self._node("skiros2_world_model", "world_model_server_node", "wm")
+        self.begin()
+
+    def begin(self) -> None:
+        """Start the skill manager, and Push in it."""
+        values = {
+            "prefix": "skiros",
+            "verbose": False,
+            "libraries_list": ["pushing_skills"],
+            "skill_list": ["push"],
+        }
+        set_parameters(self._ros.variables, "heron", values, use_sim_time=False)
+        self.manager = self._node("skiros2_skill", "skill_manager_node", "heron")
+        command = [sys.executable, str(START), "/heron", "push", "Object=cable"]
+        starter = Process(command, self.variables, self._log / "starter.log", talking)
+        self._started.append(starter)
+        until(lambda: "started" in starter.said(), "Push starts")
+
+    def _node(self, package: str, program: str, name: str) -> Process:
+        folders = [Path(each) for each in os.environ["ROS_PACKAGE_PATH"].split(":")]
+        path = next(
+            each / package / "nodes" / program for each in folders if (each / package).is_dir()
+        )
+        command = [sys.executable, str(path), f"__name:={name}"]
+        node = Process(command, self.variables, self._log / f"{name}.log", talking)
+        self._started.append(node)
+        return node
+
+
+@pytest.fixture
+def skiros2(ros1: Ros1, robot: Path, tmp_path: Path, started: list[Process]) -> SkiROS2:
+    ros1.prepare([MESSAGES, compile_file(robot / "pushing.ross").machine])
+    return SkiROS2(ros1, robot, tmp_path, started)
+
+
+@pytest.fixture
+def node(ros1: Ros1, skiros2: SkiROS2, robot: Path, started: list[Process]) -> Ears:
+    """The guard; it feels 20 N."""
+    (program,) = ros1.prepare([compile_file(robot / "pushing.ross").machine])
+    started.append(ros1.publish(20, "/force", "std_msgs/Float64", "data: 20.0"))
+    ears = ros1.ears("/pushing_safety/state", "pushing_safety/State")
+    started.append(ears)
+    started.append(ros1.begin(program, {"patience": LIMIT}))
+    return ears
+
+
+def active(node: Ears) -> set[str]:
+    return set((node.last("/pushing_safety/state") or {}).get("active", ()))
+
+
+def becomes(node: Ears, rules: set[str]) -> float:
+    """Seconds until these rules are active, and no others."""
+    start = time.monotonic()
+    until(lambda: active(node) == rules, f"{rules}, not {active(node)}")
+    return time.monotonic() - start
+
+
+@pytest.mark.parametrize("how", ["killed", "stopped"])
+def test_an_exemption_ends_with_the_skill_manager(
+    how: str,
+    ros1: Ros1,  # who was killed is forgotten after the test
+    skiros2: SkiROS2,
+    node: Ears,
+) -> None:
+    becomes(node, {"contact_doing_Push"})
+    if how == "killed":
+        skiros2.manager.end()
+    else:
+        os.killpg(skiros2.manager.running.pid, signal.SIGSTOP)
+    assert becomes(node, {"contact"}) < TIMEOUT + SOON
+    if how == "killed":
+        skiros2.begin()
+    else:
+        os.killpg(skiros2.manager.running.pid, signal.SIGCONT)
+    becomes(node, {"contact_doing_Push"})
