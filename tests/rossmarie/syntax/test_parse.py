@@ -44,15 +44,20 @@ def shape(node: ast.Expression) -> str:
             return f"{type(node).__name__}({inside})"
         case ast.ListFold(function=function, variable=variable):
             return f"{function.text}({variable.text} in {inside})"
-        case ast.Doing(skill=skill, arguments=arguments):
-            limits = (f"{each.parameter.text}: {each.kind.text}" for each in arguments)
-            return f"doing {skill.text}({', '.join(limits)})"
-        case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():
+        case (
+            ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Doing()
+            | ast.Broken()
+        ):  # fmt: skip
             return leaf(node)
 
 
-def leaf(node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Broken) -> str:
+def leaf(
+    node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Doing | ast.Broken,
+) -> str:
     match node:
+        case ast.Doing(skill=skill, arguments=arguments):
+            limits = (f"{each.parameter.text}: {each.kind.text}" for each in arguments)
+            return f"doing {skill.text}({', '.join(limits)})"
         case ast.Number(value=value, unit=unit):
             return f"{value:g}{unit.text if unit else ''}"
         case ast.Boolean(value=value):
