@@ -1,8 +1,8 @@
 """The code that the documentation shows: rules are checked, Python and commands are run.
 
-Each page has a folder of its own, with the examples of the project in it. A block with a name
-behind its language (a fence that says `ross arm.ross`) is saved there under that name. The commands
-of this project and Python run there, all others are taken on trust.
+Each page has a folder of its own, with the examples of the project and files of skills in it. A
+block with a name behind its language (a fence that says `ross arm.ross`) is saved there under that
+name. The commands of this project and Python run there, all others are taken on trust.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from rossmarie.driver import check_file
 from support import expectations, transcript
 from support.checking import compare_file
 from support.markdown import Block, blocks
+from support.rule_skills import put_skills
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
@@ -34,6 +35,7 @@ def test_the_examples_of_a_page_work(page: Path, tmp_path: Path) -> None:
     text = page.read_text(encoding="utf-8")
     folder = tmp_path / "project"
     shutil.copytree(ROOT / "examples", folder / "examples")
+    put_skills(folder)
     for block in blocks(text):
         problems = check_block(block, folder)
         assert not problems, f"{name(page)}:{block.line}: " + "\n".join(problems)

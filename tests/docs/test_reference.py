@@ -27,6 +27,7 @@ from rossmarie.ir import MOST_EVALUATIONS
 from rossmarie.syntax import limits
 from rossmarie.syntax.words import RESERVED
 from support.markdown import Block, blocks, replace_block
+from support.rule_skills import put_skills
 
 DOCS = Path(__file__).parents[2] / "docs"
 LANGUAGE = DOCS / "reference" / "language.md"
@@ -67,6 +68,7 @@ def programs() -> list[Block]:
 
 
 def test_the_programs_of_the_page_have_no_findings_at_all(tmp_path: Path) -> None:
+    put_skills(tmp_path)
     for block in programs():
         path = tmp_path / (block.name or "rules.ross")
         path.write_text(block.text, encoding="utf-8")

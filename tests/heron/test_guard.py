@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +12,11 @@ from heron import messages
 from heron.guard import InProcessGuard, UnsupportedEffectError
 from heron.topics import Topic
 from rossmarie.ir import OrderKind
+from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext
 from support.guarding import UNFILTERED, Guarded
 
 SECOND = 1_000_000_000
+SKILLFUL = Path(__file__).parents[1] / "fixtures" / "skillful"
 _TYPES = {"scan": "sensor_msgs/LaserScan", "mode": "std_msgs/String", "lamp": "std_msgs/Bool"}
 HEAD = """
 system robot {
@@ -193,3 +196,21 @@ def test_a_message_that_starts_a_time_is_followed_when_that_is_over(tmp_path: Pa
     assert [verdict.at_ns for verdict in guard.verdicts] == [SECOND // 5 + 30_000_000]
     assert guard.active == ("r",)
     assert guard.due_ns > guarded.now_ns
+
+
+def test_rules_know_which_skills_run(tmp_path: Path) -> None:
+    shutil.copytree(SKILLFUL, tmp_path, dirs_exist_ok=True)
+    rules = """
+    skills "skills.json" timeout 1 sec;
+    rule r: if speed > 1 m/s then { stop; } unless doing Push(Object: Fragile) then { slow; };
+    """
+    guarded, guard = started(tmp_path, rules)
+    context = Topic("/skill_context", "skill_context_msgs/SkillContext")
+    glass = SkillArgument("Object", type="skiros.Glass")
+    running = (RunningSkill("Push", (glass,)),)
+    guarded.publish(context, SkillContext(f"c0ffee{'0' * 58}", running))
+    guarded.speed(2.0)
+    assert guard.active == ("r_doing_Push",)
+    guarded.pass_time(guard, SECOND // 2, lambda: guarded.speed(2.0))
+    guarded.publish(context, SkillContext("", running))
+    assert "r" in guard.active

@@ -18,6 +18,7 @@ from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.once import once_each
+from rossmarie.analysis.quantities import is_quantity, quantity_facts
 from rossmarie.analysis.state import shape_facts
 from rossmarie.analysis.terms import (
     FALSE,
@@ -259,11 +260,16 @@ class Course:
 
     @property
     def calm(self) -> list[z3.BoolRef]:
-        """The facts of a course on which every sensor sends what it measures."""
+        """The facts of a course on which every sensor sends what it measures. What only a skill
+        has is known only while that runs.
+        """
         found = []
+        machine = self.asked.machine
         for leg in self.legs:
             found += list(leg.sends.values())
-            found += [number.known for number in leg.slots.values()]
+            found += [
+                number.known for slot, number in leg.slots.items() if not is_quantity(machine, slot)
+            ]
             found += [cells[0].is_there for cells in leg.cells.values()]
         return found
 
@@ -338,6 +344,7 @@ class Course:
         found = self._skill_facts(leg)
         for index, number in leg.slots.items():
             found += slot_facts(machine, machine.slots[index], number.value, rounded=False)
+        found += quantity_facts(machine, leg.slots)
         for index, cells in leg.cells.items():
             found += shape_facts(cells)
             for cell in cells:

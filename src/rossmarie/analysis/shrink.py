@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from rossmarie.analysis.draft import Draft, DraftLeg, Knob, witness_of
+from rossmarie.analysis.quantities import is_quantity
 from rossmarie.analysis.witness import Claim, View, Witness, views
 from rossmarie.ir import AgeReaches, Count, Fold, Held, Kind, Machine, Read, supports
 from rossmarie.ir.carried import carries
@@ -50,6 +51,7 @@ class Replays:
             math.isnan(view.signals[index]) and self._channels[index] <= channels
             for index, signal in enumerate(self._machine.signals)
             if isinstance(signal.node, Read | Fold | Count)
+            and not (isinstance(signal.node, Read) and is_quantity(self._machine, signal.node.slot))
         )
 
 

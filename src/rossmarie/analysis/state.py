@@ -16,6 +16,7 @@ from rossmarie import ir
 from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.encoding import Cell, Encoding, Questioned
 from rossmarie.analysis.fields import limit_facts, slot_facts
+from rossmarie.analysis.quantities import quantity_facts
 from rossmarie.analysis.terms import Fact, Number, choice, free_fact, literal
 from rossmarie.ir import TruthValue
 
@@ -48,6 +49,9 @@ class ArbitraryState(Encoding):
             self.facts += self._calls.facts(slot, value)
             self.facts.append(z3.Implies(known, self.is_fresh(slot.input)))
             self._slots[index] = Number(known, value)
+            for other, number in self._slots.items():
+                pair = {index: self._slots[index], other: number}
+                self.facts += quantity_facts(self.machine, pair)
         return self._slots[index]
 
     def cells(self, array: int) -> Sequence[Cell]:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TypeAlias
+from typing import TypeAlias, cast
 
 import numpy as np
 
+from rossmarie.engines.questions import Questions
 from rossmarie.ir import (
     AXES,
     EACH,
@@ -25,13 +26,16 @@ from rossmarie.ir import (
 )
 from rossmarie.ir.carried import holds_flags
 from rossmarie.ir.clouds import Cloud, UnreadableCloudError, columns, is_cloud, leave_out
+from rossmarie.ir.skills import SkillMessage
 
 Value: TypeAlias = (
-    float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud | None
-)
+    float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud
+    | SkillMessage | None
+)  # fmt: skip
 """The content of a message field: a number, a flag, a string, the elements of an array, or those of
 a list of messages, as dictionaries or objects; None is a list of which nothing is known. The points
-of a cloud may also be given as the message that has them.
+of a cloud may also be given as the message that has them, and the answers of skills as the message
+that tells which of them run.
 """
 
 _WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
@@ -40,12 +44,14 @@ _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
 class NamedValues:
     """The names of one machine. Fields go by the names of inputs: `speed`, `orientation.x`; an
-    input of which rules read only the age is named by itself.
+    input of which rules read only the age is named by itself. What skills are asked goes by its
+    words, `doing Push`, for all inputs that ask it.
     """
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self.slots, self.arrays = (_by_name(names) for names in field_names(machine))
+        self.questions = Questions(machine)
         self.lists = _by_name(list_names(machine))
         self.arrivals = arrival_names(machine)
         self._clouds = point_columns(machine)
@@ -59,7 +65,10 @@ class NamedValues:
         slots: dict[int, dict[int, float]] = {}
         arrays: dict[int, dict[int, Sequence[float]]] = {}
         for name, value in values.items():
-            if name in self.slots:
+            if answers := self._answers(name, value):
+                channel = self._channel(self._machine.slots[next(iter(answers))].input)
+                slots.setdefault(channel, {}).update(answers)
+            elif name in self.slots:
                 index = self.slots[name]
                 channel = self._channel(self._machine.slots[index].input)
                 slots.setdefault(channel, {})[index] = self._number(index, value)
@@ -83,6 +92,13 @@ class NamedValues:
             for channel in slots.keys() | arrays.keys()
         }
 
+    def _answers(self, name: str, value: Value) -> dict[int, float]:
+        """Answers of skills, by slot, where these are named: by the topic, or by one question."""
+        if self.questions.is_context(name, value):
+            return self.questions.answers(name, cast("SkillMessage", value))
+        asked = self.questions.named.get(name, ())
+        return {index: self._number(index, value) for index in asked}
+
     def shortest(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
         """The shortest name of each slot, and of each array."""
         slots, arrays = (
@@ -102,7 +118,9 @@ class NamedValues:
 
     def unknown(self, name: str) -> str:
         """The words for a name that nothing reads."""
-        near = near_name(name, (*self.slots, *self.arrays, *self.lists, *self.arrivals))
+        near = near_name(
+            name, (*self.questions.named, *self.slots, *self.arrays, *self.lists, *self.arrivals)
+        )
         return f"no rule reads `{name}`" + (f"; did you mean `{near}`?" if near else "")
 
     def _channel(self, used: int) -> int:

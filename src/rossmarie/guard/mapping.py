@@ -5,7 +5,8 @@
 
 A number goes by its index, an array by a slice, with a unit behind it if it is not that of the
 message; None is a field that the arrays do not have. An array whose elements have declared names
-goes by a slice as well, or element by element: `efforts.elbow`.
+goes by a slice as well, or element by element: `efforts.elbow`. What skills are asked goes by its
+words, `doing Push(Object: Fragile)`, and is 1 or 0.
 """
 
 from __future__ import annotations
@@ -137,6 +138,9 @@ class ArrayMapping:
         for slot, listed in whole.items():
             part = self._slot_part(slot, name, unit)
             _enter(self._slots, slot, _Entry(name, index, part, listed=listed))
+        asked = values.questions.named.get(name, ())
+        for slot in asked:
+            _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         if name in values.slots and not whole:
             slot = values.slots[name]
             if machine.slots[slot].kind is Kind.TEXT and place is not None:
@@ -154,7 +158,7 @@ class ArrayMapping:
             _enter(self._arrays, values.arrays[name], _Entry(name, index, part, is_array=True))
         elif name in values.arrivals:
             self._arrivals[values.arrivals[name]] = place is not None
-        elif not whole:
+        elif not whole and not asked:
             raise MappingError(values.unknown(name))
 
     def _slot_part(self, index: int, name: str, unit: str | None) -> Part:
@@ -166,12 +170,15 @@ class ArrayMapping:
     def _require_all(self) -> None:
         """Every field that rules read is declared."""
         slots, arrays = self._values.shortest()
-        missing = [name for index, name in enumerate(slots) if index not in self._slots]
+        words = self._values.questions.words
+        missing = [
+            words(index) or name for index, name in enumerate(slots) if index not in self._slots
+        ]
         missing += [name for index, name in enumerate(arrays) if index not in self._arrays]
         arrivals = self._values.arrivals.items()
         missing += [name for name, channel in arrivals if channel not in self._arrivals]
         if missing:
-            listed = ", ".join(f"`{name}`" for name in missing)
+            listed = ", ".join(f"`{name}`" for name in dict.fromkeys(missing))
             raise MappingError(
                 f"rules read {listed}, which `observe` lacks (None: it is never observed)"
             )

@@ -16,7 +16,15 @@ from rossmarie.ir.explain import (
     explain,
 )
 from rossmarie.ir.feedback import Feedback, Margin
-from rossmarie.ir.filing import SUBJECTS, TASKS, Category, Hazard, LeftOut, is_selected
+from rossmarie.ir.filing import (
+    SUBJECTS,
+    TASKS,
+    Category,
+    Exemption,
+    Hazard,
+    LeftOut,
+    is_selected,
+)
 from rossmarie.ir.learning import below_margins, margins_of, without_margins
 from rossmarie.ir.limits import (
     EARLIEST_NS,
@@ -40,7 +48,6 @@ from rossmarie.ir.model import (
     Constant,
     Count,
     Element,
-    Exemption,
     Flag,
     Fold,
     Folding,

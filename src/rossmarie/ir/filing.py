@@ -1,4 +1,5 @@
-"""The purpose of rules: the categories that they are filed under, the hazards that they mitigate.
+"""The purpose of rules: the categories that they are filed under, the hazards that they mitigate,
+and the exemptions that they stand for.
 
 No monitor heeds any of it. A selection of categories makes a machine of the rules that fit.
 """
@@ -54,3 +55,15 @@ class Hazard:
     text: str
     documentation: str | None
     span: Span
+
+
+@dataclass(frozen=True)
+class Exemption:
+    """A rule that is active while another one is not applied: `rule` is the name of that one,
+    `doing` the skill that runs meanwhile, as in `doing Push(Object: Fragile)`, and `permits` what
+    the description of the skill permits, in words.
+    """
+
+    rule: str
+    doing: str
+    permits: tuple[str, ...]

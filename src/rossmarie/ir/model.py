@@ -19,7 +19,7 @@ from dslkit.source import Span
 from rossmarie.core import Function, Sampling
 from rossmarie.ir.calls import SkillCall
 from rossmarie.ir.feedback import NO_FEEDBACK, Feedback
-from rossmarie.ir.filing import Category, Hazard, LeftOut
+from rossmarie.ir.filing import Category, Exemption, Hazard, LeftOut
 from rossmarie.ir.path import Path
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.signs import Comparison
@@ -327,18 +327,6 @@ class Truth:
 
 
 # --- rules -----------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class Exemption:
-    """A rule that is active while another one is not applied: `rule` is the name of that one,
-    `doing` the skill that runs meanwhile, as in `doing Push(Object: Fragile)`, and `permits` what
-    the description of the skill permits, in words.
-    """
-
-    rule: str
-    doing: str
-    permits: tuple[str, ...]
 
 
 @dataclass(frozen=True)

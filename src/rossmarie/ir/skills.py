@@ -11,7 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Protocol
 
 from rossmarie.ir.path import Doing, Quantity, SkillStep
 
@@ -60,15 +60,25 @@ class SkillContext:
     running: tuple[RunningSkill, ...] = ()
 
 
-Context = Any
-"""A message of unknown origin, or a `SkillContext`."""
+class SkillMessage(Protocol):
+    """A `skill_context_msgs/SkillContext` as libraries of ROS have it, or a `SkillContext`. What is
+    in it may be of any type.
+    """
+
+    @property
+    def digest(self) -> str:
+        """The digest of the export that the skills are from."""
+
+    @property
+    def running(self) -> Sequence[Any]:
+        """The skills that run."""
 
 
 class _UnreadableError(Exception):
     """A message is not as its definition says, or too large."""
 
 
-def answer(step: SkillStep, context: Context) -> float:
+def answer(step: SkillStep, context: SkillMessage) -> float:
     """The answer of a context to a question: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
     the message has it; NaN if nobody knows.
     """

@@ -108,7 +108,7 @@ def _verify_question(slot: ir.Slot, where: str) -> None:
             parameters = tuple(parameter for parameter, _ in arguments)
             require(parameters == tuple(sorted(set(parameters))), where, "unsorted parameters")
         case (Quantity(skills=skills),):
-            require(slot.kind is ir.Kind.REAL, where, f"a quantity of the kind {slot.kind.value}")
+            require(slot.kind is not ir.Kind.TEXT, where, "a quantity that is a text")
             require(_is_choice(skills), where, "names that are not sorted, or none")
         case _:  # open: other paths ask no skills
             require(not _asks_skills(slot.path), where, "a question to skills inside a message")

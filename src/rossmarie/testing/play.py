@@ -216,6 +216,8 @@ class _Sender:
         last = path[-1] if path else ""
         if isinstance(last, Doing):
             return answer(last, SkillContext(last.export, self.running.get(topic, ())))
+        if isinstance(last, Quantity) and not self._is_of_one_skill(topic, last):
+            return None
         if isinstance(last, int | Listed):
             whole = self.values.get((topic, path[:-1]))
             elements = whole if isinstance(whole, tuple) else ()
@@ -224,6 +226,12 @@ class _Sender:
         # A message without a name has no element of that name; without skills, no quantity.
         is_lacking = isinstance(last, ByName | Quantity)
         return self.values.get((topic, path), None if is_lacking else _UNSET)
+
+    def _is_of_one_skill(self, topic: str, asked: Quantity) -> bool:
+        """Say whether there can be a quantity: one skill runs that has it, or nobody says which."""
+        if topic not in self.running:
+            return True
+        return sum(each.skill in asked.skills for each in self.running[topic]) == 1
 
 
 _UNSET = object()

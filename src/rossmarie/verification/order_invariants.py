@@ -142,7 +142,7 @@ class OrderInvariants:
     def _own(self) -> Iterator[tuple[int, str]]:
         """For each rule: whether `task` is one of its own."""
         for rule, plan in enumerate(self._found.plans):
-            yield rule, f"({' || '.join(f'task == {each}' for each in plan.tasks)})"
+            yield rule, f"({' || '.join(f'task == {each}' for each in plan.tasks) or '0'})"
 
     def escalated(self) -> Iterator[Sentence]:
         """By what follows from failures: but what follows them, and what is told of them."""

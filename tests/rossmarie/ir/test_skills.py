@@ -166,7 +166,7 @@ BACKWARDS = (("b", ("x",)), ("a", ("x",)))
     ("path", "kind", "said"),
     [
         ((PUSH,), REAL, "an answer of the kind real"),
-        ((DEPTH,), FLAG, "a quantity of the kind flag"),
+        ((DEPTH,), ir.Kind.TEXT, "a quantity that is a text"),
         (("data", PUSH), FLAG, "a question to skills inside a message"),
         ((replace(PUSH, skills=()),), FLAG, NOT_SORTED),
         ((replace(WEIGHT, skills=("b", "a")),), REAL, NOT_SORTED),

@@ -44,12 +44,20 @@ def shape(node: ast.Expression) -> str:
             return f"{type(node).__name__}({inside})"
         case ast.ListFold(function=function, variable=variable):
             return f"{function.text}({variable.text} in {inside})"
-        case ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Broken():
+        case (
+            ast.Number() | ast.Boolean() | ast.Text() | ast.Reference() | ast.Doing()
+            | ast.Broken()
+        ):  # fmt: skip
             return leaf(node)
 
 
-def leaf(node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Broken) -> str:
+def leaf(
+    node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Doing | ast.Broken,
+) -> str:
     match node:
+        case ast.Doing(skill=skill, arguments=arguments):
+            limits = (f"{each.parameter.text}: {each.kind.text}" for each in arguments)
+            return f"doing {skill.text}({', '.join(limits)})"
         case ast.Number(value=value, unit=unit):
             return f"{value:g}{unit.text if unit else ''}"
         case ast.Boolean(value=value):
@@ -68,6 +76,14 @@ def leaf(node: ast.Number | ast.Boolean | ast.Text | ast.Reference | ast.Broken)
         ("a or b and c or d", "(or (or a (and b c)) d)"),
         ("not a and b", "(and (not a) b)"),
         ("not x for 2 sec", "(for (not x) 2sec)"),
+        ("not doing A and b", "(and (not doing A()) b)"),
+        ("doing A since doing B for 2 sec", "(for (since doing A() doing B()) 2sec)"),
+        ("doing A(X: n.C, Y : D) or doing", "(or doing A(X: n.C, Y: D) doing)"),
+        ("doing since b and within", "(and (since doing b) within)"),
+        ("doing since", "doing since()"),
+        ("doing.x > doing", "(> doing.x doing)"),
+        ("once doing A within 2 sec", "(once doing A() 2sec)"),
+        ("after doing A, doing in x within 2 sec", "(after doing A() (in doing x) 2sec)"),
         ("a for 2 sec and b", "(and (for a 2sec) b)"),
         ("a and b for 2 sec", "(and a (for b 2sec))"),
         ("(a and b) for 2 sec", "(for <(and a b)> 2sec)"),

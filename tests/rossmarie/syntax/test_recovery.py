@@ -68,7 +68,7 @@ def test_a_readable_name_stays_declared(parsed: Parsed, text: str, kind: type[as
     assert len(found) == 1
     (item,) = module.items
     assert isinstance(item, kind)
-    assert not isinstance(item, ast.Import | ast.Priority | ast.Test)
+    assert not isinstance(item, ast.Import | ast.Priority | ast.Skills | ast.Test)
     assert item.name is not None
     assert (item.name.text, item.documentation) == ("a", "about it")
 

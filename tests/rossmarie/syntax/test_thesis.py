@@ -21,7 +21,7 @@ def test_every_example_parses(accepted: Callable[[str], ast.Module], path: Path)
 def names(module: ast.Module) -> list[str]:
     found = []
     for item in module.items:
-        if not isinstance(item, ast.Import | ast.Rule | ast.Priority | ast.Test):
+        if not isinstance(item, ast.Import | ast.Rule | ast.Priority | ast.Skills | ast.Test):
             found.append(item.name.text)
         if isinstance(item, ast.Entity):
             found += [f"{item.name.text}.{condition.name.text}" for condition in item.conditions]

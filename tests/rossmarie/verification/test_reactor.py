@@ -8,6 +8,7 @@ from rossmarie.driver.verifying import Questions, questions_of
 from rossmarie.verification.prover import Prover, Verdict
 from support.depth import deep
 from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
+from support.rule_skills import FILE
 from support.small_rules import AT_ONCE, BOUNDED, LATE, OVERRULED
 
 
@@ -43,6 +44,21 @@ def failing(tmp_path_factory: pytest.TempPathFactory) -> Questions:
 
 
 @pytest.fixture(scope="module")
+def exempted(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+    """About rules with scopes and exemptions, one of which does nothing."""
+    path = tmp_path_factory.mktemp("exempted") / "small.ross"
+    path.write_text(f'''
+        skills "{FILE}";
+        action stop {{ block /cmd_vel : geometry_msgs/Twist; }}
+        input force = topic /force : std_msgs/Float32 in N timeout 0.5 sec;
+        rule contact: if force > 5 N then {{ stop; }}
+            unless doing Push(Object: Fragile) then if force > 20 N then {{ stop; }};
+        rule near: if force > 3 N while doing Drive then {{ stop; }};
+    ''')
+    return questions_of(path)
+
+
+@pytest.fixture(scope="module")
 def prover() -> Prover:
     return real_prover()
 
@@ -58,6 +74,14 @@ def test_the_reactor_is_what_reactions_mean(
     prover: Prover, questions: Questions, name: str
 ) -> None:
     found = proofs_of_reactor(prover, questions, *NO_CHANGE, f"reactor_{name}")
+    assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
+
+
+@pytest.mark.parametrize(
+    "name", ["next_wake", *deep(["start", "settle", "react", "append_started", "report"])]
+)
+def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Questions, name: str) -> None:
+    found = proofs_of_reactor(prover, exempted, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
