@@ -53,12 +53,12 @@ class Robot:
 
     def tell(
         self, at_s: float, *skills: RunningSkill, force: float | None = None, digest: str = DIGEST
-    ) -> None:
+    ) -> tuple[ir.Event, ...]:
         """A message that tells which skills run, and with `force` one of that as well."""
         messages = {self._channel("/skill_context"): self._answers(SkillContext(digest, skills))}
         if force is not None:
             messages |= self._force(force)
-        self.monitor.update(_ns(at_s), messages)
+        return tuple(self.monitor.update(_ns(at_s), messages))
 
     def feel(self, at_s: float, force: float) -> None:
         """A message about the force alone."""

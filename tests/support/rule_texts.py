@@ -4,18 +4,26 @@ from __future__ import annotations
 
 from hypothesis import strategies as st
 
+from support.rule_skills import FILE
+
 numbers = st.sampled_from(("0.3", "0.5", "1", "1.5", "2", "5"))
 durations = st.sampled_from(("0.3 sec", "0.5 sec", "1 sec"))
 signs = st.sampled_from(("<", "<=", ">", ">="))
 filters = st.sampled_from(("mean", "median", "low_pass"))
 
-NAMED = """\
-system arm { unit sensor_msgs/JointState.velocity = rad/s; }
+NAMED = f"""\
+skills "{FILE}";
+system arm {{ unit sensor_msgs/JointState.velocity = rad/s; }}
 input joints = topic /joint_states : sensor_msgs/JointState timeout 1 sec;
 input efforts = topic /effort_states : std_msgs/Float64MultiArray .data
     names ["shoulder", "elbow", "wrist"] in Nm timeout 1 sec;
 """
-"""Inputs of the elements by name, beside those of `support.testing`."""
+"""Inputs of the elements by name, and skills, beside those of `support.testing`."""
+
+
+SKILLS = st.sampled_from(
+    ("Push", "Push(Object: Fragile)", "Push(Object: skiros.Box)", "Drive(Target: Shelf)", "Move")
+)
 
 
 @st.composite
@@ -47,6 +55,8 @@ def leaves(draw: st.DrawFn) -> str:
                 f"changed({draw(st.sampled_from(('ok', 'speed', 'acceleration')))})",
                 "not ok",
                 'state == "stuck"',
+                f"doing {draw(SKILLS)}",
+                f"doing {draw(SKILLS)} or doing {draw(SKILLS)}",
                 "age(fix) > 0.7 sec",
             )
         )
@@ -89,5 +99,15 @@ def rules(draw: st.DrawFn) -> str:
         contract = draw(
             st.sampled_from(("", f" clear for {draw(durations)}", " latched until reset"))
         )
-        lines.append(f"rule r{index}: if {draw(conditions())} then {{ slow; }}{contract};\n")
+        scope = f" while doing {draw(SKILLS)}" if draw(st.booleans()) else ""
+        exemption = draw(exemptions()) if draw(st.booleans()) else ""
+        head = f"rule r{index}: if {draw(conditions())}{scope}"
+        lines.append(f"{head} then {{ slow; }}{exemption}{contract};\n")
     return "".join(lines)
+
+
+@st.composite
+def exemptions(draw: st.DrawFn) -> str:
+    """An exemption of one of the three forms."""
+    form = draw(st.sampled_from(("", " then {{ slow; }}", " then if {} then {{ slow; }}")))
+    return f" unless doing {draw(SKILLS)}{form.format(draw(leaves()))}"

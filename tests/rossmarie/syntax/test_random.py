@@ -23,7 +23,13 @@ WithoutSpans = Callable[[ast.Module], Any]
 
 ROOT = Path(__file__).parents[3]
 FIXTURES = ROOT / "tests" / "fixtures"
-FOLDERS = (ROOT / "examples", FIXTURES / "actions", FIXTURES / "testing", ROOT / "src")
+FOLDERS = (
+    ROOT / "examples",
+    FIXTURES / "actions",
+    FIXTURES / "testing",
+    FIXTURES / "skills",
+    ROOT / "src",
+)
 PATHS = [path for folder in FOLDERS for path in sorted(folder.rglob("*.ross"))]
 EXAMPLES = [path.read_text(encoding="utf-8") for path in PATHS]
 
@@ -35,6 +41,7 @@ WORDS = [
     *("action a {", "limit", "publish", "cancel", "log", "ramp", "at", "to"),
     *("else", "also", "over", "priority"),
     *('test "a" {', "every", "from", "expect", "active", "unknown"),
+    *("doing", "while", "unless", "always", "skills", "doing A(b: C)"),
     *("==", "&&", "||", "->", "=>", "oscillates", "messages", "unit"),
 ]
 

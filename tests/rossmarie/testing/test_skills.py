@@ -1,60 +1,113 @@
-"""Skills that run in tests that nobody wrote, and in tests that show a finding."""
+"""Skills in tests: those that are written run, and generated tests and witnesses say which run."""
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 
+import pytest
+
 from rossmarie import ir
-from rossmarie.driver import compile_file
+from rossmarie.analysis.errors import NeverActive
+from rossmarie.driver.analyze import analyze_file
 from rossmarie.driver.generating import generate_tests
-from rossmarie.ir.script import Script
-from rossmarie.testing.run import expectations_of
+from rossmarie.driver.pipeline import compile_file
+from rossmarie.driver.testing import run_test_file
+from rossmarie.testing.play import steps_of
+from support.rule_skills import HEAD
 
-RULES = Path(__file__).parents[2] / "fixtures" / "skillful"
-
-
-def test_tests_of_boundaries_let_skills_run(tmp_path: Path) -> None:
-    rules = Path(shutil.copytree(RULES, tmp_path / "rules")) / "skillful.ross"
-    found = generate_tests(rules)
-    assert "doing Push(Object: skiros.Fragile)" in found.text
-    path = rules.with_name("skillful.tests.ross")
-    path.write_text(found.text, encoding="utf-8")
-    compiled = compile_file(path)
-    scripts = {each.name: each for each in compiled.tests}
-    for name in ("doing Push(Object: Fragile)", "skill_context falls silent"):
-        script = scripts[f"contact: {name}"]
-        assert shows_both(compiled.machine, script), name
-    assert "heavy: weight > 5 kg, around 5 kg" in scripts
-
-
-def shows_both(machine: ir.Machine, script: Script) -> bool:
-    """Say whether the rule `contact` is active and cleared, as the test expects."""
-    rule = next(index for index, each in enumerate(machine.rules) if each.name == "contact")
-    last_ns = max(each.last_ns for each in script.expectations)
-    own = expectations_of(machine, script, rule, last_ns)
-    assert {each.is_active for each in own} == {True, False}
-    expected = [(each.first_ns, each.is_active) for each in script.expectations]
-    return expected == [(each.first_ns, each.is_active) for each in own]
-
-
-def test_a_quantity_is_unknown_while_no_skill_has_it(tmp_path: Path) -> None:
-    rules = Path(shutil.copytree(RULES, tmp_path / "rules")) / "skillful.ross"
-    text = """
-test "weights" {
-    every 0.1 s from 0 s to 2 s force;
-    at 0 s doing Push(Object: Glass), weight = 7 kg;
-    at 0.5 s doing nothing;
-    at 1 s doing Push(Object: Glass), doing Push;
-    at 1.5 s doing Push;
-    expect light active from 0.5 s until 1.5 s;
-    expect light inactive from 1.5 s to 2 s;
-}
-rule light: if not (weight > 5 kg) then { creep; };
+RULES = (
+    HEAD.replace("N;", "N timeout 1 sec;")
+    + """\
+input weight = doing Push.Object.Weight;
+rule contact: if force > 5 N then { stop; }
+    unless doing Push(Object: Fragile) then if force > 20 N then { stop; };
+rule heavy: if doing Push and weight > 3 kg then { stop; };
+rule shelf: if force > 3 N while doing Drive(Target: Shelf), doing Insert then { stop; };
 """
-    rules.write_text(rules.read_text(encoding="utf-8") + text, encoding="utf-8")
-    compiled = compile_file(rules)
-    rule = next(i for i, each in enumerate(compiled.machine.rules) if each.name == "light")
-    own = expectations_of(compiled.machine, compiled.tests[0], rule, 2_000_000_000)
-    found = [(each.first_ns, each.is_active) for each in own]
-    assert found == [(0, False), (500_000_000, True), (1_500_000_000, False)]
+)
+
+
+def sent(folder: Path, *settings: str) -> list[dict[str, float]]:
+    """The answers in the messages that settings make, one after the other."""
+    statements = [f"at {second} s {each};" for second, each in enumerate(settings)]
+    path = folder / "rules.ross"
+    path.write_text(f'{RULES}test "a" {{ {" ".join(statements)} expect heavy active at 9 s; }}')
+    compiled = compile_file(path)
+    machine = compiled.machine
+    (script,) = compiled.tests
+    topics = [channel.topic for channel in machine.channels]
+    found = []
+    for step in steps_of(machine, script):
+        slots = step.messages[topics.index("/skill_context")].slots
+        named = {str(machine.slots[slot].path[0]): value for slot, value in slots.items()}
+        found.append({name: value for name, value in named.items() if value})
+    return found
+
+
+FRAGILE, SHELF = "doing Push(Object: Fragile)", "doing Drive(Target: Shelf)"
+
+
+def test_exactly_the_skills_run_that_are_written(tmp_path: Path) -> None:
+    found = sent(
+        tmp_path,
+        "doing Push(Object: skiros.Box), weight = 2 kg",
+        "doing",
+        "doing Push(Object: Glass), doing Drive(Target: Shelf), weight = unknown",
+        "doing Drive",
+        "doing nothing",
+    )
+    weight = "Push.Object.Weight"
+    assert found[0] == {"doing Push": 1.0, weight: 2.0}
+    assert found[1] == found[0]
+    assert {name: found[2][name] for name in ("doing Push", FRAGILE, SHELF)} == {
+        "doing Push": 1.0,
+        FRAGILE: 1.0,
+        SHELF: 1.0,
+    }
+    assert found[3].keys() <= {weight}
+    assert found[4].keys() <= {weight}
+
+
+def test_generated_tests_say_which_skills_run_and_pass(tmp_path: Path) -> None:
+    path = tmp_path / "rules.ross"
+    path.write_text(RULES)
+    written = generate_tests(path)
+    assert "doing Push(Object: skiros.Fragile);" in written.text
+    assert "skill_context" not in "".join(
+        line for line in written.text.splitlines() if not line.startswith("test")
+    )
+    written.path.write_text(written.text)
+    outcome = run_test_file(path)
+    assert [one.title for ran in outcome.ran for one in ran.found] == []
+    missing = set(outcome.coverage.goals) - outcome.coverage.reached
+    assert len(missing) <= len(outcome.coverage.goals) / 10
+
+
+@pytest.mark.parametrize(
+    ("condition", "is_never"),
+    [
+        ("doing Push(Object: Fragile) and not doing Push", True),
+        ("doing Push(Object: Fragile) and not doing Push(Object: Glass)", False),
+        ("doing Push(Object: skiros.Box) and doing Push(Object: Fragile)", False),
+        ("doing Drive and not doing Move", True),
+        ("doing Move and not doing Drive", False),
+    ],
+)
+def test_questions_know_what_skills_can_answer(
+    tmp_path: Path, condition: str, is_never: bool
+) -> None:
+    path = tmp_path / "rules.ross"
+    path.write_text(HEAD + f"rule it: if {condition} and force > 1 N then {{ stop; }};")
+    found = analyze_file(path, thorough=True).diagnostics
+    assert (NeverActive.code in {one.code for one in found}) is is_never
+
+
+def test_the_machine_without_its_calls_knows_less(tmp_path: Path) -> None:
+    path = tmp_path / "rules.ross"
+    path.write_text(RULES)
+    machine = compile_file(path).machine
+    assert [call.text for call in machine.calls][:2] == [
+        "doing Drive(Target: skiros.Shelf)",
+        "doing Push",
+    ]
+    assert ir.SkillCall("Insert", (("Object", "skiros.Product"),), "doing Insert") in machine.calls

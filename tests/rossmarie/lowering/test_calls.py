@@ -1,0 +1,89 @@
+"""The calls that a machine knows, against all that skills can do."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rossmarie import ir
+from rossmarie.ir.calls import covering, question_at
+from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answer
+from rossmarie.lowering import calls
+from rossmarie.skills import Closure, parse_skills, read_text
+from support.compiled import machine_of
+from support.depth import examples
+from support.rule_skills import DIGEST, FILE, HEAD
+
+SKILLS = parse_skills(read_text(FILE))
+BELOW = Closure({name: each.parents for name, each in SKILLS.classes.items()})
+
+QUESTIONS = (
+    "doing Move",
+    "doing Drive(Target: Shelf)",
+    "doing Push",
+    "doing Push(Object: Fragile)",
+    "doing Push(Object: skiros.Box)",
+    "doing Push(Object: Glass)",
+    "doing Insert(Object: Product)",
+    "doing Insert(Object: Fragile)",
+)
+
+
+@st.composite
+def contexts(draw: st.DrawFn) -> SkillContext:
+    """Any skills, with things of any classes that their parameters demand."""
+    found = []
+    for name in draw(st.lists(st.sampled_from(sorted(SKILLS.skills)), max_size=3)):
+        things = [each for each in SKILLS.skills[name].parameters.values() if "." in each.type]
+        classes = {each.name: draw(st.sampled_from(BELOW.below(each.type))) for each in things}
+        arguments = tuple(SkillArgument(which, type=kind) for which, kind in classes.items())
+        found.append(RunningSkill(name, arguments))
+    return SkillContext(DIGEST, tuple(found))
+
+
+def machine_asking(questions: list[str]) -> ir.Machine:
+    return machine_of(HEAD + f"rule it: if {' or '.join(questions)} then {{ stop; }};")
+
+
+def steps_of(machine: ir.Machine) -> list[ir.Doing]:
+    found = (question_at(slot.path) for slot in machine.slots)
+    return [step for step in found if step is not None]
+
+
+@settings(max_examples=examples(2))
+@given(st.lists(st.sampled_from(QUESTIONS), min_size=1, unique=True), contexts())
+def test_what_skills_answer_is_what_some_calls_answer(
+    questions: list[str], context: SkillContext
+) -> None:
+    machine = machine_asking(questions)
+    wanted = {step: answer(step, context) == 1.0 for step in steps_of(machine)}
+    chosen = covering(machine.calls, wanted)
+    assert chosen is not None
+    told = SkillContext(DIGEST, tuple(call.running for call in chosen))
+    assert {step: answer(step, told) == 1.0 for step in wanted} == wanted
+
+
+@settings(max_examples=examples(1))
+@given(st.lists(st.sampled_from(QUESTIONS), min_size=1, unique=True))
+def test_no_two_calls_answer_the_same(questions: list[str]) -> None:
+    machine = machine_asking(questions)
+    answers = [tuple(call.answers(step) for step in steps_of(machine)) for call in machine.calls]
+    assert len(set(answers)) == len(answers)
+    assert all(map(any, answers))
+
+
+def test_answers_that_no_skills_give_are_covered_by_none() -> None:
+    machine = machine_asking(["doing Push", "doing Push(Object: Fragile)"])
+    push, fragile = steps_of(machine)
+    assert covering(machine.calls, {push: False, fragile: True}) is None
+    assert covering(machine.calls, {push: False, fragile: False}) == ()
+    (call,) = covering(machine.calls, {push: True, fragile: False}) or ()
+    assert call.text == "doing Push"
+    (call,) = covering(machine.calls, {fragile: True}) or ()
+    assert call.text == "doing Push(Object: skiros.Fragile)"
+
+
+def test_of_too_many_calls_none_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(calls, "MOST_CALLS", 1)
+    assert machine_asking(["doing Push", "doing Insert"]).calls == ()
