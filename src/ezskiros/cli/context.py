@@ -88,7 +88,7 @@ class Context:
 
 
 def _publish(clock: Callable[[], float]) -> Publish | None:
-    """What publishes on ROS; None if there is no ROS, which is told."""
+    """The way to publish on ROS; None if there is no ROS, which is told."""
     from ezskiros.context.ros import NoRosError, connect
 
     try:

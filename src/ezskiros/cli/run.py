@@ -46,6 +46,15 @@ Words = Annotated[
     ),
 ]
 
+Timeout = Annotated[
+    float | None,
+    typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
+]
+ContextFile = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Tell which skills run, in the words of this skills.json."),
+]
+
 
 def run(
     skill: Skill,
@@ -72,16 +81,8 @@ def run(
     period: Annotated[
         float, typer.Option(metavar="SECONDS", min=0.0, help="From tick to tick.")
     ] = 0.04,
-    timeout: Annotated[
-        float | None,
-        typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
-    ] = None,
-    context: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="FILE", help="Tell which skills run, in the words of this skills.json."
-        ),
-    ] = None,
+    timeout: Timeout = None,
+    context: ContextFile = None,
     ontology: Folders = None,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""

@@ -22,7 +22,7 @@ class NoRosError(Exception):
 
 
 def connect(clock: Callable[[], float] = time.monotonic) -> Publish:
-    """What publishes snapshots on ROS, whose times are those of `clock`. Raises `NoRosError`."""
+    """The way to publish snapshots, whose times are those of `clock`. Raises `NoRosError`."""
     try:
         messages = importlib.import_module("skill_context_msgs.msg")
     except ImportError:

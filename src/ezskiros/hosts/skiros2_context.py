@@ -131,7 +131,7 @@ class _Watched:
         return found
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Any:
-        """What is simulated only gives no sign of life."""
+        """Gives no sign of life: what is copied is simulated only."""
         return deepcopy(self._processor, memo)
 
 
