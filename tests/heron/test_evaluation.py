@@ -258,6 +258,7 @@ def test_the_page_in_the_documentation_is_made_of_the_rows_beside_it() -> None:
         "place/high/rossmarie/1",
         *deep(
             [
+                "contact/jammed/skill_aware/1",
                 "human/inside/collision_monitor/1",
                 "human/inside/deros/1",
                 "nav/gentle/collision_monitor/1",

@@ -9,7 +9,6 @@ from typing import Any
 from dslkit.diagnostics import Diagnostic
 from ezskiros.context.snapshot import RunningSkill, SkillArgument, Snapshots
 from ezskiros.export import read_export
-from ezskiros.runner import FaultyError
 from heron import messages
 from heron.messages import Message
 from heron.skills import EXPORT
@@ -25,12 +24,12 @@ class SkillContext:
     period_ns = 100_000_000
 
     def __init__(self, carrier: Carrier, task: SkillTask) -> None:
-        """Raises `FaultyError` if there is no export of the skills."""
+        """Raises `ValueError` if the export of the skills is none."""
         self._publish = carrier.publisher(SKILL_CONTEXT)
         self._task = task
         export = read_export(EXPORT)
         if isinstance(export, Diagnostic):
-            raise FaultyError([export])
+            raise ValueError(export.title)
         self._snapshots = Snapshots(export.digest)
         self._goals: dict[str, str] = {}
         task.running.changed = lambda: self._tell(task.now_ns)
