@@ -1,3 +1,4 @@
+# mypy: ignore-errors
 """Starts a skill by its name in real SkiROS2, with things by their labels; ends when told to."""
 
 from __future__ import annotations

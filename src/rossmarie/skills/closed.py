@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 class Closure:
     """The names below and above others; `parents` leads from each to those that it is derived from.
 
-    Parents without an entry of their own count as well. There must be no circles
-    (`circle_among`).
+    Parents without an entry of their own count as well. All on a circle, as equivalent classes
+    are, are derived from each other.
     """
 
     def __init__(self, parents: Mapping[str, Sequence[str]]) -> None:

@@ -112,7 +112,6 @@ def _skills(root: Json) -> SkillFile:
     context.get("type").one_of(MESSAGE_TYPE)
     classes = _by_name(root.get("classes"), _class)
     skills = _by_name(root.get("skills"), _skill)
-    _require_no_circle(root.get("classes"), classes, lambda each: each.parents)
     _require_no_circle(root.get("skills"), skills, lambda each: each.parents)
     _require_known(root.get("skills"), classes)
     return SkillFile(

@@ -177,8 +177,9 @@ def hosted(package: Any, name: str, **values: Any) -> Any:
     (description,) = library.described
     skill = hosted_skill(library.described[description].interface, Ontology(()), name)
     made = implementation_class(setting_of(module.wait, skill, library.library))()
-    made.wmi = None
-    made.params = SimpleNamespace(getParamValue=values.get, specify=lambda *_: None)
+    params = SimpleNamespace(getParamValue=values.get, specify=lambda *_: None)
+    # Where SkiROS2 is installed these are properties.
+    vars(made).update(wmi=None, _wmi=None, params=params, _params=params)
     made._setProgress = lambda *_: None
     made._hold_conditions = []
     return made
