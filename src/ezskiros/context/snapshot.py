@@ -43,8 +43,8 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class SkillPermission:
-    """A permission for one class of things, the `type`, which is empty of a speed; the `limit` is in
-    SI, not a number without one.
+    """A permission for one class of things, the `type`, which is empty of a speed. The `limit` is
+    in SI, and not a number without one.
     """
 
     kind: str

@@ -111,10 +111,6 @@ def twice(key: str) -> Change:
             "`properties[3].name` is `skiros.Weight`, which stands in the list before",
         ),
         (put("skills", 0, "parents", value=["Drive"]), "`skills` derive `Move` from itself"),
-        (
-            put("classes", 0, "parents", value=["sumo.Object"]),
-            "`classes` derive `sumo.Object` from itself",
-        ),
         (put("skills", 0, "name", value="no name"), "`skills[0].name` is not a name"),
         (put("skills", 0, "name", value=""), "`skills[0].name` is empty"),
         (put("classes", 0, "name", value=3), "`classes[0].name` is a number, not a text"),
