@@ -8,16 +8,17 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis.activity import becomes_active
+from rossmarie.analysis.encoding import Encoding
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.terms import YES
 
 
-def runs(state: ArbitraryState, skill: str) -> z3.BoolRef:
+def runs(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill runs. Others may run beside it."""
     return z3.And(YES, *_told(state, skill, is_running=True))
 
 
-def stands_still(state: ArbitraryState, skill: str) -> z3.BoolRef:
+def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill does not run, nor one that is asked for
     together with it.
     """
@@ -29,7 +30,7 @@ def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
     return z3.Or([becomes_active(state, rule) for rule in rules])
 
 
-def _told(state: ArbitraryState, skill: str, *, is_running: bool) -> Iterator[z3.BoolRef]:
+def _told(state: Encoding, skill: str, *, is_running: bool) -> Iterator[z3.BoolRef]:
     asked = questions(state.machine)
     for slot, step in asked.items():
         number = state.slot(slot)

@@ -6,13 +6,17 @@ from collections.abc import Iterator, Sequence
 
 import z3
 
-from crosscheck.asking import acts, runs
+from crosscheck.asking import acts, questions, runs
 from crosscheck.errors import NeverWorks, RulesNeverLetWork
 from crosscheck.robot import Robot
 from crosscheck.taking import Taking, takings
-from dslkit.diagnostics import Diagnostic, listed
+from dslkit.diagnostics import Diagnostic, Remark, listed
+from rossmarie.analysis.course import Course
+from rossmarie.analysis.finding import witness_note
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.witness import View
+from rossmarie.ir import Read
 from rossmarie.skills import Skill
 
 
@@ -47,7 +51,33 @@ def _finding(
         rule.head,
         NeverWorks.Taken(action=action, thing=name).at(alone.task.span),
         NeverWorks.Needed(skill=skill.name, thing=name).at(robot.span_of(alone.use.place)),
+        notes=_shown(inquiry.about(alone.rule), skill.name),
     )
+
+
+def _shown(about: Inquiry, skill: str) -> list[Remark]:
+    """A course of events, borne out by the interpreter, in which the skill runs and the only rule
+    is active.
+    """
+    machine = about.machine
+    condition = machine.rules[0].condition
+    asked = questions(machine)
+    running = [
+        index
+        for index, signal in enumerate(machine.signals)
+        if isinstance(signal.node, Read)
+        and skill in getattr(asked.get(signal.node.slot), "skills", ())
+    ]
+
+    def in_course(course: Course) -> z3.BoolRef:
+        first = course.moments[0]
+        return z3.And(runs(first, skill), first.truth(condition).true)
+
+    def in_view(seen: Sequence[View]) -> bool:
+        return seen[-1].active[0] and all(seen[-1].signals[index] == 1.0 for index in running)
+
+    witness = about.quick_witness((condition,), 1, in_course, in_view)
+    return [] if witness is None else [witness_note(machine, witness, (condition,))]
 
 
 def always_acts(inquiry: Inquiry, skill: str, rules: Sequence[int]) -> bool:
