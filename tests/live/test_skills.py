@@ -33,8 +33,9 @@ Begin = Callable[[str], Ears]
 
 
 def needs(generation: str) -> Sequence[Wanted]:
-    messages = ROOT / "ros" / generation / "skill_context_msgs"
-    return [messages, compile_file(RULES).machine]
+    packages = ROOT / "ros" / generation
+    tools = packages / "skill_context_tools"
+    return [packages / "skill_context_msgs", compile_file(RULES).machine, tools]
 
 
 pytestmark = [pytest.mark.builds(by=needs)]
@@ -97,7 +98,6 @@ def test_what_is_not_known_exempts_from_nothing(begin: Begin) -> None:
     exempts({"digest": f"c0ffee{'1' * 58}"})
     exempts({"digest": ""})
     exempts({"skills": [GLASS] * 65})
-    exempts({"skills": [("Push", GLASS[1] * 2)]})
     exempts({"skills": [("Push", GLASS[1] * 65)]})
 
 
@@ -151,3 +151,27 @@ def test_nobody_can_exempt_a_rule_that_holds_always(begin: Begin) -> None:
     assert not refused["success"]
     assert refused["message"] == "the rule hard holds always: nobody can exempt it"
     assert robot.ask(exempt={**asked, "rule": "contact"})["success"]
+
+
+def test_contact_is_allowed_while_a_skill_permits_it(
+    begin: Begin, ros: Ros, programs: Sequence[Path], started: list[Process]
+) -> None:
+    robot = begin("")
+    started.append(ros.begin(programs[2] / "contact_allowed", {}))
+
+    def allows(is_allowed: bool) -> None:
+        until(lambda: robot.last("/contact_allowed") == is_allowed, f"{is_allowed}")
+
+    allows(False)
+    robot.set(skills=[GLASS], permits=["speed"])
+    robot.ask(forget="/contact_allowed")
+    until(lambda: robot.count("/contact_allowed") > 3, "it says so again and again")
+    assert set(robot.heard("/contact_allowed")) == {False}
+    robot.set(permits=["speed", "contact"])
+    allows(True)
+    robot.set(skills=[])
+    allows(False)
+    robot.set(skills=[BOX])
+    allows(True)
+    robot.set(is_talking=False)
+    allows(False)

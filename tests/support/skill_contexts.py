@@ -43,6 +43,7 @@ def random_lie(random: Random, context: SkillContext) -> SkillContext:
         _with_last(context, replace(_skill(random), arguments=crowd(65, SkillArgument("Depth")))),
         _with_last(context, RunningSkill("Push", (_overfull(65),))),
         _with_last(context, RunningSkill("Push", (_overfull(64),))),
+        _with_last(context, RunningSkill("Push", (_overfull(2), _argument(random, "Object")))),
     ]
     return random.choice(lies)
 

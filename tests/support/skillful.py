@@ -9,9 +9,16 @@ import sys
 
 from ears import Ears, run
 from geometry_msgs.msg import Twist, WrenchStamped
-from skill_context_msgs.msg import RunningSkill, SkillArgument, SkillContext, SkillProperty
+from skill_context_msgs.msg import (
+    RunningSkill,
+    SkillArgument,
+    SkillContext,
+    SkillPermission,
+    SkillProperty,
+)
 from skillful_safety.msg import State, Verdict
 from skillful_safety.srv import Exempt
+from std_msgs.msg import Bool
 
 SPACE = sys.argv[1] if len(sys.argv) > 1 else ""
 NODE = SPACE + "/skillful_safety"
@@ -19,16 +26,19 @@ NODE = SPACE + "/skillful_safety"
 
 class Skillful(Ears):
     """Publishes what it is told, and remembers what it hears. `skills` are pairs of a skill and its
-    arguments, which are triples of a parameter, a class and a weight (kg).
+    arguments, which are triples of a parameter, a class and a weight (kg). All of them permit what
+    `permits` names.
     """
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
         self.digest, self.skills, self.is_talking, self.force = "", [], True, 0.0
+        self.permits = []
         self._contexts = self.publisher(SPACE + "/skill_context", SkillContext)
         self._forces = self.publisher(SPACE + "/ft", WrenchStamped)
         self._planner = self.publisher(SPACE + "/unfil_cmd_vel", Twist)
         self.hear(SPACE + "/cmd_vel", Twist, lambda message: message.linear.x)
+        self.hear(SPACE + "/contact_allowed", Bool, lambda message: message.data)
         self.hear_latched(NODE + "/state", State)
         self.hear(NODE + "/verdicts", Verdict)
         self.every(0.1, self._tell)
@@ -43,6 +53,7 @@ class Skillful(Ears):
             skill = RunningSkill()
             skill.skill, skill.goal = name, name + " 1"
             skill.arguments = [self._argument(*each) for each in arguments]
+            skill.permits = [self._permission(each) for each in self.permits]
             context.running.append(skill)
         self.note("context", None)
         self._contexts.publish(context)
@@ -54,6 +65,11 @@ class Skillful(Ears):
         found.property, found.number = "skiros.Weight", weight
         argument.properties = [found]
         return argument
+
+    def _permission(self, kind):
+        permission = SkillPermission()
+        permission.kind, permission.type, permission.limit = kind, "skiros.Product", math.nan
+        return permission
 
     def _feel(self):
         wrench, twist = WrenchStamped(), Twist()

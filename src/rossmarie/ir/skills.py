@@ -34,7 +34,7 @@ class SkillProperty:
 @dataclass(frozen=True)
 class SkillArgument:
     """An argument of a skill: a thing of a class (`type`, empty if it is none), or a number (NaN if
-    it is none).
+    it is none). A thing of several classes is there once for each.
     """
 
     parameter: str
@@ -88,8 +88,7 @@ def answer(step: SkillStep, context: SkillMessage) -> float:
         running = [_read(each) for each in _elements(context, "running", MOST_RUNNING)]
         match step:
             case Doing():
-                answers = [_is_doing(step, each) for each in running]
-                return float(any(answers))
+                return float(any(_is_doing(step, each) for each in running))
             case Quantity():
                 return _quantity(step, running)
     except _UnreadableError:
@@ -97,29 +96,33 @@ def answer(step: SkillStep, context: SkillMessage) -> float:
 
 
 def _is_doing(step: Doing, running: RunningSkill) -> bool:
-    if running.skill not in step.skills:
-        return False
-    limits = [(_called(running, parameter), classes) for parameter, classes in step.arguments]
-    return all(found is not None and found.type in classes for found, classes in limits)
+    return running.skill in step.skills and all(
+        any(each.type in classes for each in _called(running, parameter))
+        for parameter, classes in step.arguments
+    )
 
 
 def _quantity(step: Quantity, running: Sequence[RunningSkill]) -> float:
     asked = [each for each in running if each.skill in step.skills]
-    found = _called(asked[0], step.parameter) if len(asked) == 1 else None
-    if found is None:
+    if len(asked) != 1:
         return math.nan
-    if step.property is None:
-        return found.number
-    numbers = [each.number for each in found.properties if each.property == step.property]
-    return numbers[0] if len(numbers) == 1 else math.nan
+    numbers = list(_numbers(step, asked[0]))
+    is_one = bool(numbers) and all(each == numbers[0] for each in numbers[1:])
+    return numbers[0] if is_one else math.nan
 
 
-def _called(running: RunningSkill, parameter: str) -> SkillArgument | None:
-    """The argument of a parameter; None if there is none. One that is there twice is not known."""
-    found = [each for each in running.arguments if each.parameter == parameter]
-    if len(found) > 1:
-        raise _UnreadableError
-    return found[0] if found else None
+def _numbers(step: Quantity, running: RunningSkill) -> Iterator[float]:
+    """The numbers that may be meant: of one thing, as often as it has classes."""
+    for argument in _called(running, step.parameter):
+        if step.property is None:
+            yield argument.number
+        else:
+            yield from (p.number for p in argument.properties if p.property == step.property)
+
+
+def _called(running: RunningSkill, parameter: str) -> Iterator[SkillArgument]:
+    """The argument of a parameter: once for each class of a thing that has several."""
+    return (each for each in running.arguments if each.parameter == parameter)
 
 
 # --- reading -----------------------------------------------------------------------------------

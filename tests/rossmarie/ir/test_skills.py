@@ -71,13 +71,23 @@ def test_of_another_export_nothing_is_known() -> None:
     assert all(math.isnan(answer(each, other)) for each in (PUSH, FRAGILE, WEIGHT, DEPTH))
 
 
-def test_an_argument_that_is_there_twice_is_not_known() -> None:
-    twice = RunningSkill("Push", (GLASS, replace(GLASS, type="skiros.Box")))
-    assert math.isnan(answer(FRAGILE, context(PUSHES, twice)))
-    assert math.isnan(answer(WEIGHT, context(twice)))
-    assert answer(PUSH, context(twice)) == 1.0, "that argument is not asked for"
-    weights = replace(GLASS, properties=crowd(2, SkillProperty("skiros.Weight", 0.3)))
-    assert math.isnan(answer(WEIGHT, context(RunningSkill("Push", (weights,)))))
+def test_a_thing_of_several_classes_is_of_each() -> None:
+    box = replace(GLASS, type="skiros.Box")
+    for things in ((GLASS, box), (box, GLASS)):
+        both = context(RunningSkill("Push", things))
+        assert (answer(FRAGILE, both), answer(WEIGHT, both)) == (1.0, 0.3)
+    assert answer(FRAGILE, context(RunningSkill("Push", (box, box)))) == 0.0
+
+
+@pytest.mark.parametrize("other", [0.4, math.nan])
+def test_a_number_that_is_there_twice_is_one_or_not_known(other: float) -> None:
+    heavy = SkillProperty("skiros.Weight", other)
+    within = replace(GLASS, properties=(*GLASS.properties, heavy))
+    beside = replace(GLASS, properties=(heavy,))
+    for things in ((within,), (GLASS, beside), (beside, GLASS)):
+        assert math.isnan(answer(WEIGHT, context(RunningSkill("Push", things))))
+    depths = (SkillArgument("Depth", number=0.25), SkillArgument("Depth", number=other))
+    assert math.isnan(answer(DEPTH, context(RunningSkill("Push", depths))))
 
 
 @pytest.mark.parametrize(("count", "known"), [(64, True), (65, False)])

@@ -54,29 +54,14 @@ template <class Context> bool is_readable(const Context &context, const char *di
     return true;
 }
 
-// The argument of a parameter, or null; `count` is how many there are of it.
-template <class Skill>
-auto argument_of(const Skill &skill, const char *parameter, std::size_t &count)
-{
-    const typename decltype(skill.arguments)::value_type *found = nullptr;
-    count = 0;
-    for (const auto &argument : skill.arguments) {
-        if (argument.parameter != parameter)
-            continue;
-        found = &argument;
-        count++;
-    }
-    return found;
-}
-
-// Whether the argument of a skill is of a class; `is_known` becomes false if there are several.
+// Whether an argument of a skill is of a class. A thing of several classes is there once for each.
 template <class Skill, std::size_t COUNT>
-bool is_within(const Skill &skill, const Limit<COUNT> &limit, bool &is_known)
+bool is_within(const Skill &skill, const Limit<COUNT> &limit)
 {
-    std::size_t count = 0;
-    const auto *argument = argument_of(skill, limit.parameter, count);
-    is_known = is_known && count < 2;
-    return argument != nullptr && has(limit.classes, argument->type);
+    for (const auto &argument : skill.arguments)
+        if (argument.parameter == limit.parameter && has(limit.classes, argument.type))
+            return true;
+    return false;
 }
 
 // 1 if a running skill is one of `asked`, and its arguments are within all limits, 0 if none is.
@@ -86,42 +71,49 @@ double doing(const Context &context, const char *digest, const Asked &asked,
 {
     if (!is_readable(context, digest))
         return NAN;
-    bool is_known = true, is_done = false;
-    for (const auto &skill : context.running) {
-        if (!has(asked, skill.skill))
-            continue;
-        bool is_within_all = true;
-        ((is_within_all = is_within(skill, limits, is_known) && is_within_all), ...);
-        is_done = is_done || is_within_all;
-    }
-    if (!is_known)
-        return NAN;
-    return is_done ? 1.0 : 0.0;
+    for (const auto &skill : context.running)
+        if (has(asked, skill.skill) && (is_within(skill, limits) && ...))
+            return 1.0;
+    return 0.0;
 }
 
-// The only running skill that is one of `asked`; null if none is, or several are.
-template <class Context, class Asked> auto only(const Context &context, const Asked &asked)
+// A number that is there at least once, and always the same.
+class OnlyNumber {
+public:
+    void add(double number)
+    {
+        is_one_ = is_one_ && (!is_there_ || number == number_);
+        number_ = is_there_ ? number_ : number;
+        is_there_ = true;
+    }
+    double get() const { return is_there_ && is_one_ ? number_ : NAN; }
+
+private:
+    double number_ = NAN;
+    bool is_there_ = false, is_one_ = true;
+};
+
+// Calls a function with each argument of a parameter of the skill that is one of `asked`, if only
+// one such skill runs.
+template <class Context, class Asked, class Visit>
+void each_argument(const Context &context, const char *digest, const Asked &asked,
+                   const char *parameter, Visit visit)
 {
     const typename decltype(context.running)::value_type *found = nullptr;
+    if (!is_readable(context, digest))
+        return;
     for (const auto &skill : context.running) {
         if (!has(asked, skill.skill))
             continue;
         if (found != nullptr)
-            return decltype(found){nullptr};
+            return;
         found = &skill;
     }
-    return found;
-}
-
-// The argument of the only running skill that is one of `asked`, if it is there once.
-template <class Context, class Asked>
-auto only_argument(const Context &context, const char *digest, const Asked &asked,
-                   const char *parameter)
-{
-    const auto *skill = is_readable(context, digest) ? only(context, asked) : nullptr;
-    std::size_t count = 0;
-    const auto *argument = skill == nullptr ? nullptr : argument_of(*skill, parameter, count);
-    return count == 1 ? argument : nullptr;
+    if (found == nullptr)
+        return;
+    for (const auto &argument : found->arguments)
+        if (argument.parameter == parameter)
+            visit(argument);
 }
 
 // The number that is an argument of the only running skill that is one of `asked`.
@@ -129,8 +121,10 @@ template <class Context, class Asked>
 double quantity(const Context &context, const char *digest, const Asked &asked,
                 const char *parameter)
 {
-    const auto *argument = only_argument(context, digest, asked, parameter);
-    return argument == nullptr ? NAN : argument->number;
+    OnlyNumber number;
+    each_argument(context, digest, asked, parameter,
+                  [&number](const auto &argument) { number.add(argument.number); });
+    return number.get();
 }
 
 // The same of a property of the thing that is the argument.
@@ -138,18 +132,13 @@ template <class Context, class Asked>
 double quantity(const Context &context, const char *digest, const Asked &asked,
                 const char *parameter, const char *property)
 {
-    const auto *argument = only_argument(context, digest, asked, parameter);
-    if (argument == nullptr)
-        return NAN;
-    double number = NAN;
-    std::size_t count = 0;
-    for (const auto &each : argument->properties) {
-        if (each.property != property)
-            continue;
-        number = each.number;
-        count++;
-    }
-    return count == 1 ? number : NAN;
+    OnlyNumber number;
+    each_argument(context, digest, asked, parameter, [&number, property](const auto &argument) {
+        for (const auto &each : argument.properties)
+            if (each.property == property)
+                number.add(each.number);
+    });
+    return number.get();
 }
 
 } // namespace skills
