@@ -56,7 +56,7 @@ def leaves(draw: st.DrawFn) -> str:
                 "not ok",
                 'state == "stuck"',
                 f"doing {draw(SKILLS)}",
-                f"doing {draw(SKILLS)} or doing {draw(SKILLS)}",
+                f"(doing {draw(SKILLS)} or doing {draw(SKILLS)})",
                 "age(fix) > 0.7 sec",
             )
         )

@@ -229,7 +229,7 @@ class Stage:
             signal = sampled.signal if isinstance(sampled, ir.Sampled) else -1
         else:
             return -1
-        read = self.machine.signals[signal].node
+        read = None if signal < 0 else self.machine.signals[signal].node
         return read.slot if isinstance(read, ir.Read) else -1
 
 
