@@ -18,6 +18,7 @@ from textwrap import dedent
 import pytest
 import typer
 
+import crosscheck.cli.main
 import ezskiros.cli.main
 import rossmarie.cli.main
 from support.command_line import run
@@ -245,11 +246,18 @@ def test_two_run_at_the_same_time(script: Path, tmp_path: Path) -> None:
 # --- what commands need ----------------------------------------------------------------------
 
 COMMANDS = {
+    "crosscheck": [
+        "check robot.ross",
+        "explain CHK102",
+        "impact Wipe robot.ross",
+        "show robot.ross --svg robot.svg",
+    ],
     "heron": ["run nav --ros1 --arm none"],
     "ezskiros": [
         "check skills",
         "explain EZS401",
         "explain Pick skills",
+        "export skills --out skills.json",
         "migrate skills",
         "owl --ontology ontology --out owl",
         "plan skills --scene lab.turtle --goal '(skiros:contain shelf starter)'",
@@ -263,6 +271,7 @@ COMMANDS = {
         "coverage drive.ross drive.csv",
         "dump drive.ross --after generate",
         "explain unit-mismatch",
+        "export drive.ross --out rules.json",
         "failures drive.ross",
         "fmt drive.ross",
         "graph drive.ross --format svg",
@@ -292,6 +301,11 @@ def test_a_command_imports_what_it_needs(program: str, command: str, tmp_path: P
     for folder in folders:
         shutil.copytree(EXAMPLES / "pick_place", folder)
         (folder / "drive.ross").write_text(RULES)
+        shutil.copytree(EXAMPLES / "whiteboard", folder.parent / "whiteboard")
+        robot = (EXAMPLES / "whiteboard" / "whiteboard.ross").read_text()
+        (folder / "robot.ross").write_text(
+            robot.replace("skills.json", "../whiteboard/skills.json")
+        )
         (folder / "drive.csv").write_text("time,on\n0.0,0\n1.0,1\n2.5,0\n3.0,0\n")
     words = shlex.split(command)
     found = run(program, *words, folder=folders[0])
@@ -304,6 +318,7 @@ def test_a_command_imports_what_it_needs(program: str, command: str, tmp_path: P
 @pytest.mark.parametrize(
     ("program", "app", "elsewhere"),
     [
+        ("crosscheck", crosscheck.cli.main.app, set()),
         ("ezskiros", ezskiros.cli.main.app, set()),
         ("rossmarie", rossmarie.cli.main.app, {"verify"}),  # `test_verification.py` starts it
     ],
