@@ -24,7 +24,7 @@ ROOT = Path(__file__).parents[2]
 FOUND = ROOT / "build" / "fuzz"
 MEMORY = 6 << 30
 """Address space of a process; most of it is reserved and not used."""
-PACKAGES = ["dslkit", "ezskiros", "fuzz.engine", "rossmarie"]
+PACKAGES = ["crosscheck", "dslkit", "ezskiros", "fuzz.engine", "rossmarie"]
 ALL = "all"
 
 

@@ -8,6 +8,7 @@ C, bytes are no file but calls of it.
 
 from __future__ import annotations
 
+import re
 import tempfile
 import time
 from collections.abc import Callable, Sequence
@@ -20,8 +21,10 @@ from rosbags import rosbag1
 from rosbags.rosbag2 import CompressionMode, StoragePlugin
 from rosbags.typesys.store import Typestore
 
+import crosscheck.catalog
 import ezskiros.catalog
 import rossmarie.catalog
+from crosscheck.check import check_robot
 from dslkit.diagnostics import Collector, DeclaredHere, Diagnostic
 from dslkit.diagnostics.render_json import render_json
 from dslkit.diagnostics.render_sarif import Tool, render_sarif
@@ -58,6 +61,7 @@ CPU_LIMIT_S = 30.0
 """The largest rules files take 3 s of a quiet machine."""
 ROSSMARIE = rossmarie.catalog.CATALOG.sarif_tool("0")
 EZSKIROS = ezskiros.catalog.CATALOG.sarif_tool("0")
+CROSSCHECK = crosscheck.catalog.CATALOG.sarif_tool("0")
 
 
 class TooSlowError(Exception):
@@ -279,17 +283,32 @@ def _describe(content: bytes, folder: Path) -> None:
 
 def _exports() -> list[bytes]:
     whole = (ROOT / "examples" / "whiteboard" / "skills.json").read_bytes()
-    return [whole, whole.partition(b'"context"')[0].rstrip().rstrip(b",") + b"}"]
+    half = whole.partition(b'"context"')[0].rstrip().rstrip(b",") + b"}"
+    without_sources = re.sub(rb'"sources": \[.*?\]', b'"sources": []', whole, flags=re.DOTALL)
+    return [whole, half, without_sources]
+
+
+KNOWING_SKILLS = """
+skills "fuzzed.json";
+input force = topic /wrench : geometry_msgs/WrenchStamped .wrench.force timeout 0.1 sec;
+input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
+action halt { block /cmd_vel : geometry_msgs/Twist; }
+action retract { cancel /arm_controller/follow_joint_trajectory within 0.5 sec else halt; }
+rule contact: if norm(force) > 5 N then { retract; }
+    unless doing Wipe(Board: Whiteboard) then if norm(force) > 20 N then { retract; };
+rule calm: if speed > 0.5 m/s while doing Drive then { halt; };
+"""
 
 
 def _read_export(content: bytes, folder: Path) -> None:
-    """Read a file of skills, and compare its sources."""
+    """Read a file of skills in each language, compare its sources, and look at both together."""
     path = _written(content, folder, "fuzzed.json")
     found = read_export(path)
     if isinstance(found, Diagnostic):
         _say([found], EZSKIROS)
     else:
         _say([*changed_sources(found), *not_exported(found, [path])], EZSKIROS)
+    _say(check_robot(_written(KNOWING_SKILLS.encode(), folder, "fuzzed.ross")), CROSSCHECK)
 
 
 TARGETS = {
