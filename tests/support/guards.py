@@ -138,7 +138,8 @@ def take(guard: GuardEngine, machine: ir.Machine, step: Step) -> None:
             numbers = [values.slots.get(slot, NAN) for slot in fields.slots]
             arrays = [np.array(values.arrays.get(each, ()), np.float64) for each in fields.arrays]
             wake_ns = guard.watch_call(channel)(at_ns, *numbers, *arrays)
-            assert wake_ns in (None, guard.next_wake() or ir.NEVER_NS)
+            due_ns = guard.next_wake()  # may be 0
+            assert wake_ns in (None, ir.NEVER_NS if due_ns is None else due_ns)
         case Advance(at_ns):
             guard.advance(at_ns)
         case Reset(at_ns, rule):
