@@ -19,8 +19,10 @@ def installed(folder: Path, *packages: str) -> dict[str, str]:
     for package in packages:
         shutil.copytree(ROOT / "src" / package, folder / package)
     hidden = [
-        "import sys",
-        f"sys.path[:] = [each for each in sys.path if each != {str(ROOT / 'src')!r}]",
+        "import pathlib, sys",
+        "known = [(each, pathlib.Path(each) / 'dslkit') for each in sys.path]",
+        f"own = {str(folder)!r}",
+        "sys.path[:] = [each for each, ours in known if each == own or not ours.is_dir()]",
         "sys.meta_path[:] = [each for each in sys.meta_path if 'editable' not in repr(each)]",
     ]
     (folder / "sitecustomize.py").write_text("\n".join(hidden))
