@@ -7,13 +7,15 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from crosscheck.channels import find_types_that_differ, find_unread
+from crosscheck.errors import NotAllAsked
 from crosscheck.exemptions import find_unused, find_wider
 from crosscheck.fights import find_fights
 from crosscheck.permissions import find_not_granted
 from crosscheck.robot import Robot, load
 from crosscheck.workable import find_unworkable
 from dslkit.diagnostics import Diagnostic
-from rossmarie.analysis.inquiry import Inquiry
+from dslkit.source import Span
+from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
 
 LONGEST_S = 600.0
 """The questions about one robot are given up after this, in seconds of processor time."""
@@ -31,11 +33,13 @@ def check_robot(
 
 def findings(robot: Robot) -> Iterator[Diagnostic]:
     """The findings that only rules and skills together give."""
-    inquiry = Inquiry(robot.machine, time.process_time() + LONGEST_S)
     yield from find_types_that_differ(robot)
     yield from find_unread(robot)
     yield from find_unused(robot)
-    yield from find_wider(robot, inquiry)
-    yield from find_not_granted(robot, inquiry)
-    yield from find_unworkable(robot, inquiry)
-    yield from find_fights(robot, inquiry)
+    inquiry = Inquiry(robot.machine, time.process_time() + LONGEST_S)
+    try:
+        for question in (find_wider, find_not_granted, find_unworkable, find_fights):
+            yield from question(robot, inquiry)
+    except OutOfTimeError:
+        start = Span(robot.modules[-1].file, 0, 0)
+        yield NotAllAsked(seconds=LONGEST_S).at(start)

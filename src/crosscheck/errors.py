@@ -127,6 +127,15 @@ class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
         says = "and here it is started again after it has failed"
 
 
+class NotAllAsked(Error, code="CHK204", name="not-all-asked"):
+    """Questions that took longer than they may."""
+
+    title = "not all was asked about rules and skills within {seconds:g} s of processor time"
+    label = "so nobody knows whether all is well"
+    help = "ask about fewer rules at a time, in a file of their own"
+    seconds: float
+
+
 class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
     """A topic or server that rules and skills take for something else."""
 
@@ -166,6 +175,7 @@ ALL: tuple[type[Template], ...] = (
     NeverWorks,
     RulesNeverLetWork,
     Fight,
+    NotAllAsked,
     TypesDiffer,
     NobodyReads,
 )

@@ -21,7 +21,8 @@ from crosscheck.robot import Robot
 from dslkit.diagnostics import Diagnostic
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.ir import Machine, reactions
+from rossmarie.ir import Machine
+from rossmarie.naming import effect_target
 from rossmarie.skills import Limit, Permission, Skill
 
 
@@ -42,25 +43,11 @@ def find_not_granted(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
                     yield _finding(robot, skill, permission, rule)
 
 
-def touched(machine: Machine, rule: int) -> set[str]:
-    """The topics and servers on which a rule has an effect."""
+def touched(machine: Machine, rule: int) -> set[str | None]:
+    """The names of what a rule has an effect on, topics and servers among them."""
     plans = machine.reactions.plans
     tasks = plans[rule].tasks if plans else ()
-    found = set()
-    for task in tasks:
-        match machine.reactions.tasks[task].effect:
-            case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
-                found.add(machine.reactions.commands[topic].topic)
-            case reactions.Publish(topic=name) | reactions.Retrace(topic=name):
-                found.add(name)
-            case reactions.SendGoal(server=name) | reactions.CancelGoal(server=name):
-                found.add(name)
-            case (
-                reactions.Call() | reactions.SetParameter() | reactions.SwitchControllers()
-                | reactions.Log() | reactions.Diagnose() | reactions.Hook() | reactions.Reset()
-            ):  # fmt: skip
-                pass
-    return found
+    return {effect_target(machine, machine.reactions.tasks[task].effect) for task in tasks}
 
 
 def _hinders(

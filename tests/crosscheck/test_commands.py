@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+from crosscheck.check import check_robot
+from dslkit.diagnostics import Severity
 from support import command_line
 from support.robots import EXAMPLE, put_example
 
@@ -90,3 +92,12 @@ def test_a_name_cannot_break_the_picture(tmp_path: Path) -> None:
     done = command_line.run("crosscheck", "show", robot / "whiteboard.ross")
     assert done.returncode == 1
     assert "Traceback" not in done.stdout + done.stderr
+
+
+def test_questions_that_take_too_long_are_an_error(
+    wide: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("crosscheck.check.LONGEST_S", -1.0)
+    found = check_robot(wide)
+    assert [each.code for each in found][-1] == "CHK204"
+    assert found[-1].severity is Severity.ERROR

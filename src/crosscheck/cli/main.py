@@ -14,6 +14,7 @@ import typer
 from crosscheck.cli.output import output
 from dslkit.command_line import Format
 from dslkit.parameters import Group
+from rossmarie.cli.options import MessageFolders, Rules, Systems, written
 
 app = typer.Typer(
     help="Rules and skills of one robot, looked at together.",
@@ -24,22 +25,6 @@ app = typer.Typer(
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-Rules = Annotated[
-    Path,
-    typer.Argument(
-        metavar="RULES", help="A .ross file that names a file of skills.", readable=False
-    ),
-]
-Systems = Annotated[
-    list[Path] | None,
-    typer.Option(
-        "--system", metavar="FILE", help="A system model beside those imported.", readable=False
-    ),
-]
-MessageFolders = Annotated[
-    list[Path] | None,
-    typer.Option("--messages", metavar="DIR", help="A folder with .msg files.", readable=False),
-]
 
 
 @app.callback()
@@ -68,7 +53,8 @@ def check(
 def show(
     rules: Rules,
     svg: Annotated[
-        Path | None, typer.Option("--svg", metavar="FILE", help="Write a picture instead.")
+        Path | None,
+        typer.Option("--svg", metavar="FILE", help="Write a picture.", parser=written),
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,

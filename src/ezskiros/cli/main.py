@@ -84,7 +84,7 @@ def check(
             output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
         fix(paths)
     if watched:
-        _check_again_and_again(paths, ontology or [], values, form)
+        _check_again_and_again(paths, ontology or [], values, form, rules)
         return
     raise typer.Exit(print_check(paths, values, form, rules))
 
@@ -217,7 +217,11 @@ def _is_stale(stub: Path, text: str) -> bool:
 
 
 def _check_again_and_again(
-    paths: list[Path], ontology: list[Path], values: Path | None, form: Format
+    paths: list[Path],
+    ontology: list[Path],
+    values: Path | None,
+    form: Format,
+    rules: Path | None,
 ) -> None:
     """Each time from the start: what has been imported is forgotten with the process."""
     from ezskiros.cli.watch import watch
@@ -226,11 +230,11 @@ def _check_again_and_again(
 
     def files() -> list[Path]:
         known = [path for path in ontology if path.exists()]
-        named = [*paths, *([values] if values else [])]
+        named = [*paths, *(each for each in (values, rules) if each)]
         return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
     def check_once() -> None:
-        print_check(paths, values, form)
+        print_check(paths, values, form, rules)
         sys.stdout.flush()
 
     watch(files, check_once)

@@ -10,7 +10,7 @@ from pathlib import Path
 
 FORMAT = "ezskiros/skills"
 VERSION = 1
-"""Of the format. It counts in the digest: files of two versions are never taken for one another."""
+"""It counts in the digest, so that no file is taken for one of another version."""
 
 
 @dataclass(frozen=True, order=True)

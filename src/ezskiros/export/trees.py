@@ -16,7 +16,7 @@ from ezskiros.trees.names import shared_names
 from ezskiros.trees.tree import ThingReference, Tree, ValueReference
 
 MOST_LEVELS = 200
-"""Of a tree. Whoever reads JSON goes as deep as this without care, and not ten times as deep."""
+"""Levels of a tree. Readers of JSON go as deep as this without care, and not ten times as deep."""
 
 
 def tree_of(tree: Tree, library: Library, places: Places) -> dict[str, Any]:

@@ -21,10 +21,6 @@ class Added(Generic[Item]):
         self.are_whole = True
         """True if all that was added was right: after a mistake some may be missing."""
 
-    def replaced_by(self, value: object) -> None:
-        """Take what `=` says where `+=` is meant; that it is wrong has been reported."""
-        raise NotImplementedError
-
     def __getattr__(self, name: str) -> Unknown:
         if name.startswith("__"):
             raise AttributeError(name)

@@ -52,7 +52,7 @@ class Episode(Protocol):
 
     @property
     def seed(self) -> int:
-        """Of all that was left to chance."""
+        """The seed of all that was left to chance."""
 
     @property
     def outcome(self) -> Outcome:
@@ -155,7 +155,7 @@ class Experiment:
 
     @property
     def variants(self) -> Mapping[str, enum.Enum]:
-        """By their names."""
+        """The variants by their names."""
         return {variant.value: variant for variant in VARIANTS[self.name]}
 
     @property

@@ -14,7 +14,7 @@ from dslkit.source import SourceFile, Span
 from rossmarie import ir
 from rossmarie.driver.sources import name_of
 from rossmarie.ir import reactions
-from rossmarie.naming import is_block
+from rossmarie.naming import effect_target, is_block
 
 FORMAT = "rossmarie/rules"
 VERSION = 1
@@ -97,8 +97,18 @@ def _rule(machine: ir.Machine, index: int, out: Path) -> Json:
         "hazards": [machine.hazards[each].name for each in rule.hazards],
         "categories": [each.value for each in rule.categories],
         "unless": [machine.rules[each].name for each in _plan(machine, index).unless],
+        "always": rule.always,
+        "exempts": None if rule.exempts is None else _exemption(rule.exempts),
         "effects": list(_effects(machine, index, out)),
         "place": _place(rule.head, out),
+    }
+
+
+def _exemption(exemption: ir.Exemption) -> Json:
+    return {
+        "rule": exemption.rule,
+        "doing": exemption.doing,
+        "permits": list(exemption.permits),
     }
 
 
@@ -113,7 +123,7 @@ def _effects(machine: ir.Machine, rule: int, out: Path) -> Iterator[Json]:
         yield {
             "action": machine.reactions.actions[task.action].name,
             "kind": _word(machine, task.effect),
-            "name": _name(machine, task.effect),
+            "name": effect_target(machine, task.effect),
             "place": _place(task.span, out),
         }
 
@@ -124,24 +134,3 @@ def _word(machine: ir.Machine, effect: reactions.Effect) -> str:
         command = machine.reactions.commands[effect.topic]
         return "block" if is_block(command, effect) else "limit"
     return WORDS[type(effect)]
-
-
-def _name(machine: ir.Machine, effect: reactions.Effect) -> str | None:
-    """The name of what an effect acts on."""
-    match effect:
-        case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
-            return machine.reactions.commands[topic].topic
-        case (
-            reactions.Publish(topic=name)
-            | reactions.Retrace(topic=name)
-            | reactions.Call(service=name)
-            | reactions.SwitchControllers(manager=name)
-            | reactions.SendGoal(server=name)
-            | reactions.CancelGoal(server=name)
-            | reactions.Hook(name=name)
-        ):
-            return name
-        case reactions.SetParameter(node=node, parameter=parameter):
-            return f"{node}.{parameter}"
-        case reactions.Log() | reactions.Diagnose() | reactions.Reset():
-            return None

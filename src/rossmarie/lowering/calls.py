@@ -14,7 +14,7 @@ from rossmarie.check.model import CheckedSkills
 from rossmarie.skills import Skill
 
 MOST_CALLS = 512
-"""Of more, none are kept: then nothing is known of which answers go together."""
+"""The most calls that are kept. Of more, nothing is known of which answers go together."""
 
 
 def calls_of(skills: CheckedSkills, steps: Sequence[ir.Doing]) -> tuple[ir.SkillCall, ...]:

@@ -1,11 +1,12 @@
 """Names of the parts of a guard, by which its users, other nodes and reports know them."""
 
-from rossmarie.naming.effects import effect_words, is_block
+from rossmarie.naming.effects import effect_target, effect_words, is_block
 from rossmarie.naming.identifiers import c_identifier, public_prefix
 from rossmarie.naming.node import node_name, relayed_servers, unfiltered
 
 __all__ = [
     "c_identifier",
+    "effect_target",
     "effect_words",
     "is_block",
     "node_name",

@@ -37,6 +37,29 @@ def effect_words(machine: ir.Machine, effect: reactions.Effect) -> str:
             return "reset"
 
 
+def effect_target(machine: ir.Machine, effect: reactions.Effect) -> str | None:
+    """The name of what an effect acts on: a topic, a service, a server, a parameter, ...; None if
+    it acts on nothing that has a name.
+    """
+    match effect:
+        case reactions.Limit(topic=topic) | reactions.Scale(topic=topic):
+            return machine.reactions.commands[topic].topic
+        case (
+            reactions.Publish(topic=name)
+            | reactions.Retrace(topic=name)
+            | reactions.Call(service=name)
+            | reactions.SwitchControllers(manager=name)
+            | reactions.SendGoal(server=name)
+            | reactions.CancelGoal(server=name)
+            | reactions.Hook(name=name)
+        ):
+            return name
+        case reactions.SetParameter(node=node, parameter=parameter):
+            return f"{node}.{parameter}"
+        case reactions.Log() | reactions.Diagnose() | reactions.Reset():
+            return None
+
+
 def _bound_words(command: reactions.CommandTopic, effect: reactions.Limit | reactions.Scale) -> str:
     if isinstance(effect, reactions.Scale):
         return f"scale {command.topic} by {100 * effect.factor:g} %"

@@ -31,7 +31,7 @@ def order_of_rules(context: Context) -> tuple[tuple[int, ...], Pairs]:
 
 
 def _under(rules: Sequence[ast.Rule], context: Context) -> dict[int, list[int]]:
-    """Of each rule, those that it is put over: an exempted rule over its exemptions as well."""
+    """For each rule, those that it is put over: an exempted rule over its exemptions as well."""
     numbers = numbers_of(rules)
     under: dict[int, list[int]] = {number: [] for number in range(len(rules))}
     for item in context.declarations.items:
