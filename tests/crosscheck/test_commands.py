@@ -101,3 +101,24 @@ def test_questions_that_take_too_long_are_an_error(
     found = check_robot(wide)
     assert [each.code for each in found][-1] == "CHK204"
     assert found[-1].severity is Severity.ERROR
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ("crosscheck", "show", "wide.ross", "--svg"),
+        ("rossmarie", "export", "wide.ross", "--out"),
+        ("ezskiros", "export", "skills", "--out"),
+    ],
+    ids=lambda command: command[0],
+)
+@pytest.mark.parametrize("lost", ["wide.ross", "skills/motions.py"])
+def test_nothing_that_is_read_is_written_over(
+    command: tuple[str, ...], lost: str, wide: Path
+) -> None:
+    path = wide.parent / lost
+    before = path.read_bytes()
+    done = command_line.run(*command, lost, folder=wide.parent)
+    assert done.returncode == 2
+    assert f"{lost} does not end in" in done.stderr
+    assert path.read_bytes() == before

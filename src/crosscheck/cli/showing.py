@@ -20,6 +20,8 @@ def run_show(
 ) -> None:
     """Print the skills with what rules have to do with them, or write a picture of that."""
     if svg is not None:
+        if svg.suffix != ".svg":
+            output.fail(f"{svg} does not end in .svg; choose another --svg", exit_code=2)
         output.try_file(svg)
     skills = list(pictured(_loaded(rules, systems, message_folders)))
     if svg is None:

@@ -23,6 +23,8 @@ def export(
     ontology: Folders = None,
 ) -> None:
     """Write what rules have to know of skills: `skills.json`. Nothing if there are errors."""
+    if out.suffix != ".json":  # rules read no other, and no module may be lost
+        output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
     output.try_file(out)
     name_ontology(ontology)
     found, report = asked(_Exporting(paths, out).run)

@@ -8,7 +8,6 @@ from pathlib import Path
 import typer
 
 from rossmarie.cli.output import output
-from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError, compile_file
 from rossmarie.driver.rules_file import rules_file
 
@@ -17,7 +16,8 @@ def run_export(
     rules: Path, out: Path, systems: Sequence[Path], message_folders: Sequence[Path]
 ) -> None:
     """Check a rules file, and write what others may know of it to `out`."""
-    refuse_report(out, (rules, *systems))
+    if out.suffix != ".json":
+        output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
     output.try_file(out)
     try:
         compiled = compile_file(rules, systems=systems, message_folders=message_folders)
