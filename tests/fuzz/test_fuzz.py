@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import random
+import signal
 from pathlib import Path
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from fuzz.engine.program import Call, DefectError, Program
 from fuzz.mutation import mutate
 from fuzz.targets import ENGINE, TARGETS
 from rossmarie.driver import check_file
@@ -46,6 +48,23 @@ def test_the_engine_answers_as_its_models_do(tmp_path: Path) -> None:
     for content in TARGETS[ENGINE].seeds():
         TARGETS[ENGINE].try_bytes(content, tmp_path)
     _try_damaged(ENGINE, tmp_path)
+
+
+@needs_c
+def test_an_engine_that_dies_is_a_defect_with_its_last_words() -> None:
+    program = Program("monitor.c")
+    program.send([])
+    number = children_of_this_process().pop()
+    os.kill(number, signal.SIGKILL)
+    os.waitid(os.P_PID, number, os.WEXITED | os.WNOWAIT)
+    with pytest.raises(DefectError, match=r"monitor\.c ended"):
+        program.send([Call(0)])
+
+
+def children_of_this_process() -> list[int]:
+    """The numbers of the processes that this one has started, the last one last."""
+    threads = Path("/proc/self/task").glob("*/children")
+    return sorted(int(number) for each in threads for number in each.read_text().split())
 
 
 def _try_damaged(name: str, tmp_path: Path) -> None:

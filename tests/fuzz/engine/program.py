@@ -9,6 +9,7 @@ import struct
 import subprocess
 import tempfile
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -46,11 +47,16 @@ class Program:
         self._process: subprocess.Popen[bytes] | None = None
 
     def send(self, calls: Sequence[Call]) -> None:
-        """Make calls, of a monitor that has just been initialized; then `read` their answers."""
+        """Make calls, of a monitor that has just been initialized; then `read` their answers.
+        Raises `DefectError` if the program has ended.
+        """
         process = self._started()
         assert process.stdin is not None
-        process.stdin.write(struct.pack("@I", len(calls)) + b"".join(map(_packed, calls)))
-        process.stdin.flush()
+        try:
+            process.stdin.write(struct.pack("@I", len(calls)) + b"".join(map(_packed, calls)))
+            process.stdin.flush()
+        except BrokenPipeError:
+            raise DefectError(self._complaint()) from None
 
     def read(self, size: int) -> bytes:
         """So much of the answers. Raises `DefectError` if the program has ended."""
@@ -83,7 +89,7 @@ class Program:
         process, self._process = self._process, None
         if process is not None:
             process.kill()
-            with process:
+            with suppress(BrokenPipeError), process:  # of calls that it has not read
                 pass
 
 
