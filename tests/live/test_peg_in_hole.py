@@ -11,15 +11,21 @@ import pytest
 from support.live import Ears, Process, Ros, Wanted, until
 from support.live_cases import patient
 
-THESIS = Path(__file__).parents[2] / "examples" / "thesis"
+ROOT = Path(__file__).parents[2]
+THESIS = ROOT / "examples" / "thesis"
 STATE = "/peg_in_hole_safety/state"
 EDGE = 0.1
 """Where the volume ends along x, in m."""
 
 
-def needs(_generation: str) -> Sequence[Wanted]:
-    """The node of the listing, and the messages of the robot."""
-    return patient(THESIS / "peg_in_hole.ross"), THESIS / "msg" / "heron_msgs"
+def needs(generation: str) -> Sequence[Wanted]:
+    """The node of the listing, the messages of the robot, and the program that tells the listing
+    of skills.
+    """
+    packages = ROOT / "ros" / generation
+    listing = patient(THESIS / "peg_in_hole.ross")
+    messages = THESIS / "msg" / "heron_msgs", packages / "skill_context_msgs"
+    return listing, *messages, packages / "skill_context_tools"
 
 
 pytestmark = [pytest.mark.builds(by=needs), pytest.mark.deep]
@@ -62,3 +68,17 @@ def test_an_arm_that_leaves_its_volume_goes_back_the_way_it_came(
     assert arm.last("/arm/wrench") == 5.0
     until(lambda: "rule rule_1: violated" in node.said(), "the rule is logged")
     arm.silent("/arm/target")
+
+
+def test_contact_is_allowed_by_the_description_of_the_skill(
+    running: tuple[Ears, Process], ros: Ros, programs: Sequence[Path], started: list[Process]
+) -> None:
+    arm, _ = running
+    started.append(ros.begin(programs[3] / "contact_allowed", {}))
+    arm.set(speed=0.1, permits=["contact"])
+    until(lambda: (arm.last("x") or 0.0) > EDGE + 0.05, "the arm passes the edge of its volume")
+    assert active(arm) == []
+    assert arm.heard("/arm/target") == []
+    arm.set(permits=["speed"])
+    until(lambda: active(arm) == ["rule_1"], "another skill runs, and contact is not allowed")
+    until(lambda: len(arm.heard("/arm/target")) > 0, "the arm is sent back")

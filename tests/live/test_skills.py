@@ -157,7 +157,7 @@ def test_contact_is_allowed_while_a_skill_permits_it(
     begin: Begin, ros: Ros, programs: Sequence[Path], started: list[Process]
 ) -> None:
     robot = begin("")
-    started.append(ros.begin(programs[2] / "contact_allowed", {}))
+    started.append(ros.begin(programs[2] / "contact_allowed", {"digest": DIGEST}))
 
     def allows(is_allowed: bool) -> None:
         until(lambda: robot.last("/contact_allowed") == is_allowed, f"{is_allowed}")
@@ -172,6 +172,10 @@ def test_contact_is_allowed_while_a_skill_permits_it(
     robot.set(skills=[])
     allows(False)
     robot.set(skills=[BOX])
+    allows(True)
+    robot.set(digest=f"c0ffee{'1' * 58}")
+    allows(False)
+    robot.set(digest=DIGEST)
     allows(True)
     robot.set(is_talking=False)
     allows(False)

@@ -7,6 +7,7 @@ from ears import Ears, run
 from geometry_msgs.msg import Point, Twist, Vector3, Wrench
 from heron_msgs.msg import DetectedObject
 from peg_in_hole_safety.msg import State
+from skill_context_msgs.msg import RunningSkill, SkillContext, SkillPermission
 from std_msgs.msg import Bool, Float64
 
 NODE = "/peg_in_hole_safety"
@@ -16,17 +17,23 @@ RETURN = 0.05  # m/s
 
 
 class Peg(Ears):
-    """Follows velocities, or goes to the last target while there are any."""
+    """Follows velocities, or goes to the last target while there are any.
+
+    It says itself that no contact is allowed, unless `permits` is set: then its skill manager tells
+    that a skill runs, which permits so much.
+    """
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
         self.speed = 0.0  # m/s along x, as the skill wants it
         self.push = 0.0  # N along z, as the skill wants it
+        self.permits = None
         self._place = [-0.1, 0.2, 0.9]
         self._velocity = 0.0
         self._target, self._age = None, PATIENCE
         self._pose = self.publisher("/endEffectorPose", Point)
         self._contact = self.publisher("/contact_allowed", Bool)
+        self._context = self.publisher("/skill_context", SkillContext)
         self._object = self.publisher("/detectobject", DetectedObject)
         self._inertia = self.publisher("/endEffectorInertia", Float64)
         self._wanted = self.publisher("/arm/unfil_velocity", Twist)
@@ -56,11 +63,24 @@ class Peg(Ears):
             self._place[0] += self._velocity * PERIOD
         self.note("x", self._place[0])
         self._pose.publish(Point(x=self._place[0], y=self._place[1], z=self._place[2]))
-        self._contact.publish(Bool(data=False))
+        if self.permits is None:
+            self._contact.publish(Bool(data=False))
+        else:
+            self._context.publish(self._told())
         self._object.publish(DetectedObject(dist=1.0))
         self._inertia.publish(Float64(data=0.0))
         self._wanted.publish(Twist(linear=Vector3(x=self.speed, y=0.0, z=0.0)))
         self._pushed.publish(Wrench(force=Vector3(x=0.0, y=0.0, z=self.push)))
+
+    def _told(self):
+        context, skill = SkillContext(), RunningSkill()
+        skill.skill, skill.goal = "Insert", "Insert 1"
+        for kind in self.permits:
+            permission = SkillPermission()
+            permission.kind, permission.type, permission.limit = kind, "skiros.Product", math.nan
+            skill.permits.append(permission)
+        context.running = [skill]
+        return context
 
 
 if __name__ == "__main__":
