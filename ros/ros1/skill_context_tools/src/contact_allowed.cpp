@@ -1,7 +1,7 @@
 // Publishes contact_allowed (std_msgs/Bool) ten times a second, for rules and programs that know no
 // skills: true while a skill that runs permits contact, false while none does, and false when
-// nobody has said for `~patience` seconds which skills run. With `~digest`, skills of another export
-// permit nothing.
+// nobody has said for `~patience` seconds which skills run. With `~digest`, skills of another
+// export permit nothing.
 #include <ros/ros.h>
 #include <skill_context_msgs/SkillContext.h>
 #include <std_msgs/Bool.h>
