@@ -64,9 +64,9 @@ class Robot:
         """A message about the force alone."""
         self.monitor.update(_ns(at_s), self._force(force))
 
-    def wait(self, at_s: float) -> None:
+    def wait(self, at_s: float) -> tuple[ir.Event, ...]:
         """Let time pass."""
-        self.monitor.advance(_ns(at_s))
+        return tuple(self.monitor.advance(_ns(at_s)))
 
     def active(self) -> set[str]:
         """The rules that are active."""

@@ -49,12 +49,18 @@ class Cause:
 
     def line(self, origin_ns: int = 0) -> str:
         """One line; instants are shown in seconds after `origin_ns`."""
-        shown = [f"{reading.text} = {reading.shown}" for reading in self.readings]
+        word = _WORDS[self.value]
         # "x = 3 m, not in [1, 2] m" reads better than "x = 3 m, x not in [1, 2] m".
         lone = f"{self.readings[0].text} " if len(self.readings) == 1 else ""
+        shown = [f"{reading.text} = {reading.shown}" for reading in self.readings]
         shown.append(self.text.removeprefix(lone))
+        flag = self.text.removeprefix("not ")
+        if [reading.text for reading in self.readings] == [flag]:
+            # "on, false" reads better than "on = false, not on, true".
+            word = word if flag == self.text else _WORDS[kleene.negation(self.value)]
+            shown = [flag]
         shown += self.limits
-        since = f"{_WORDS[self.value]} since {(self.since_ns - origin_ns) / 1e9:.3f} s"
+        since = f"{word} since {(self.since_ns - origin_ns) / 1e9:.3f} s"
         prefix = f"{self.name}: " if self.name else ""
         return prefix + ", ".join((*shown, since))
 
@@ -137,7 +143,7 @@ def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
         causes=tuple(causes.values()),
         lost_inputs=snapshot.lost_inputs(tuple(causes.values())),
         contract=rule.contract,
-        exempted=None if verdict.change is Change.CLEARED else exemption_words(rule),
+        exempted=exemption_words(rule) if snapshot.is_exemption_used() else None,
     )
 
 
@@ -157,11 +163,26 @@ class _Snapshot:
 
     def __init__(self, machine: ir.Machine, verdict: Verdict) -> None:
         rule = machine.rules[verdict.rule]
-        self._machine = machine
+        self._machine, self._verdict, self._rule = machine, verdict, rule
         self._truths = dict(zip(rule.terms, verdict.truths, strict=True))
         self._since_ns = dict(zip(rule.terms, verdict.since_ns, strict=True))
         self._values = dict(zip(rule.signals, verdict.values, strict=True))
         self._inputs = dict(zip(rule.inputs, verdict.inputs, strict=True))
+
+    def is_exemption_used(self) -> bool:
+        """Say whether the rule stands for an exemption, and its skill is known to run: a rule that
+        is active for lack of an input may lack the context as well.
+        """
+        is_active = self._verdict.change is not Change.CLEARED
+        exempts = self._rule.exempts
+        return (
+            is_active
+            and exempts is not None
+            and any(
+                value is TruthValue.TRUE and self._machine.truths[truth].text == exempts.doing
+                for truth, value in self._truths.items()
+            )
+        )
 
     def causes(self, condition: int) -> Iterator[Cause]:
         """The causes that decided a condition, from left to right."""

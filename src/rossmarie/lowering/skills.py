@@ -36,12 +36,13 @@ class Skills:
     def kept(self, node: ast.Doing) -> int:
         """The truth that the skill runs and that the context is not late: false when it is."""
         used = self._context(f"{CONTEXT}_kept", None)
-        name, timeout_ns = used.declaration.name.text, self._skills.timeout_ns
-        age = f"age({name}) >= {duration_text(timeout_ns)}"
+        timeout_ns = self._skills.timeout_ns
+        timeout = duration_text(timeout_ns)
         late = self._nodes.leaf(
-            ir.AgeReaches(self._inputs.input(used), timeout_ns), Shown(age, node.span)
+            ir.AgeReaches(self._inputs.input(used), timeout_ns),
+            Shown(f"no skills told for {timeout}", node.span),
         )
-        fresh = self._nodes.negation(late, Shown(f"not {age}", node.span))
+        fresh = self._nodes.negation(late, Shown(f"skills told within {timeout}", node.span))
         text = Shown(f"{self.text(node)}, as told in time", node.span)
         return self._nodes.conjunction((self._flag(node, used), fresh), text)
 

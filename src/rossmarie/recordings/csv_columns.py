@@ -10,6 +10,7 @@ from difflib import SequenceMatcher
 from rossmarie.ir import EACH, Array, Listed, Machine, Slot
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.matching import Match
+from rossmarie.recordings.skills import question_of
 
 _COMPARED = 200
 _EACH = "*"
@@ -161,6 +162,11 @@ def _names(match: Match, field: Slot | Array, machine: Machine) -> Iterator[str]
     last = path.index(_EACH) if _EACH in path else len(path)
     siblings = {_texts(other) for other in match.fields_of(field.input)} - {path}
     siblings = {other for other in siblings if other[:-1] != path}
+    if isinstance(field, Slot) and question_of(field) is not None:
+        # All inputs that read the context ask the same, and one of them is the compiler's own.
+        readers = (machine.inputs[reader].name for reader in match.inputs)
+        yield from sorted((".".join([name, *path]) for name in readers), key=len, reverse=True)
+        return
     for start in range(last + 1):
         end = path[start:]
         if not any(other[len(other) - len(end) :] == end for other in siblings):

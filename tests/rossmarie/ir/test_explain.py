@@ -111,7 +111,8 @@ def test_a_comparison_of_two_signals_shows_both() -> None:
 
 
 def test_flags_and_texts_are_shown_as_such() -> None:
-    assert lines_of_rule("on", on=1.0) == ("on = true, on, true since 1.000 s",)
+    assert lines_of_rule("on", on=1.0) == ("on, true since 1.000 s",)
+    assert lines_of_rule("not on", on=0.0) == ("on, false since 1.000 s",)
     assert lines_of_rule('mode == "docked"', mode=0.0) == (
         'mode = "docked", == "docked", true since 1.000 s',
     )

@@ -15,6 +15,7 @@ from rosbags.typesys.store import Typestore
 
 from rossmarie.ir import Doing, Kind, Machine, Quantity, SkillStep, Slot
 from rossmarie.ir.skills import SkillContext, answer
+from rossmarie.recordings import RecordingError
 from support.recordings import (
     KINDS,
     ROS2,
@@ -116,3 +117,17 @@ def test_a_column_of_two_limits_is_quoted(tmp_path: Path) -> None:
     path = tmp_path / "skills.csv"
     path.write_text(f'time,"mode.{asked}"\n0,1\n1,0\n')
     assert answers(path, [asked]) == [[1.0], [0.0]]
+
+
+def test_a_column_answers_all_that_ask_the_same(tmp_path: Path) -> None:
+    """A rule and an exemption ask by inputs of their own, which are one column."""
+    slots = [Slot(index, (PUSH,), Kind.FLAG, 1.0, 0.0, "") for index in range(2)]
+    both = machine([(TOPIC, TYPE)], [("battery", 0), ("mode", 0)], slots)
+    path = tmp_path / "skills.csv"
+    path.write_text("time,mode.doing Push(Object: Fragile)\n0,1\n")
+    updates, found = replay(path, both)
+    assert codes(found) == []
+    assert updates[0].channels[0].slots == {0: 1.0, 1: 1.0}
+    path.write_text("time,speed,/skill_context.other\n0,1,1\n")
+    with pytest.raises(RecordingError, match="ROSS616"):
+        replay(path, both)

@@ -25,11 +25,11 @@ def test_a_verdict_says_which_rule_is_not_applied_and_why() -> None:
     robot.tell(0, force=9)
     events = robot.tell(1, running("Push", Object="skiros.Glass"))
     cleared, activated = [ir.event_line(robot.machine, event) for event in events]
-    assert cleared.startswith("contact cleared: doing Push(Object: Fragile) = true, ")
+    assert cleared.startswith("contact cleared: doing Push(Object: Fragile), true since")
     start = "contact_doing_Push activated: contact is not applied: doing Push(Object: Fragile), "
     assert activated.startswith(f"{start}which permits {PERMITTED}; force = 9 N, > 5 N, true since")
     _, ended = [ir.event_line(robot.machine, event) for event in robot.tell(2)]
-    assert ended.startswith("contact_doing_Push cleared: doing Push(Object: Fragile) = false, ")
+    assert ended.startswith("contact_doing_Push cleared: doing Push(Object: Fragile), false since")
 
 
 def test_a_skill_that_permits_nothing_is_told_without_a_permission() -> None:
@@ -42,6 +42,18 @@ def test_a_skill_that_permits_nothing_is_told_without_a_permission() -> None:
     line = ir.event_line(robot.machine, event)
     start = "contact_doing_Drive activated: contact is not applied: doing Drive; "
     assert line.startswith(start)
+
+
+def test_an_exemption_that_lacks_the_context_is_not_told_as_one() -> None:
+    robot = Robot("""
+    input push = topic /push : std_msgs/Float32 in N timeout 1 sec;
+    rule contact: if push > 5 N then { stop; } unless doing Push then { slow; };
+    """)
+    events = (*robot.wait(0), *robot.wait(2))
+    lines = {ir.event_line(robot.machine, event) for event in events}
+    lost = "activated: input push (/push) has never been received"
+    context = "; input skill_context (/skill_context) has never been received"
+    assert lines == {f"contact {lost}{context}", f"contact_doing_Push {lost}"}
 
 
 def test_the_safety_file_lists_exemptions_with_their_permissions(tmp_path: Path) -> None:
