@@ -53,18 +53,19 @@ def test_the_engine_answers_as_its_models_do(tmp_path: Path) -> None:
 @needs_c
 def test_an_engine_that_dies_is_a_defect_with_its_last_words() -> None:
     program = Program("monitor.c")
+    others = children_of_this_process()
     program.send([])
-    number = children_of_this_process().pop()
+    (number,) = children_of_this_process() - others
     os.kill(number, signal.SIGKILL)
     os.waitid(os.P_PID, number, os.WEXITED | os.WNOWAIT)
     with pytest.raises(DefectError, match=r"monitor\.c ended"):
         program.send([Call(0)])
 
 
-def children_of_this_process() -> list[int]:
-    """The numbers of the processes that this one has started, the last one last."""
+def children_of_this_process() -> set[int]:
+    """The numbers of the processes that this one has started."""
     threads = Path("/proc/self/task").glob("*/children")
-    return sorted(int(number) for each in threads for number in each.read_text().split())
+    return {int(number) for each in threads for number in each.read_text().split()}
 
 
 def _try_damaged(name: str, tmp_path: Path) -> None:
