@@ -14,6 +14,7 @@ import typer
 from crosscheck.cli.output import output
 from dslkit.command_line import Format
 from dslkit.parameters import Group
+from dslkit.writing import reason
 from rossmarie.cli.options import MessageFolders, Rules, Systems, written
 
 app = typer.Typer(
@@ -38,13 +39,26 @@ def check(
     form: Annotated[
         Format, typer.Option("--format", help="How findings are printed.")
     ] = Format.TEXT,
+    scene: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="The world that the robot starts in (.turtle).", readable=False
+        ),
+    ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Find what only rules and skills together can tell."""
     from crosscheck.check import check_robot
 
-    found = check_robot(rules, systems=system or [], message_folders=messages or [])
+    try:
+        found = check_robot(
+            rules, systems=system or [], message_folders=messages or [], scene=scene
+        )
+    except OSError as problem:
+        if scene is None:
+            raise
+        output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
     output.print_diagnostics(found, form, file_count=1)
     raise typer.Exit(output.exit_code(found))
 
