@@ -1,7 +1,7 @@
 """The `crosscheck` command: one function per subcommand.
 
 Exit codes: 0 all is well (warnings may have been printed), 1 something was found, 2 the command
-itself was called wrongly or a file could not be read, 70 a defect of this tool.
+itself was called wrongly, a file could not be read or there is no ROS, 70 a defect of this tool.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Annotated
 
 import typer
 
+from crosscheck.cli.choices import LiveFormat, ros_namespace
 from crosscheck.cli.output import output
 from dslkit.command_line import Format
 from dslkit.parameters import Group
@@ -90,6 +91,30 @@ def impact(
     from crosscheck.cli.showing import run_impact
 
     run_impact(skill, rules, system or [], messages or [])
+
+
+@app.command()
+def live(
+    rules: Rules,
+    namespace: Annotated[
+        str,
+        typer.Option(
+            metavar="NS", help="That of the robot, such as /robot1.", parser=ros_namespace
+        ),
+    ] = "",
+    seconds: Annotated[
+        float | None, typer.Option(metavar="SECONDS", min=0.0, help="End after this time.")
+    ] = None,
+    form: Annotated[
+        LiveFormat, typer.Option("--format", help="How changes and findings are printed.")
+    ] = LiveFormat.TEXT,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Watch a robot over ROS: which skills run, which rules act on them, and what is amiss."""
+    from crosscheck.cli.watching import run_live
+
+    run_live(rules, namespace, seconds, form, system or [], messages or [])
 
 
 @app.command()
