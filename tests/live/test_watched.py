@@ -15,6 +15,7 @@ import pytest
 
 from rossmarie.driver import compile_file
 from support.live import LIMIT, Ears, Process, Ros, Wanted, until
+from support.ros1_live import set_parameters
 
 ROOT = Path(__file__).parents[2]
 RULES = ROOT / "tests" / "fixtures" / "skillful" / "skillful.ross"
@@ -177,10 +178,17 @@ def test_what_is_amiss_is_told_once_until_it_is_over(
 def test_a_robot_in_a_namespace_is_told_alone_and_time_may_stand_still(
     begin: Callable[[str], Ears], watch: Callable[..., Watching], ros: Ros
 ) -> None:
-    one, _ = begin("/robot1"), begin("/robot2")
+    robots = {"/robot1": begin("/robot1"), "/robot2": begin("/robot2")}
+
+    def have_begun() -> bool:
+        return all(each.last(f"{name}/{NODE}/state") for name, each in robots.items())
+
+    until(have_begun, "the nodes have their clocks")
+    if ros.name == "ros1":  # for all who start after this; in ROS 2 each node is told by itself
+        set_parameters(ros.variables, "crosscheck_live", {}, use_sim_time=True)
     watching = watch("--namespace", "robot1", "--format", "json")
     watching.until(lambda: bool(watching.changes("rule-activates")), "contact is active")
-    one.set(skills=[GLASS])
+    robots["/robot1"].set(skills=[GLASS])
     watching.until(lambda: bool(watching.changes("exemption-begins")), "the exemption is used")
     assert {each["rule"] for each in watching.changes("rule-activates")} == {"contact"}
     assert watching.codes() == []

@@ -1,4 +1,4 @@
-"""What is known of a robot before it runs: its names, and what rules have to do with its skills."""
+"""All that is known of a robot before it runs: names, and what rules have to do with skills."""
 
 from __future__ import annotations
 

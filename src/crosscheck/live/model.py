@@ -1,4 +1,4 @@
-"""What a robot tells, and what is told of it, as plain data."""
+"""The messages of a robot, and the changes that are told of it, as plain data."""
 
 from __future__ import annotations
 

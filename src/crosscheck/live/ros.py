@@ -1,5 +1,5 @@
-"""What a robot tells over ROS 1 or ROS 2, whichever of them this Python has. Nothing of either is
-imported before that is asked for.
+"""The messages of a robot over ROS 1 or ROS 2, whichever of them this Python has. Nothing of either
+is imported before that is asked for.
 """
 
 from __future__ import annotations
@@ -22,6 +22,8 @@ _MOST_WAITING = 1000
 """Messages that are kept until somebody looks at them; ROS keeps more back."""
 _LONGEST_WAIT = 1.0
 """Seconds for which a message waits for a place among them."""
+_LONGEST_SPIN = 0.2
+"""Seconds for which ROS 2 waits for a message, until it looks whether this is to end."""
 _LIBRARIES = ("rospy", "rclpy")
 
 Read = Callable[[Any], Message | None]
@@ -133,10 +135,21 @@ def _ros2(rclpy: Any, topics: list[tuple[Topic, Take]]) -> Callable[[], object]:
         node.create_subscription(topic.type, topic.name, take, profile)
     executor = importlib.import_module("rclpy.executors").SingleThreadedExecutor()
     executor.add_node(node)
-    threading.Thread(target=executor.spin, daemon=True).start()
+    has_ended = threading.Event()
+
+    def spin() -> None:
+        while not has_ended.is_set():
+            executor.spin_once(timeout_sec=_LONGEST_SPIN)
+
+    thread = threading.Thread(target=spin, daemon=True)
+    thread.start()
 
     def end() -> None:
-        executor.shutdown(timeout_sec=_LONGEST_WAIT)
+        """Nothing may be torn down under a thread that still waits: rclpy aborts the process."""
+        has_ended.set()
+        thread.join()
+        executor.shutdown()
+        node.destroy_node()
         rclpy.try_shutdown()
 
     return end

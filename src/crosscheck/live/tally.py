@@ -1,4 +1,4 @@
-"""How often something was so, and for how long."""
+"""Counts of how often something was so, and for how long."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Name = TypeVar("Name", bound=Hashable)
 
 @dataclass
 class Count:
-    """How often something was so, and for how many seconds in all."""
+    """The times that something was so, and the seconds in all."""
 
     times: int = 0
     seconds: float = 0.0

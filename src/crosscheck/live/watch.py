@@ -31,21 +31,20 @@ class Watch:
         self._facts, self.start, self.now = facts, start, start
         self._context = Source(facts.timeout, start)
         self._node = Source(NODE_PATIENCE, start)
-        self._has_state = False
         self._exempted: frozenset[str] = frozenset()
         self._taken: frozenset[tuple[str, str, str]] = frozenset()
         self._told: set[type[Template]] = set()
         self.skills: Tally[_Call] = Tally()
         self.rules: Tally[str] = Tally()
         self.takings: dict[tuple[str, str, str], int] = {}
-        """How often a rule took a thing from a skill, by these three names."""
+        """The times that a rule took a thing from a skill, by these three names."""
         self.findings = 0
         self.has_errors = False
 
     # --- what happens -----------------------------------------------------------------------------
 
     def take(self, at: float, message: Message) -> list[Told]:
-        """What a message tells that is new."""
+        """Take a message; gives all that it tells that is new."""
         return [*self.pass_time(at), *self._counted(self._take(message))]
 
     def _take(self, message: Message) -> Iterator[Told]:
@@ -55,11 +54,11 @@ class Watch:
             case NodeState():
                 yield from self._take_state(message)
             case Alive():
-                if self._has_state:
+                if self._node.has_spoken:
                     self._node.speaks(self.now)
 
     def pass_time(self, at: float) -> list[Told]:
-        """What is new although nobody speaks."""
+        """Let time go on; gives all that is new although nobody speaks."""
         self.now = max(self.now, at)
         return self._counted(self._silences())
 
@@ -76,7 +75,7 @@ class Watch:
         self._node.heard += seconds
 
     def end(self, at: float) -> list[Told]:
-        """What is new at the end: who has never spoken is told, however short that was."""
+        """End; gives all that is new: who has never spoken is told, however short the time was."""
         found = self.pass_time(at)
         if not self._context.has_spoken:
             found += self._counted(self._context_is_silent(self.now - self.start))
@@ -89,7 +88,7 @@ class Watch:
         return found
 
     def count(self, rule: str) -> Count:
-        """How often a rule was active, and for how long."""
+        """Count how often a rule was active, and for how long."""
         return self.rules.counts.get(rule, Count())
 
     # --- skills -----------------------------------------------------------------------------------
@@ -162,7 +161,6 @@ class Watch:
 
     def _take_state(self, state: NodeState) -> Iterator[Told]:
         self._node.speaks(self.now)
-        self._has_state = True
         yield from self._over(errors.SilentNode, f"{self._facts.node} is heard again")
         yield from self._other_rules(state)
         active = [each for each in state.active if each in self._facts.rules]
@@ -215,7 +213,7 @@ class Watch:
             self.rules.end(rule, self._node.heard)
             text = f"nobody knows any more whether {rule} is active"
             yield Change(Kind.UNKNOWN, text, {"rule": rule})
-        self._has_state, self._taken = False, frozenset()
+        self._taken = frozenset()
 
     # --- both -------------------------------------------------------------------------------------
 

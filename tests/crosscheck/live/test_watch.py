@@ -84,10 +84,27 @@ def test_what_a_rule_takes_from_a_skill_is_told_whichever_comes_first(
     (taken,) = [line for line in told if "takes" in line]
     assert taken.startswith(f"too_hard takes {ARM} from Wipe (")
     assert "whiteboard.ross:" in taken
-    watch.take(100.2, NodeState())
-    watch.take(100.3, NodeState(("too_hard", "calm")))
+    for message in messages:
+        assert said(watch.take(100.2, message)) == []
+    watch.take(100.3, NodeState())
+    watch.take(100.4, NodeState(("too_hard", "calm")))
     assert watch.takings == {("too_hard", ARM, "Wipe"): 2}
     assert watch.count("too_hard").times == 2
+
+
+@pytest.mark.parametrize(
+    "silent", [context(WIPE), NodeState(("too_hard",))], ids=["context", "node"]
+)
+def test_what_is_taken_is_told_anew_after_a_silence(watch: Watch, silent: Message) -> None:
+    both: list[Message] = [context(WIPE), NodeState(("too_hard",))]
+    for message in both:
+        watch.take(100.1, message)
+    others: list[Message] = [Alive()] if silent == both[0] else [both[0]]
+    for tenth in range(40):
+        for message in others:
+            watch.take(100.2 + tenth / 10, message)
+    assert any("takes" in line for line in said(watch.take(104.3, silent)))
+    assert watch.takings == {("too_hard", ARM, "Wipe"): 2}
 
 
 def test_operators_are_told(watch: Watch) -> None:
