@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import z3
 
@@ -15,14 +15,18 @@ from rossmarie.analysis.terms import YES
 
 def runs(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill runs. Others may run beside it."""
-    return z3.And(YES, *_told(state, skill, is_running=True))
+    asked = questions(state.machine)
+    yes = {slot: skill in step.skills and not step.arguments for slot, step in asked.items()}
+    return z3.And(YES, *tells(state, {slot: answer or None for slot, answer in yes.items()}))
 
 
 def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill does not run, nor one that is asked for
     together with it.
     """
-    return z3.And(YES, *_told(state, skill, is_running=False))
+    asked = questions(state.machine)
+    no = {slot: False if skill in step.skills else None for slot, step in asked.items()}
+    return z3.And(YES, *tells(state, no))
 
 
 def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
@@ -30,14 +34,16 @@ def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
     return z3.Or([becomes_active(state, rule) for rule in rules])
 
 
-def _told(state: Encoding, skill: str, *, is_running: bool) -> Iterator[z3.BoolRef]:
-    asked = questions(state.machine)
-    for slot, step in asked.items():
+def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.BoolRef]:
+    """Say that the context is there, and answers the questions in these slots, which are all; None
+    stands for any answer.
+    """
+    for slot, answer in answers.items():
         number = state.slot(slot)
         yield number.known
-        if skill in step.skills and not (is_running and step.arguments):
-            yield number.value == (1 if is_running else 0)
-    contexts = {state.machine.slots[slot].input for slot in asked}
+        if answer is not None:
+            yield number.value == (1 if answer else 0)
+    contexts = {state.machine.slots[slot].input for slot in answers}
     for index, truth in enumerate(state.machine.truths):
         if isinstance(truth.node, ir.AgeReaches) and truth.node.input in contexts:
             yield state.truth(index).false

@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from crosscheck.channels import find_types_that_differ, find_unread
 from crosscheck.errors import NotAllAsked
@@ -12,34 +13,55 @@ from crosscheck.exemptions import find_unused, find_wider
 from crosscheck.fights import find_fights
 from crosscheck.permissions import find_not_granted
 from crosscheck.robot import Robot, load
+from crosscheck.things import find_never_in_scene, find_no_numbers, find_nothing_to_take
 from crosscheck.workable import find_unworkable
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
+
+if TYPE_CHECKING:  # for those who name a scene only
+    from crosscheck.scene import Scene
 
 LONGEST_S = 600.0
 """The questions about one robot are given up after this, in seconds of processor time."""
 
 
 def check_robot(
-    rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
+    rules: Path,
+    *,
+    systems: Sequence[Path] = (),
+    message_folders: Sequence[Path] = (),
+    scene: Path | None = None,
 ) -> tuple[Diagnostic, ...]:
-    """All findings on rules, and on the skills that they name."""
+    """All findings on rules, on the skills that they name, and on a scene that the robot starts in.
+    Raises `OSError` if the scene cannot be read.
+    """
     loaded = load(rules, systems=systems, message_folders=message_folders)
     if loaded.robot is None:
         return loaded.diagnostics
-    return (*loaded.diagnostics, *findings(loaded.robot))
+    if scene is None:
+        return (*loaded.diagnostics, *findings(loaded.robot))
+    from crosscheck.scene import load_scene  # with the ontology, which other checks do not need
+
+    world = load_scene(scene, loaded.robot)
+    found = findings(loaded.robot, world.scene)
+    return (*loaded.diagnostics, *world.diagnostics, *found)
 
 
-def findings(robot: Robot) -> Iterator[Diagnostic]:
-    """The findings that only rules and skills together give."""
+def findings(robot: Robot, scene: Scene | None = None) -> Iterator[Diagnostic]:
+    """The findings that only rules and skills together give, in a scene or in any."""
     yield from find_types_that_differ(robot)
     yield from find_unread(robot)
     yield from find_unused(robot)
+    if scene is not None:
+        yield from find_nothing_to_take(robot, scene)
+        yield from find_never_in_scene(robot, scene)
     inquiry = Inquiry(robot.machine, time.process_time() + LONGEST_S)
     try:
         for question in (find_wider, find_not_granted, find_unworkable, find_fights):
             yield from question(robot, inquiry)
+        if scene is not None:
+            yield from find_no_numbers(robot, scene, inquiry)
     except OutOfTimeError:
         start = Span(robot.modules[-1].file, 0, 0)
         yield NotAllAsked(seconds=LONGEST_S).at(start)

@@ -74,6 +74,38 @@ class NotGranted(Warning, code="CHK104", name="not-granted"):
         skill: str
 
 
+class NeverInScene(Warning, code="CHK105", name="never-in-this-scene"):
+    """A question to the skills that asks for a thing of a class that the scene has none of."""
+
+    title = "`{question}` is never true in this scene"
+    label = "no thing of the scene is of the class that `{parameter}` has to be of"
+    question: str
+    parameter: str
+
+    class Others(Remark):
+        says = "in this scene `{parameter}` can be {known}; ask for that, or describe another thing"
+        parameter: str
+        known: str
+
+
+class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
+    """A thing of the scene without a number that a rule reads while a skill runs with it."""
+
+    title = "{thing} {problem} {property}, so that {rules} {hold} while `{skill}` runs with it"
+    label = "{rules} cannot know {property} of this"
+    help = "give it one {property} that is a number, or ask for a class without this thing"
+    thing: str
+    problem: str
+    property: str
+    rules: str
+    hold: str
+    skill: str
+
+    class Read(Remark):
+        says = "this rests on {question}, and holds where that is unknown"
+        question: str
+
+
 class NeverWorks(Error, code="CHK201", name="skill-never-works"):
     """A skill that needs something that a rule takes away whenever the skill runs."""
 
@@ -136,6 +168,19 @@ class NotAllAsked(Error, code="CHK204", name="not-all-asked"):
     seconds: float
 
 
+class NothingToTake(Warning, code="CHK205", name="nothing-to-take"):
+    """Skills that need a thing of a class that the scene has none of."""
+
+    title = "{skills} cannot start in this scene: there is no {owl_class}"
+    label = "this has to be one"
+    help = "describe one in the scene"
+    skills: str
+    owl_class: str
+
+    class Needed(Remark):
+        says = "and this"
+
+
 class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
     """A topic or server that rules and skills take for something else."""
 
@@ -166,16 +211,30 @@ class NobodyReads(Warning, code="CHK302", name="nobody-reads"):
         node: str
 
 
+class NoOntologyForScene(Error, code="CHK303", name="scene-without-ontology"):
+    """A scene for skills whose file leads to no ontology, or to one that lacks a class."""
+
+    title = "nobody knows what the things of the scene are: `{missing}` is not in the ontology"
+    label = "these skills tell of no ontology that has it"
+    note = "the ontology is that of the sources of this file"
+    help = "write the file with `ezskiros export`, beside the ontology"
+    missing: str
+
+
 ALL: tuple[type[Template], ...] = (
     NoSkills,
     ExemptionWithoutTree,
     WiderThanPermitted,
     NotPermitted,
     NotGranted,
+    NeverInScene,
+    NoNumberInScene,
     NeverWorks,
     RulesNeverLetWork,
     Fight,
     NotAllAsked,
+    NothingToTake,
     TypesDiffer,
     NobodyReads,
+    NoOntologyForScene,
 )

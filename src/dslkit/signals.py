@@ -9,6 +9,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+from collections.abc import Callable
 
 _BASE = 128
 _AGAIN_S = 0.02
@@ -24,6 +25,15 @@ def raise_interrupts() -> None:
     """From now on, a signal raises `KeyboardInterrupt`, so that work tidies up as it ends."""
     _handle(_interrupt)
     sys.unraisablehook = _interrupt_again
+
+
+def ask_to_end() -> Callable[[], bool]:
+    """From now on, a signal ends nothing: what is returned says whether one came. For work that
+    goes on until somebody ends it, and then has something to tell.
+    """
+    asked: list[int] = []
+    _handle(lambda number, _: asked.append(number))
+    return lambda: bool(asked)
 
 
 def exit_code() -> int | None:

@@ -86,8 +86,11 @@ EZSKIROS = Tool(
         "catalog": {9},
     },
 )
-# 0 files, 1 exemptions and permissions, 2 rules against skills, 3 topics, 9 defects of the tool.
-CROSSCHECK = Tool(crosscheck.catalog.CATALOG, "CHK", {"errors": {0, 1, 2, 3}, "catalog": {9}})
+# 0 files, 1 exemptions and permissions, 2 rules against skills, 3 topics and scenes, 4 a robot that
+# runs, 9 defects of the tool.
+CROSSCHECK = Tool(
+    crosscheck.catalog.CATALOG, "CHK", {"errors": {0, 1, 2, 3}, "live": {4}, "catalog": {9}}
+)
 TOOLS = (ROSSMARIE, EZSKIROS, CROSSCHECK)
 SECTIONS = ["What it means", "Example", "Write instead"]
 

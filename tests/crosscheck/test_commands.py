@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
 import xml.etree.ElementTree as ET
 from pathlib import Path
 
@@ -122,3 +125,21 @@ def test_nothing_that_is_read_is_written_over(
     assert done.returncode == 2
     assert f"{lost} does not end in" in done.stderr
     assert path.read_bytes() == before
+
+
+def test_a_robot_is_not_watched_without_ros_or_with_wrong_rules(tmp_path: Path) -> None:
+    alone = {
+        "PYTHONPATH": os.pathsep.join(each for each in sys.path if "dist-packages" not in each)
+    }
+    done = subprocess.run(
+        [sys.executable, "-m", "crosscheck", "live", RULES],
+        capture_output=True, text=True, env={**os.environ, **alone}, check=False,
+    )  # fmt: skip
+    assert done.returncode == 2
+    assert "whiteboard_safety" in done.stderr
+    assert "Traceback" not in done.stderr
+    wrong = tmp_path / "wrong.ross"
+    wrong.write_text("action stop")
+    assert command_line.run("crosscheck", "live", wrong).returncode == 1
+    named = command_line.run("crosscheck", "live", "--namespace", "a b", RULES)
+    assert named.returncode == 2

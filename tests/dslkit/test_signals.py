@@ -43,3 +43,13 @@ def test_a_signal_that_is_ignored_stays_so() -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], timeout=TIME_LIMIT_S, check=False)
     assert done.returncode == 0
+
+
+def test_work_that_is_asked_to_end_goes_on_until_it_looks() -> None:
+    code = (
+        "import signal; from dslkit import signals; has_to_end = signals.ask_to_end();"
+        "assert not has_to_end(); signal.raise_signal(signal.SIGTERM);"
+        "assert has_to_end() and signals.exit_code() is None"
+    )
+    done = subprocess.run([sys.executable, "-c", code], timeout=TIME_LIMIT_S, check=False)
+    assert done.returncode == 0

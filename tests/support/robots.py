@@ -27,11 +27,11 @@ def put_example(folder: Path, modules: Mapping[str, str] | None = None) -> Path:
     return robot
 
 
-def found_with(robot: Path, rules: str) -> tuple[Diagnostic, ...]:
-    """The findings on rules beside the skills of a robot."""
+def found_with(robot: Path, rules: str, scene: Path | None = None) -> tuple[Diagnostic, ...]:
+    """The findings on rules beside the skills of a robot, in a scene or in any."""
     path = robot / "rules.ross"
     path.write_text(rules, encoding="utf-8")
-    return check_robot(path)
+    return check_robot(path, scene=scene)
 
 
 def codes(found: tuple[Diagnostic, ...]) -> list[str]:

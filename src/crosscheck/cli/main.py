@@ -1,7 +1,7 @@
 """The `crosscheck` command: one function per subcommand.
 
 Exit codes: 0 all is well (warnings may have been printed), 1 something was found, 2 the command
-itself was called wrongly or a file could not be read, 70 a defect of this tool.
+itself was called wrongly, a file could not be read or there is no ROS, 70 a defect of this tool.
 """
 
 from __future__ import annotations
@@ -11,9 +11,11 @@ from typing import Annotated
 
 import typer
 
+from crosscheck.cli.choices import LiveFormat, ros_namespace
 from crosscheck.cli.output import output
 from dslkit.command_line import Format
 from dslkit.parameters import Group
+from dslkit.writing import reason
 from rossmarie.cli.options import MessageFolders, Rules, Systems, written
 
 app = typer.Typer(
@@ -38,13 +40,26 @@ def check(
     form: Annotated[
         Format, typer.Option("--format", help="How findings are printed.")
     ] = Format.TEXT,
+    scene: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="The world that the robot starts in (.turtle).", readable=False
+        ),
+    ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Find what only rules and skills together can tell."""
     from crosscheck.check import check_robot
 
-    found = check_robot(rules, systems=system or [], message_folders=messages or [])
+    try:
+        found = check_robot(
+            rules, systems=system or [], message_folders=messages or [], scene=scene
+        )
+    except OSError as problem:
+        if scene is None:
+            raise
+        output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
     output.print_diagnostics(found, form, file_count=1)
     raise typer.Exit(output.exit_code(found))
 
@@ -76,6 +91,30 @@ def impact(
     from crosscheck.cli.showing import run_impact
 
     run_impact(skill, rules, system or [], messages or [])
+
+
+@app.command()
+def live(
+    rules: Rules,
+    namespace: Annotated[
+        str,
+        typer.Option(
+            metavar="NS", help="That of the robot, such as /robot1.", parser=ros_namespace
+        ),
+    ] = "",
+    seconds: Annotated[
+        float | None, typer.Option(metavar="SECONDS", min=0.0, help="End after this time.")
+    ] = None,
+    form: Annotated[
+        LiveFormat, typer.Option("--format", help="How changes and findings are printed.")
+    ] = LiveFormat.TEXT,
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Watch a robot over ROS: which skills run, which rules act on them, and what is amiss."""
+    from crosscheck.cli.watching import run_live
+
+    run_live(rules, namespace, seconds, form, system or [], messages or [])
 
 
 @app.command()

@@ -23,7 +23,7 @@ def run_show(
         if svg.suffix != ".svg":
             output.fail(f"{svg} does not end in .svg; choose another --svg", exit_code=2)
         output.try_file(svg)
-    skills = list(pictured(_loaded(rules, systems, message_folders)))
+    skills = list(pictured(loaded(rules, systems, message_folders)))
     if svg is None:
         typer.echo("\n\n".join(map(_told, skills)))
         return
@@ -35,7 +35,7 @@ def run_impact(
     skill: str, rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
 ) -> None:
     """Print what depends on a skill."""
-    robot = _loaded(rules, systems, message_folders)
+    robot = loaded(rules, systems, message_folders)
     found = robot.skills.skills.get(skill)
     if found is None:
         near = difflib.get_close_matches(skill, robot.skills.skills, n=1)
@@ -45,11 +45,12 @@ def run_impact(
     typer.echo("\n".join(lines) if lines else f"nothing depends on {skill}")
 
 
-def _loaded(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> Robot:
-    loaded = load(rules, systems=systems, message_folders=message_folders)
-    if loaded.robot is None:
-        output.reject(loaded.diagnostics)
-    return loaded.robot
+def loaded(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> Robot:
+    """The robot; what is wrong with it ends the run."""
+    found = load(rules, systems=systems, message_folders=message_folders)
+    if found.robot is None:
+        output.reject(found.diagnostics)
+    return found.robot
 
 
 def _told(skill: Pictured) -> str:

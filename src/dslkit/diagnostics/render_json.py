@@ -25,12 +25,13 @@ def render_json(diagnostics: Sequence[Diagnostic], *, file_count: int) -> str:
             "notes": count(diagnostics, Severity.NOTE),
             "files": file_count,
         },
-        "diagnostics": [_finding(found) for found in diagnostics],
+        "diagnostics": [finding(found) for found in diagnostics],
     }
     return json.dumps(document, indent=2) + "\n"
 
 
-def _finding(found: Diagnostic) -> Json:
+def finding(found: Diagnostic) -> Json:
+    """One finding, as an object."""
     return {
         "code": found.code,
         "name": found.name,

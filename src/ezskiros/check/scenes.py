@@ -17,7 +17,7 @@ from ezskiros.check import scene_errors as errors
 from ezskiros.check.values import is_value_of, spelled_types
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import OWL, RDF, RDFS, RESERVED, XSD, split
-from ezskiros.ontology.model import ObjectProperty, Union
+from ezskiros.ontology.model import Model, ObjectProperty, Union
 from ezskiros.ontology.read import Document, read
 
 _TYPE = RDF + "type"
@@ -47,7 +47,7 @@ class _Scene:
     """The checks of one scene."""
 
     def __init__(self, document: Document, ontology: Ontology) -> None:
-        self._file, self._prefixes = document.file, document.prefixes
+        self._document = document
         self._ontology, self._model = ontology, ontology.model
         self._things = _things(document)
         declared = (iri for iri, each in self._things.items() if _CLASSES & set(each.types))
@@ -235,11 +235,7 @@ class _Scene:
     # --- words and places
 
     def _spelled(self, iri: str) -> str:
-        """`skiros:Location-3`, by the prefixes of the scene."""
-        for prefix, start in self._prefixes.items():
-            if start and iri.startswith(start):
-                return f"{prefix}:{iri[len(start) :]}"
-        return self._model.short(iri)
+        return spelled_in(self._document, iri, self._model)
 
     def _meant(self, iri: str, known: object) -> Remark | None:
         """The known one that is spelt most alike."""
@@ -249,11 +245,23 @@ class _Scene:
 
     def _place(self, subject: str, *parts: str) -> Span:
         """Where a subject is described, or where another name stands in its description."""
-        begin = _find(self._file, self._spelled(subject), 0, at_line_start=True)
-        found = begin
+        found = place_in(self._document, subject, self._model)
         for part in parts:
-            found = _find(self._file, self._spelled(part), found.end) or found
+            found = _find(self._document.file, self._spelled(part), found.end) or found
         return found
+
+
+def spelled_in(document: Document, iri: str, model: Model) -> str:
+    """`skiros:Location-3`, by the prefixes of a scene."""
+    for prefix, start in document.prefixes.items():
+        if start and iri.startswith(start):
+            return f"{prefix}:{iri[len(start) :]}"
+    return model.short(iri)
+
+
+def place_in(document: Document, thing: str, model: Model) -> Span:
+    """The place where a scene describes a thing; its beginning if it does not."""
+    return _find(document.file, spelled_in(document, thing, model), 0, at_line_start=True)
 
 
 def _things(document: Document) -> dict[str, _Thing]:

@@ -137,31 +137,31 @@ class Snapshots:
         if not isinstance(value, WorldThing):
             yield SkillArgument(name, _text(value), number=_number(value))
             return
-        classes = _classes(value)
-        properties = tuple(self._properties(value, classes))
-        named = [name_in(value._world.ontology, each) for each in classes]  # noqa: SLF001
+        world: World = value._world  # noqa: SLF001
+        properties = tuple(self.properties(world, value.iri))
+        named = [name_in(world.ontology, each) for each in _classes(world, value.iri)]
         for each in named or [_declared(parameter)]:
             yield SkillArgument(name, _text(value), each, properties=properties)
 
-    def _properties(self, thing: WorldThing, classes: Sequence[str]) -> Iterator[SkillProperty]:
-        world = thing._world  # noqa: SLF001
+    def properties(self, world: World, thing: str) -> Iterator[SkillProperty]:
+        """The numbers that a thing has, by its IRI. One that it has several of is not a number."""
+        classes = _classes(world, thing)
         key = id(world.ontology), tuple(classes)
         known = self._numbers.get(key)
         if known is None:
             known = self._numbers[key] = list(_numbers_of(world.ontology, classes))
         for iri, name, scale in known:
-            values = {_number(each) for each in world.values(thing.iri, iri)}
+            values = {_number(each) for each in world.values(thing, iri)}
             if values:
                 number = values.pop() * scale if len(values) == 1 else math.nan
                 yield SkillProperty(name, number if math.isfinite(number) else math.nan)
 
 
-def _classes(thing: WorldThing) -> list[str]:
+def _classes(world: World, thing: str) -> list[str]:
     """The classes of a thing, those of which another is a subclass left out; none if it is gone."""
-    world: World = thing._world  # noqa: SLF001
-    if not world.exists(thing.iri):
+    if not world.exists(thing):
         return []
-    known, model = world.classes(thing.iri), world.ontology.model
+    known, model = world.classes(thing), world.ontology.model
     return sorted(each for each in known if not _is_above_another(each, known, model))
 
 
@@ -204,8 +204,9 @@ def _permitted_class(found: PermittedThing, values: Mapping[str, Any]) -> str | 
     value = values.get(found.parameter)
     if not isinstance(value, WorldThing):
         return None
-    classes = _classes(value)
-    return name_in(value._world.ontology, classes[0]) if classes else None  # noqa: SLF001
+    world: World = value._world  # noqa: SLF001
+    classes = _classes(world, value.iri)
+    return name_in(world.ontology, classes[0]) if classes else None
 
 
 def _declared(parameter: Parameter) -> str:

@@ -99,6 +99,12 @@ class Json:
             self.fail("is not a finite number")
         return found
 
+    def truth(self) -> bool:
+        """True or false."""
+        if not isinstance(self.value, bool):
+            self._expected("a truth")
+        return bool(self.value)
+
     def whole(self) -> int:
         """A whole number above zero."""
         if isinstance(self.value, bool) or not isinstance(self.value, int):

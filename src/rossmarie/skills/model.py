@@ -52,10 +52,13 @@ class Property:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`."""
+    """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`.
+    One that is needed has a value before the skill starts.
+    """
 
     name: str
     type: str
+    is_needed: bool
     place: Place | None
 
 

@@ -231,7 +231,13 @@ def _children(trees: Json) -> Iterator[Child]:
 
 
 def _parameter(item: Json) -> Parameter:
-    return Parameter(_name(item.get("name")), item.get("type").text(), _place_of(item))
+    is_optional = item.get("kind").one_of("given", "inferred", "optional") == "optional"
+    return Parameter(
+        name=_name(item.get("name")),
+        type=item.get("type").text(),
+        is_needed=not is_optional and not item.get("is_output").truth(),
+        place=_place_of(item),
+    )
 
 
 def _permission(item: Json, parameters: Mapping[str, Parameter]) -> Permission:

@@ -102,6 +102,14 @@ def twice(key: str) -> Change:
             "`skills[2].parameters[0].type` is missing",
         ),
         (
+            put("skills", 2, "parameters", 0, "kind", value="any"),
+            "`skills[2].parameters[0].kind` is `any`, and none of given, inferred, optional",
+        ),
+        (
+            put("skills", 2, "parameters", 0, "is_output", value=0),
+            "`skills[2].parameters[0].is_output` is a number, not a truth",
+        ),
+        (
             put("skills", 0, "name", value="Push"),
             "`skills[2].name` is `Push`, which stands in the list before",
         ),

@@ -1,0 +1,155 @@
+"""The messages of a robot over ROS 1 or ROS 2, whichever of them this Python has. Nothing of either
+is imported before that is asked for.
+"""
+
+from __future__ import annotations
+
+import importlib
+import queue
+import threading
+import time
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any
+
+from crosscheck.live.facts import Facts
+from crosscheck.live.model import Alive, Message
+from crosscheck.live.reading import context_of, is_alive, state_of
+
+_NODE = "crosscheck_live"
+_MOST_WAITING = 1000
+"""Messages that are kept until somebody looks at them; ROS keeps more back."""
+_LONGEST_WAIT = 1.0
+"""Seconds for which a message waits for a place among them."""
+_LONGEST_SPIN = 0.2
+"""Seconds for which ROS 2 waits for a message, until it looks whether this is to end."""
+_LIBRARIES = ("rospy", "rclpy")
+
+Read = Callable[[Any], Message | None]
+Take = Callable[[Any], None]
+
+
+class NoRosError(Exception):
+    """The robot cannot be listened to; the text says why."""
+
+
+@dataclass(frozen=True)
+class Topic:
+    """A topic that is listened to. Of one that is `kept`, the last message comes to those who come
+    later.
+    """
+
+    name: str
+    type: Any
+    read: Read
+    is_kept: bool = False
+
+
+@dataclass
+class Ears:
+    """Messages with the times at which they came, by `time.monotonic`."""
+
+    heard: queue.Queue[tuple[float, Message]]
+    end: Callable[[], object]
+
+    def next(self, seconds: float) -> tuple[float, Message] | None:
+        """The next message, if one comes within some seconds."""
+        try:
+            return self.heard.get(timeout=seconds)
+        except queue.Empty:
+            return None
+
+
+def listen(facts: Facts) -> Ears:
+    """Listen to a robot. Raises `NoRosError`."""
+    library, topics = _found(facts)
+    ears = Ears(queue.Queue(_MOST_WAITING), lambda: None)
+
+    def taking(read: Read) -> Take:
+        def take(message: Any) -> None:
+            found = read(message)
+            if found is not None:
+                with suppress(queue.Full):  # then nobody looks any more
+                    ears.heard.put((time.monotonic(), found), timeout=_LONGEST_WAIT)
+
+        return take
+
+    begin = _ros1 if library.__name__ == "rospy" else _ros2
+    ears.end = begin(library, [(topic, taking(topic.read)) for topic in topics])
+    return ears
+
+
+def _found(facts: Facts) -> tuple[Any, list[Topic]]:
+    """The library of a generation of ROS, and the topics with the types of their messages. Raises
+    `NoRosError` that names all that is missing.
+    """
+    missing = []
+    library = next((found for name in _LIBRARIES if (found := _imported(name))), None)
+    if library is None:
+        missing.append(f"neither {' nor '.join(_LIBRARIES)}")
+    packages = ("skill_context_msgs", facts.package, "diagnostic_msgs")
+    messages = {name: _imported(f"{name}.msg") for name in packages}
+    missing += [name for name, found in messages.items() if found is None]
+    if library is None or missing:
+        raise NoRosError(f"this Python lacks packages of ROS: {', '.join(missing)}")
+    context, state, diagnostics = messages.values()
+    return library, [
+        Topic(facts.topic, context.SkillContext, context_of),
+        Topic(f"{facts.node}/state", state.State, state_of, is_kept=True),
+        Topic("/diagnostics", diagnostics.DiagnosticArray, _life_of(facts.node)),
+    ]
+
+
+def _life_of(node: str) -> Read:
+    return lambda message: Alive() if is_alive(message, node) else None
+
+
+def _imported(name: str) -> Any:
+    """A module of ROS; None if it is not there."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        return None
+
+
+def _ros1(rospy: Any, topics: list[tuple[Topic, Take]]) -> Callable[[], object]:
+    if not importlib.import_module("rosgraph").is_master_online():
+        raise NoRosError("no ROS master answers")
+    # Times are those of the monotonic clock here: /use_sim_time changes nothing.
+    rospy.init_node(_NODE, argv=[_NODE], anonymous=True, disable_signals=True)
+    for topic, take in topics:
+        rospy.Subscriber(topic.name, topic.type, take, tcp_nodelay=True)
+    return lambda: rospy.signal_shutdown("crosscheck ends")
+
+
+def _ros2(rclpy: Any, topics: list[tuple[Topic, Take]]) -> Callable[[], object]:
+    qos = importlib.import_module("rclpy.qos")
+    handlers = importlib.import_module("rclpy.signals").SignalHandlerOptions
+    rclpy.init(args=[], signal_handler_options=handlers.NO)
+    node = rclpy.create_node(_NODE)
+    for topic, take in topics:
+        profile = qos.QoSProfile(depth=10)
+        if topic.is_kept:
+            profile = qos.QoSProfile(depth=1, durability=qos.DurabilityPolicy.TRANSIENT_LOCAL)
+        node.create_subscription(topic.type, topic.name, take, profile)
+    executor = importlib.import_module("rclpy.executors").SingleThreadedExecutor()
+    executor.add_node(node)
+    has_ended = threading.Event()
+
+    def spin() -> None:
+        while not has_ended.is_set():
+            executor.spin_once(timeout_sec=_LONGEST_SPIN)
+
+    thread = threading.Thread(target=spin, daemon=True)
+    thread.start()
+
+    def end() -> None:
+        """Nothing may be torn down under a thread that still waits: rclpy aborts the process."""
+        has_ended.set()
+        thread.join()
+        executor.shutdown()
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+    return end

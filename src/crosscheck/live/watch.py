@@ -1,0 +1,260 @@
+"""A robot that runs, looked at: messages in, changes and findings out.
+
+Knows nothing of ROS, and no clock: each message comes with the time at which it was heard, in
+seconds of a clock that never goes back, and `pass_time` tells that time goes on without one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+from crosscheck.live import errors
+from crosscheck.live.facts import Facts
+from crosscheck.live.model import Alive, Change, Context, Kind, Message, NodeState, Running
+from crosscheck.live.sources import Source
+from crosscheck.live.tally import Count, Tally
+from dslkit.diagnostics import Diagnostic, Severity, Template, listed
+from dslkit.source import Span
+
+NODE_PATIENCE = 3.0
+"""Seconds after which a node is silent: it tells its diagnostics once a second."""
+
+Told = Change | Diagnostic
+_Call = tuple[str, str]
+"""A skill, and the name of the call of it."""
+
+
+class Watch:
+    """All that is known of a robot while it runs."""
+
+    def __init__(self, facts: Facts, start: float) -> None:
+        self._facts, self.start, self.now = facts, start, start
+        self._context = Source(facts.timeout, start)
+        self._node = Source(NODE_PATIENCE, start)
+        self._exempted: frozenset[str] = frozenset()
+        self._taken: frozenset[tuple[str, str, str]] = frozenset()
+        self._told: set[type[Template]] = set()
+        self.skills: Tally[_Call] = Tally()
+        self.rules: Tally[str] = Tally()
+        self.takings: dict[tuple[str, str, str], int] = {}
+        """The times that a rule took a thing from a skill, by these three names."""
+        self.findings = 0
+        self.has_errors = False
+
+    # --- what happens -----------------------------------------------------------------------------
+
+    def take(self, at: float, message: Message) -> list[Told]:
+        """Take a message; gives all that it tells that is new."""
+        return [*self.pass_time(at), *self._counted(self._take(message))]
+
+    def _take(self, message: Message) -> Iterator[Told]:
+        match message:
+            case Context():
+                yield from self._take_context(message)
+            case NodeState():
+                yield from self._take_state(message)
+            case Alive():
+                if self._node.has_spoken:
+                    self._node.speaks(self.now)
+
+    def pass_time(self, at: float) -> list[Told]:
+        """Let time go on; gives all that is new although nobody speaks."""
+        self.now = max(self.now, at)
+        return self._counted(self._silences())
+
+    def _silences(self) -> Iterator[Told]:
+        context, node = self._context.silence(self.now), self._node.silence(self.now)
+        if context is not None:
+            yield from self._context_is_silent(context)
+        if node is not None:
+            yield from self._node_is_silent(node)
+
+    def pause(self, seconds: float) -> None:
+        """Take a time in which nobody listened for none at all."""
+        self._context.heard += seconds
+        self._node.heard += seconds
+
+    def end(self, at: float) -> list[Told]:
+        """End; gives all that is new: who has never spoken is told, however short the time was."""
+        found = self.pass_time(at)
+        if not self._context.has_spoken:
+            found += self._counted(self._context_is_silent(self.now - self.start))
+        if not self._node.has_spoken:
+            found += self._counted(self._node_is_silent(self.now - self.start))
+        for call in list(self.skills.since):
+            self.skills.end(call, self.now)
+        for rule in list(self.rules.since):
+            self.rules.end(rule, self.now)
+        return found
+
+    def count(self, rule: str) -> Count:
+        """Count how often a rule was active, and for how long."""
+        return self.rules.counts.get(rule, Count())
+
+    # --- skills -----------------------------------------------------------------------------------
+
+    def _take_context(self, context: Context) -> Iterator[Told]:
+        self._context.speaks(self.now)
+        yield from self._over(errors.SilentContext, f"{self._facts.topic} is told again")
+        yield from self._unusable(context)
+        if context.problem is not None:
+            yield from self._forget_skills(self.now)
+            return
+        running = {(each.skill, each.goal): each for each in context.running}
+        for call in [each for each in self.skills.since if each not in running]:
+            yield self._ends(call)
+        for call, each in running.items():
+            if call not in self.skills.since:
+                yield self._starts(each)
+        yield from self._not_exported()
+        yield from self._compare_takings()
+
+    def _unusable(self, context: Context) -> Iterator[Told]:
+        digest = self._facts.robot.skills.digest
+        reason = context.problem
+        if reason is None and context.digest != digest:
+            reason = f"it is from the export {_short(context.digest)}"
+        if reason is None:
+            yield from self._over(
+                errors.UnusableContext, f"{self._facts.topic} is from this export"
+            )
+            return
+        wrong = errors.UnusableContext(
+            topic=self._facts.topic, reason=reason, digest=_short(digest)
+        )
+        yield from self._tell(errors.UnusableContext, wrong.at(self._facts.declaration))
+
+    def _starts(self, running: Running) -> Change:
+        self.skills.begin((running.skill, running.goal), running.skill, self.now)
+        things = ", ".join(f"{name} = {value}" for name, value in running.things)
+        text = f"{running.skill} starts" + (f": {things}" if things else "")
+        return Change(Kind.SKILL_STARTS, text, {"skill": running.skill, "goal": running.goal})
+
+    def _ends(self, call: _Call) -> Change:
+        text = f"{call[0]} ends after {self.skills.end(call, self.now):.3g} s"
+        return Change(Kind.SKILL_ENDS, text, {"skill": call[0], "goal": call[1]})
+
+    def _not_exported(self) -> Iterator[Told]:
+        known = self._facts.robot.skills.skills
+        unknown = sorted({skill for skill, _ in self.skills.since if skill not in known})
+        if unknown:
+            found = errors.NotExported(skills=listed(unknown))
+            yield from self._tell(errors.NotExported, found.at(self._facts.declaration))
+        else:
+            yield from self._over(errors.NotExported, "the rules know all that runs")
+
+    def _context_is_silent(self, seconds: float) -> Iterator[Told]:
+        facts = self._facts
+        silent = errors.SilentContext(topic=facts.topic, seconds=seconds, timeout=facts.timeout)
+        yield from self._tell(errors.SilentContext, silent.at(facts.declaration))
+        yield from self._forget_skills(self._context.heard)
+
+    def _forget_skills(self, at: float) -> Iterator[Change]:
+        """Nobody knows any more what runs; it was known until a time."""
+        for call in list(self.skills.since):
+            self.skills.end(call, at)
+            text = f"nobody knows any more whether {call[0]} runs"
+            yield Change(Kind.UNKNOWN, text, {"skill": call[0], "goal": call[1]})
+        self._taken = frozenset()
+
+    # --- rules ------------------------------------------------------------------------------------
+
+    def _take_state(self, state: NodeState) -> Iterator[Told]:
+        self._node.speaks(self.now)
+        yield from self._over(errors.SilentNode, f"{self._facts.node} is heard again")
+        yield from self._other_rules(state)
+        active = [each for each in state.active if each in self._facts.rules]
+        for rule in [each for each in self.rules.since if each not in active]:
+            yield self._clears(rule)
+        for rule in active:
+            if rule not in self.rules.since:
+                yield self._activates(rule)
+        yield from self._operators(frozenset(state.exempted) & self._facts.rules.keys())
+        yield from self._compare_takings()
+
+    def _other_rules(self, state: NodeState) -> Iterator[Told]:
+        others = sorted({*state.active, *state.exempted} - self._facts.rules.keys())
+        if others:
+            wrong = errors.OtherRules(node=self._facts.node, rules=listed(others))
+            yield from self._tell(errors.OtherRules, wrong.at(self._facts.declaration))
+        else:
+            yield from self._over(errors.OtherRules, f"{self._facts.node} tells of these rules")
+
+    def _activates(self, name: str) -> Change:
+        self.rules.begin(name, name, self.now)
+        exempts = self._facts.rules[name].exempts
+        if exempts is None:
+            return Change(Kind.RULE_ACTIVATES, f"{name} is active", {"rule": name})
+        permitted = self._facts.permitted(name, (skill for skill, _ in self.skills.since))
+        text = f"{name} is used: {exempts.rule} is not applied, as {permitted}"
+        return Change(Kind.EXEMPTION_BEGINS, text, {"rule": name, "exempted": exempts.rule})
+
+    def _clears(self, name: str) -> Change:
+        lasted = self.rules.end(name, self.now)
+        exempts = self._facts.rules[name].exempts
+        if exempts is None:
+            return Change(Kind.RULE_CLEARS, f"{name} clears after {lasted:.3g} s", {"rule": name})
+        text = f"{name} is not used any more, after {lasted:.3g} s"
+        return Change(Kind.EXEMPTION_ENDS, text, {"rule": name, "exempted": exempts.rule})
+
+    def _operators(self, exempted: frozenset[str]) -> Iterator[Change]:
+        for name in sorted(self._exempted - exempted):
+            text = f"no operator exempts {name} any more"
+            yield Change(Kind.OPERATOR_ENDS, text, {"rule": name})
+        for name in sorted(exempted - self._exempted):
+            yield Change(Kind.OPERATOR_EXEMPTS, f"an operator exempts {name}", {"rule": name})
+        self._exempted = exempted
+
+    def _node_is_silent(self, seconds: float) -> Iterator[Told]:
+        silent = errors.SilentNode(node=self._facts.node, seconds=seconds)
+        rules = Span(self._facts.robot.modules[-1].file, 0, 0)
+        yield from self._tell(errors.SilentNode, silent.at(rules))
+        for rule in list(self.rules.since):
+            self.rules.end(rule, self._node.heard)
+            text = f"nobody knows any more whether {rule} is active"
+            yield Change(Kind.UNKNOWN, text, {"rule": rule})
+        self._taken = frozenset()
+
+    # --- both -------------------------------------------------------------------------------------
+
+    def _compare_takings(self) -> Iterator[Change]:
+        """The things that rules which are active take from skills that run."""
+        machine = self._facts.robot.machine
+        found = {
+            (machine.rules[each.rule].name, each.use.name, skill): each
+            for skill in sorted({skill for skill, _ in self.skills.since})
+            for each in self._facts.takings.get(skill, ())
+            if machine.rules[each.rule].name in self.rules.since
+        }
+        for key, taking in found.items():
+            if key not in self._taken:
+                self.takings[key] = self.takings.get(key, 0) + 1
+                rule, thing, skill = key
+                text = f"{rule} takes {thing} from {skill} ({taking.task.span})"
+                yield Change(Kind.TAKES, text, {"rule": rule, "thing": thing, "skill": skill})
+        self._taken = frozenset(found)
+
+    # --- findings ---------------------------------------------------------------------------------
+
+    def _tell(self, kind: type[Template], found: Diagnostic) -> Iterator[Diagnostic]:
+        """A finding, unless it is told already, and not over."""
+        if kind not in self._told:
+            self._told.add(kind)
+            yield found
+
+    def _over(self, kind: type[Template], text: str) -> Iterator[Change]:
+        if kind in self._told:
+            self._told.remove(kind)
+            yield Change(Kind.OVER, text, {"code": kind.code})
+
+    def _counted(self, found: Iterable[Told]) -> list[Told]:
+        told = [*found]
+        wrong = [each for each in told if isinstance(each, Diagnostic)]
+        self.findings += len(wrong)
+        self.has_errors |= any(each.severity is Severity.ERROR for each in wrong)
+        return told
+
+
+def _short(digest: str) -> str:
+    """The beginning of a digest, by which people tell it from others."""
+    return f"{digest[:12]}..." if len(digest) > 12 else digest or "(none)"

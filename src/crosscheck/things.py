@@ -1,0 +1,194 @@
+"""Rules and skills against the things of a scene: those that a rule asks for, those that a skill
+needs, and the numbers of them that a rule reads.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import z3
+
+from crosscheck.asking import questions, tells
+from crosscheck.errors import NeverInScene, NoNumberInScene, NothingToTake
+from crosscheck.robot import Robot
+from dslkit.diagnostics import Diagnostic, listed
+from dslkit.source import Span
+from rossmarie import ir
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.state import ArbitraryState
+from rossmarie.skills import Parameter, Skill
+
+if TYPE_CHECKING:  # for those who name a scene only
+    from crosscheck.scene import Scene
+
+
+def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
+    """A warning for each class of which skills need a thing, and the scene has none."""
+    needed: dict[str, list[tuple[Skill, Parameter]]] = {}
+    for skill in robot.skills.skills.values():
+        for parameter in _things_of(robot, skill):
+            if parameter.is_needed and not scene.things(parameter.type):
+                needed.setdefault(parameter.type, []).append((skill, parameter))
+    for owl_class, found in needed.items():
+        names = listed(list(dict.fromkeys(skill.name for skill, _ in found)))
+        (_, first), *more = found
+        places = dict.fromkeys(robot.span_of(each.place) for _, each in more)
+        labels = [NothingToTake.Needed().at(place) for place in places]
+        yield NothingToTake(owl_class=owl_class, skills=names).at(
+            robot.span_of(first.place), *labels
+        )
+
+
+def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
+    """A warning for each question to the skills that no thing of the scene lets be true."""
+    asked = dict(_asked(robot.machine))
+    for span, step in asked.items():
+        for parameter, classes in step.arguments:
+            possible = _possible(robot, scene, step, parameter)
+            if possible and not any(scene.is_a(thing, classes) for thing in possible):
+                known = listed(scene.classes(possible))
+                help = NeverInScene.Others(parameter=parameter, known=known)
+                never = NeverInScene(question=str(step), parameter=parameter)
+                yield never.at(span, help=help)
+                break
+
+
+def _possible(robot: Robot, scene: Scene, step: ir.Doing, parameter: str) -> tuple[str, ...]:
+    """The things that a parameter of the skills that are asked for can be; none if a skill may find
+    others while it runs.
+    """
+    skills = (robot.skills.skills.get(name) for name in step.skills)
+    found = [skill.parameters.get(parameter) for skill in skills if skill is not None]
+    if any(each is None or not each.is_needed for each in found):
+        return ()
+    return scene.things(*dict.fromkeys(each.type for each in found if each is not None))
+
+
+def _things_of(robot: Robot, skill: Skill) -> Iterator[Parameter]:
+    """The parameters of a skill that are things."""
+    for each in skill.parameters.values():
+        if each.type in robot.skills.classes:
+            yield each
+
+
+def _asked(machine: ir.Machine) -> Iterator[tuple[Span, ir.Doing]]:
+    """The questions to the skills, each by the place where rules write it."""
+    asked = questions(machine)
+    for truth in machine.truths:
+        if isinstance(truth.node, ir.Flag):
+            signal = machine.signals[truth.node.signal].node
+            if isinstance(signal, ir.Read) and signal.slot in asked:
+                yield truth.span, asked[signal.slot]
+
+
+# --- numbers -------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _Reading:
+    """A rule that reads a number of a thing: its place in the machine, and the slot."""
+
+    rule: int
+    slot: int
+    step: ir.Quantity
+
+
+def find_no_numbers(robot: Robot, scene: Scene, inquiry: Inquiry) -> Iterator[Diagnostic]:
+    """A warning for each thing without a number that a rule needs while a skill runs with it."""
+    lost: dict[tuple[str, str], list[tuple[_Reading, Skill]]] = {}
+    for reading in _readings(robot.machine, inquiry):
+        answers: dict[tuple[bool | None, ...], bool] = {}
+        for skill, thing in _taken(robot, scene, reading):
+            known = _answers(inquiry.about(reading.rule).machine, scene, reading, skill, thing)
+            key = tuple(known.values())
+            if key not in answers:
+                answers[key] = _is_lost(inquiry, reading, known)
+            if answers[key]:
+                lost.setdefault((thing, str(reading.step.property)), []).append((reading, skill))
+    for (thing, name), found in lost.items():
+        yield _without_number(robot, scene, thing, name, found)
+
+
+def _readings(machine: ir.Machine, inquiry: Inquiry) -> Iterator[_Reading]:
+    """The numbers of things that rules read. A rule that tells of an exemption alone does nothing
+    without them.
+    """
+    for number, rule in enumerate(machine.rules):
+        if rule.exempts is not None:
+            continue
+        for signal in inquiry.about(number).machine.signals:
+            if isinstance(signal.node, ir.Read):
+                path = machine.slots[signal.node.slot].path
+                step = path[0] if path else None
+                if isinstance(step, ir.Quantity) and step.property is not None:
+                    yield _Reading(number, signal.node.slot, step)
+
+
+def _taken(robot: Robot, scene: Scene, reading: _Reading) -> Iterator[tuple[Skill, str]]:
+    """The skills that a number is asked of, each with the things that it could take and that have
+    no such number.
+    """
+    for name in reading.step.skills:
+        skill = robot.skills.skills.get(name)
+        parameter = skill.parameters.get(reading.step.parameter) if skill is not None else None
+        if skill is not None and parameter is not None:
+            for thing in scene.things(parameter.type):
+                number = scene.numbers(thing).get(str(reading.step.property))
+                if number is None or number != number:  # is not a number
+                    yield skill, thing
+
+
+def _answers(
+    machine: ir.Machine, scene: Scene, reading: _Reading, skill: Skill, thing: str
+) -> Mapping[int, bool | None]:
+    """The answers to all questions while only this skill runs, with this thing; None for those that
+    depend on other things.
+    """
+    found: dict[int, bool | None] = {}
+    for slot, step in questions(machine).items():
+        arguments = dict(step.arguments)
+        wanted = arguments.pop(reading.step.parameter, None)
+        fits = skill.name in step.skills and (wanted is None or scene.is_a(thing, wanted))
+        found[slot] = None if fits and arguments else fits
+    return found
+
+
+def _is_lost(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | None]) -> bool:
+    """Say whether a rule can be lost for lack of this number alone."""
+    about = inquiry.about(reading.rule)
+    machine = about.machine
+    read = {each.node.slot for each in machine.signals if isinstance(each.node, ir.Read)}
+
+    def is_lost(state: ArbitraryState) -> z3.BoolRef:
+        others = [state.slot(slot).known for slot in sorted(read - {reading.slot})]
+        condition = state.truth(machine.rules[0].condition)
+        return z3.And(
+            *tells(state, answers), *others, z3.Not(state.slot(reading.slot).known), condition.lost
+        )
+
+    return about.is_possible(is_lost, settled=True)
+
+
+def _without_number(
+    robot: Robot,
+    scene: Scene,
+    thing: str,
+    name: str,
+    found: list[tuple[_Reading, Skill]],
+) -> Diagnostic:
+    rules = dict.fromkeys(reading.rule for reading, _ in found)
+    names = [robot.machine.rules[rule].name for rule in rules]
+    reading, skill = found[0]
+    without = NoNumberInScene(
+        thing=scene.spelled(thing),
+        problem="has no single" if name in scene.numbers(thing) else "has no",
+        property=name,
+        rules=listed(names),
+        hold="holds" if len(names) == 1 else "hold",
+        skill=skill.name,
+    )
+    label = NoNumberInScene.Read(question=str(reading.step))
+    heads = [robot.machine.rules[rule].head for rule in rules]
+    return without.at(scene.place(thing), *(label.at(head) for head in heads))
