@@ -176,7 +176,8 @@ BACKWARDS = (("b", ("x",)), ("a", ("x",)))
     ("path", "kind", "said"),
     [
         ((PUSH,), REAL, "an answer of the kind real"),
-        ((DEPTH,), ir.Kind.TEXT, "a quantity that is a text"),
+        ((DEPTH,), FLAG, "a quantity of the kind flag"),
+        ((replace(DEPTH, is_truth=True),), REAL, "a quantity of the kind real"),
         (("data", PUSH), FLAG, "a question to skills inside a message"),
         ((replace(PUSH, skills=()),), FLAG, NOT_SORTED),
         ((replace(WEIGHT, skills=("b", "a")),), REAL, NOT_SORTED),
