@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from pathlib import Path
 from random import Random
+from typing import cast
 
 import pytest
 from hypothesis import given, settings
@@ -14,7 +15,7 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from rossmarie.engines import NamedValues
 from rossmarie.ir.calls import covering
-from rossmarie.ir.skills import SkillContext, answer
+from rossmarie.ir.skills import SkillContext, SkillMessage, answer
 from support.depth import examples
 from support.recordings import ROS1, ROS2
 from support.skill_contexts import message
@@ -55,10 +56,10 @@ def test_messages_of_libraries_answer_the_same(folder: Path, seed: int) -> None:
     named = NamedValues(asked.machine)
     for ros in (ROS1, ROS2):
         context = any_context(random, asked.world)
-        _, told = message(ros, 0, context)
+        told = cast("SkillMessage", message(ros, 0, context)[1])
         assert repr([answer(each, told) for each in asked.steps()]) == repr(wanted(asked, context))
-        for name in [each for each in ("skill_context",) if named.questions.is_context(each, told)]:
-            (values,) = named.messages({name: told}).values()
+        if named.questions.is_context("skill_context", told):
+            (values,) = named.messages({"skill_context": told}).values()
             assert repr(list(values.slots.values())) == repr(wanted(asked, context))
 
 

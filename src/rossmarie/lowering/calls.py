@@ -81,7 +81,7 @@ def _kinds(
     others = _told_apart(
         {name for each in asked for name in each} - {*below, *above}, asked, skills
     )
-    found = {answers: (name,) for answers, name in own.items()}
+    found: dict[tuple[bool, ...], Kinds] = {answers: (name,) for answers, name in own.items()}
     found.setdefault((False,) * len(asked), NO_VALUE)
     for one, name in own.items():
         for other, beside in others.items():

@@ -136,7 +136,7 @@ def test_the_order_of_skills_and_arguments_says_nothing(seed: int) -> None:
     question, given = random_question(random), random_context(random)
     turned = tuple(replace(each, arguments=each.arguments[::-1]) for each in given.running[::-1])
     there, back = answer(question, given), answer(question, replace(given, running=turned))
-    assert repr(there) == repr(back)
+    assert there == back or (math.isnan(there) and math.isnan(back))
 
 
 def test_a_question_is_shown_as_it_is_written() -> None:
