@@ -3,67 +3,19 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from pathlib import Path
 from random import Random
 
-import rossmarie
-from rossmarie.ir import SkillStep
-from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answer
-from rossmarie.targets.ros.messages import skill_question
-from support.c_compiler import run
+from rossmarie.ir.skills import answer
 from support.parts import GXX, needs
 from support.skill_contexts import random_context, random_question
+from support.skill_node import bits, of_node
 from support.skill_worlds import any_context, asked_of, random_world
 
-HERE = Path(__file__).parent
-RUNTIME = Path(rossmarie.__file__).parent / "runtime" / "ros"
-OPTIONS = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror",
-           "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=undefined")  # fmt: skip
 QUESTIONS = 40
 CONTEXTS = 600
 WORLDS = 14
 CONTEXTS_OF_EACH = 60
-
-
-def line_of(context: SkillContext) -> str:
-    words = [quoted(context.digest), str(len(context.running))]
-    return " ".join([*words, *map(_skill, context.running)])
-
-
-def _skill(skill: RunningSkill) -> str:
-    words = [quoted(skill.skill), str(len(skill.arguments))]
-    return " ".join([*words, *map(_argument, skill.arguments)])
-
-
-def _argument(argument: SkillArgument) -> str:
-    texts = [quoted(argument.parameter), quoted(argument.type)]
-    pairs = [f"{quoted(each.property)} {each.number!r}" for each in argument.properties]
-    return " ".join([*texts, repr(argument.number), str(len(pairs)), *pairs])
-
-
-def quoted(text: str) -> str:
-    """A text as `std::quoted` reads it."""
-    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
-    return f'"{escaped}"'
-
-
-def of_node(
-    folder: Path, questions: Sequence[SkillStep], contexts: Sequence[SkillContext]
-) -> list[list[float]]:
-    """The answers of a node to all questions, for each of the messages."""
-    asked = "".join(f"{skill_question(each)},\n" for each in questions)
-    (folder / "questions.inc").write_text(asked, encoding="utf-8")
-    program = folder / "skills"
-    source = HERE / "programs" / "skills.cpp"
-    run(["g++", *OPTIONS, f"-I{RUNTIME}", f"-I{folder}", source, "-o", program])
-    lines = run([program], "\n".join(map(line_of, contexts)).encode()).stdout.decode().splitlines()
-    return [[float(word) for word in line.split()] for line in lines]
-
-
-def bits(answers: Sequence[Sequence[float]]) -> str:
-    """All answers, of which any NaN is like any other."""
-    return repr(answers).replace("-nan", "nan")
 
 
 @needs(GXX)

@@ -1,0 +1,104 @@
+"""Says whether rules that know skills mean what they should: `python -m mutation.skill_watch`.
+
+A program of its own, so that the package it imports may be a damaged copy. It writes who notices.
+"""
+
+from __future__ import annotations
+
+import sys
+import tempfile
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from random import Random
+
+from rossmarie import ir
+from rossmarie.ir.calls import covering
+from rossmarie.ir.skills import SkillContext, answer
+from support.exempted import differences, random_events, random_program
+from support.programs import errors_of
+from support.rule_skills import HEAD
+from support.skill_worlds import any_context, asked_of, honest_context, random_world
+
+WORLDS = 60
+CONTEXTS = 16
+PROGRAMS = 80
+
+REFUSED = {
+    "rule it: always if force > 5 N while doing Push then { stop; };": ["ROSS426"],
+    "rule it: always if force > 5 N then { stop; } unless doing Push;": ["ROSS426"],
+    "rule it: if force > 5 N then { stop; } unless doing Push unless doing Push;": ["ROSS431"],
+    'hazard H "h"; rule it: if force > 5 N then { stop; } unless doing Push mitigates H;': [
+        "ROSS427"
+    ],
+    "rule it: if doing Push(Object: Shelf) then { stop; };": ["ROSS245"],
+}
+"""Rules that are not right, and their errors."""
+
+
+def answers() -> Iterator[str]:
+    """Messages are answered otherwise than S58 says."""
+    random = Random(58)
+    with tempfile.TemporaryDirectory() as folder:
+        worlds = [random_world(random) for _ in range(WORLDS)]
+        for world in worlds:
+            asked = asked_of(random, world, Path(folder))
+            for _ in range(CONTEXTS):
+                context = any_context(random, world, worlds)
+                found = [answer(each, context) for each in asked.steps()]
+                wanted = [world.answer(each, context) for each in asked.questions]
+                if repr(found) != repr(wanted):
+                    yield f"{found}, and not {wanted}"
+
+
+def calls() -> Iterator[str]:
+    """Answers that skills give are held for impossible."""
+    random = Random(59)
+    with tempfile.TemporaryDirectory() as folder:
+        for _ in range(WORLDS):
+            world = random_world(random)
+            asked = asked_of(random, world, Path(folder))
+            for _ in range(CONTEXTS):
+                context = honest_context(random, world)
+                pairs = zip(asked.steps(), asked.questions, strict=True)
+                given = {step: world.answer(each, context) == 1 for step, each in pairs}
+                flags = {step: yes for step, yes in given.items() if isinstance(step, ir.Doing)}
+                chosen = covering(asked.machine.calls, flags)
+                running = () if chosen is None else tuple(each.running for each in chosen)
+                told = SkillContext(world.digest, running)
+                if chosen is None or any(answer(s, told) != yes for s, yes in flags.items()):
+                    yield f"{flags}"
+
+
+def rules() -> Iterator[str]:
+    """Rules hold otherwise than S59 to S62 say."""
+    random = Random(60)
+    for _ in range(PROGRAMS):
+        yield from differences(random_program(random), random_events(random))
+
+
+def findings() -> Iterator[str]:
+    """What is not right is not refused."""
+    for text, wanted in REFUSED.items():
+        found = [code for code, _ in errors_of(HEAD + text)]
+        if found != wanted:
+            yield f"{text}: {found}"
+
+
+WATCHERS: Mapping[str, Callable[[], Iterator[str]]] = {
+    "random messages": answers,
+    "answers that go together": calls,
+    "random rules": rules,
+    "findings": findings,
+}
+
+
+def notices(watcher: Callable[[], Iterator[str]]) -> bool:
+    """Whether something is not as it should be, or fails altogether."""
+    try:
+        return next(watcher(), None) is not None
+    except Exception:  # a fault may show itself by anything
+        return True
+
+
+if __name__ == "__main__":
+    sys.stdout.writelines(f"{name}\n" for name, each in WATCHERS.items() if notices(each))
