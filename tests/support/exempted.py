@@ -70,16 +70,25 @@ class Program:
         return f"""
         skills "{FILE}" timeout 1 sec;
         action stop;
+        action slow;
         input force = topic /force : std_msgs/Float32 in N{" timeout 0.7 sec" * self.has_timeout};
         rule it: if force > {LIMIT} N{scope} then {{ stop; }}{exempted}
             {"latched until reset" * self.is_latched};
         """
 
+    def actions(self) -> Iterator[tuple[str, ...]]:
+        """What each rule does while it is active, the use of an exemption nothing."""
+        yield ("stop",)
+        for each in self.exemptions:
+            yield from {"nothing": [()], "action": [("slow",)], "condition": [(), ("slow",)]}[
+                each.instead
+            ]
+
 
 INSTEAD = {
     "nothing": "",
-    "action": " then { stop; }",
-    "condition": f" then if force > {OTHER_LIMIT} N then {{ stop; }}",
+    "action": " then { slow; }",
+    "condition": f" then if force > {OTHER_LIMIT} N then {{ slow; }}",
 }
 
 
@@ -232,8 +241,10 @@ def _sent(machine: ir.Machine, event: Event) -> dict[int, ir.ChannelValues]:
 
 
 def differences(program: Program, events: Sequence[Event]) -> Iterator[str]:
-    """Where the interpreter and the model hold other rules for active."""
+    """Where the interpreter and the model hold other rules for active, or have other rules."""
     machine = machine_of(program.text())
+    if [rule.actions for rule in machine.rules] != list(program.actions()):
+        yield f"{[rule.actions for rule in machine.rules]}"
     monitor, model = Interpreter(machine), Model(program)
     at_ns = 0
     for event in events:

@@ -132,10 +132,12 @@ def random_world(random: Random) -> World:
     that mean the same.
     """
     classes: list[dict[str, Any]] = []
-    for number in range(random.randint(3, 8)):
+    is_small = random.random() < 0.4  # then questions meet at the same classes
+    for number in range(3 if is_small else random.randint(3, 8)):
         above = [each["name"] for each in classes]
         name = f"{random.choice(('kit', 'toys'))}.C{number}"
-        classes.append(_derived(name, random.sample(above, min(len(above), _few(random)))))
+        count = min(len(above), random.choice((0, 1, 2, 2)))
+        classes.append(_derived(name, random.sample(above, count)))
     if random.random() < 0.25:
         one, other = random.sample(classes, 2)
         one["parents"] = [*one["parents"], other["name"]]  # at times a circle: they mean the same
@@ -151,7 +153,7 @@ def random_world(random: Random) -> World:
         for number in range(random.randint(1, 3))
     ]
     skills: list[dict[str, Any]] = []
-    for number in range(random.randint(2, 6)):
+    for number in range(1 if is_small else random.randint(2, 6)):
         skills.append(_skill(random, number, skills, names))
     return World({
         "format": "ezskiros/skills",
@@ -221,8 +223,11 @@ def asked_of(random: Random, world: World, folder: Path) -> Asked:
     file.write_text(json.dumps(world.content), encoding="utf-8")
     lines = [f'skills "{file}" timeout 1 sec;', "action stop;"]
     words: dict[str, Question] = {}
+    skills = sorted(world.skills)
+    if random.random() < 0.5:  # questions about one skill are told apart by classes alone
+        skills = [random.choice(skills)]
     for number in range(random.randint(2, 5)):
-        question = random_question(random, world)
+        question = random_question(random, world, skills)
         text = _text(random, question, world)
         if text in words:
             continue
@@ -237,16 +242,23 @@ def asked_of(random: Random, world: World, folder: Path) -> Asked:
     return Asked(world, machine, questions)
 
 
-def random_question(random: Random, world: World) -> Question:
-    """A question that rules may ask."""
-    skill = random.choice(sorted(world.skills))
+def random_question(random: Random, world: World, skills: Sequence[str]) -> Question:
+    """A question that rules may ask about one of some skills."""
+    skill = random.choice(skills)
     numbers = list(_numbers(world, skill))
     if numbers and random.random() < 0.4:
         return random.choice(numbers)
     limits = []
     for name, parameter in world.things(skill).items():
         if random.random() < 0.6:
-            limits.append((name, random.choice(world.may_be(parameter["type"]))))
+            type_ = parameter["type"]
+            possible = world.may_be(type_)
+            beside = [
+                each
+                for each in possible
+                if not world.is_class(each, type_) and not world.is_class(type_, each)
+            ]
+            limits.append((name, random.choice(random.choice((possible, beside or possible)))))
     random.shuffle(limits)
     return Question(skill, tuple(limits))
 
@@ -303,7 +315,8 @@ def _argument(
         yield SkillArgument(name)
     elif type_ in world.classes:
         classes = [random.choice([each for each in world.classes if world.is_class(each, type_)])]
-        for each in random.sample(sorted(world.classes), _few(random)):
+        others = sorted(world.classes)
+        for each in random.sample(others, random.choice((0, 0, len(others)))):
             if not any(world.is_class(each, one) or world.is_class(one, each) for one in classes):
                 classes.append(each)
         properties = tuple(_properties(random, world))
