@@ -276,7 +276,7 @@ class Growing:
         return self._add(ir.Since(self.one_of(self.truths), self.one_of(self.truths)))
 
     def rule(self) -> None:
-        if self.questions and self.draw(st.booleans()):
+        if bool(self.questions) and self.draw(st.booleans()):
             self._exempted()
             return
         condition = self.one_of(self.truths)
