@@ -1,5 +1,5 @@
-"""Measure each operator that looks at the past or at a list, in a rule of its own, and write the
-table as a page.
+"""Measure each operator that looks at the past or at a list, in a rule of its own, and what scopes
+and exemptions cost; write the table as a page.
 """
 
 from __future__ import annotations
@@ -19,6 +19,7 @@ from generated import Generated, from_python_steps, python_steps
 from in_process import Round, compile_shared
 from machine import processor
 from peers_run import NotMeasuredError, Workload, rtlola_operator
+from skill_rules import OF_SKILLS, of_skills, skill_harness, write_skills
 from workload import REALS, Columns, typical_trace, worst_trace, write_trace
 from written_page import written_page
 
@@ -163,17 +164,7 @@ void lists(size_t n, const int64_t *t, const double *x)
 def over_lists(folder: Path, columns: Columns) -> Round:
     """The generated update with a list of as many elements as it may have: the last samples."""
     compiled = machine(folder, "list", LIST_RULES)
-    for file, text in generate(compiled).items():
-        path = folder / file
-        path.parent.mkdir(exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-    (folder / "of_list_steps.c").write_text(LIST_HARNESS, encoding="utf-8")
-    output = folder / "of_list.so"
-    sources = [folder / "of_list_steps.c", folder / "of_list_monitor.c"]
-    compile_shared(sources, output, ["-O2"])
-    ffi = cffi.FFI()
-    ffi.cdef("void lists(size_t, int64_t *, double *);")
-    library: Any = ffi.dlopen(str(output))
+    library, ffi = built(folder, compiled, LIST_HARNESS, "void lists(size_t, int64_t *, double *);")
     speed = columns["speed"]
     elements = np.stack([np.roll(speed, shift) for shift in range(ELEMENTS)], axis=1).copy()
     times, numbers = (ffi.from_buffer(kind, values) for kind, values in (
@@ -186,6 +177,62 @@ def over_lists(folder: Path, columns: Columns) -> Round:
         return time.process_time() - start, []
 
     return run
+
+
+# --- skills ----------------------------------------------------------------------------------
+
+
+def over_skills(folder: Path, code: str, columns: Columns) -> Round:
+    """The generated updates: the context ten times a second, in which `contact` is that the skill
+    runs, and a speed with each sample.
+    """
+    write_skills(folder)
+    compiled = machine(folder, code, of_skills(OF_SKILLS[code]))
+    harness = skill_harness(compiled)
+    library, ffi = built(folder, compiled, harness, "void skilled(size_t, int64_t *, double *, "
+                         "uint8_t *, uint64_t *);")  # fmt: skip
+    pointers = [
+        ffi.from_buffer(kind, columns[name])
+        for kind, name in (("int64_t[]", "t_ns"), ("double[]", "speed"), ("uint8_t[]", "contact"))
+    ]
+    active = ffi.new("uint64_t *")
+
+    def run() -> tuple[float, list[int]]:
+        start = time.process_time()
+        library.skilled(len(columns["t_ns"]), *pointers, active)
+        return time.process_time() - start, [active[0]]
+
+    return run
+
+
+def built(folder: Path, compiled: Machine, harness: str, declaration: str) -> tuple[Any, Any]:
+    """A monitor with a loop around it that is called from here, and the FFI that does so."""
+    for file, text in generate(compiled).items():
+        path = folder / file
+        path.parent.mkdir(exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    steps, output = folder / f"{compiled.name}_steps.c", folder / f"{compiled.name}.so"
+    steps.write_text(harness, encoding="utf-8")
+    compile_shared([steps, folder / f"{compiled.name}_monitor.c"], output, ["-O2"])
+    ffi = cffi.FFI()
+    ffi.cdef(declaration)
+    return ffi.dlopen(str(output)), ffi
+
+
+def skill_rows(folder: Path, typical: Columns, worst: Columns, yardstick: float) -> Iterator[str]:
+    """A row for a rule by itself, one with a scope, and one with an exemption, all in turn."""
+    rounds = {
+        (code, name): (over_skills(folder, code, columns), len(columns["t_ns"]))
+        for code in OF_SKILLS
+        for name, columns in (("typical", typical), ("worst", worst))
+    }
+    found = nanoseconds({f"{code} {name}": each for (code, name), each in rounds.items()})
+    for code, rule in OF_SKILLS.items():
+        took = found[f"{code} typical"]
+        yield (
+            f"| `{rule}` | {took:.1f} | {took / yardstick:.1f} | {found[f'{code} worst']:.1f} "
+            "| | | has no skills |"
+        )
 
 
 # --- the page --------------------------------------------------------------------------------
@@ -251,6 +298,7 @@ def rows(folder: Path) -> Iterator[str]:
         f"| `{OF_A_LIST}` of {ELEMENTS} | {found['typical']:.1f} "
         f"| {found['typical'] / yardstick:.1f} | {found['worst']:.1f} | | | has no lists |"
     )
+    yield from skill_rows(folder, typical, worst, yardstick)
 
 
 def page() -> str:
@@ -270,7 +318,9 @@ def page() -> str:
             f"on {processor()}, {day}. Absolute figures are those of this machine;",
             "ratios carry over. The traces are those of [the benchmark of rules](performance.md):",
             "in the worst one, every comparison changes with every sample. A list has all its",
-            "elements in each message.",
+            "elements in each message. The last rows have one rule by itself, with a scope, and",
+            "with an exemption. Their time includes a message ten times a second that tells which",
+            "skill runs, and asking after each sample whether the rule is active.",
             "",
             "RTLola, compiled to Rust, gets a specification that says the same by counting",
             "samples, or by a window of so many samples: at a steady rate that is the same. Where",

@@ -16,7 +16,7 @@ from support.parts import C_COMPILER, RTLOLA_IN_RUST, needs
 ROOT = Path(__file__).parents[2]
 BENCHMARKS = ROOT / "benchmarks"
 BENCH = ROOT / "build" / "bench"
-MODULES = ("workload", "in_process", "generated", "peers_run")
+MODULES = ("workload", "in_process", "generated", "peers_run", "operators")
 CASES = ("typical", "worst")
 COPIES = 2
 
@@ -95,6 +95,19 @@ def test_ours_counts_as_the_hand_written_loops_do(
         in_process.numpy_whole_columns(columns),
     ):
         assert contender()[1] == expected
+
+
+@needs(C_COMPILER)
+def test_rules_with_scopes_and_exemptions_count_what_they_should(
+    modules: dict[str, Any], traces: dict[str, Columns], tmp_path: Path
+) -> None:
+    columns = traces["typical"]
+    is_fast = columns["speed"] > 0.5
+    drives = columns["contact"][::10].repeat(10)[: len(is_fast)] == 1
+    expected = {"plain": is_fast, "scope": is_fast & drives, "exemption": is_fast & ~drives}
+    for code, active in expected.items():
+        run = modules["operators"].over_skills(tmp_path, code, columns)
+        assert run()[1] == [active.sum()]
 
 
 @needs(RTLOLA_IN_RUST)

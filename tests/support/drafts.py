@@ -28,10 +28,17 @@ class Draft:
     truths: list[ir.Truth] = field(default_factory=list)
     rules: list[ir.Rule] = field(default_factory=list)
     lists: list[ir.List] = field(default_factory=list)
+    calls: tuple[ir.SkillCall, ...] = ()
 
     def channel(self) -> int:
         topic = f"/topic_{len(self.channels)}"
         self.channels.append(ir.Channel(topic, "std_msgs/Float64"))
+        return len(self.channels) - 1
+
+    def skill_channel(self) -> int:
+        """A channel that tells which skills run."""
+        topic = f"/skills_{len(self.channels)}"
+        self.channels.append(ir.Channel(topic, "skill_context_msgs/SkillContext"))
         return len(self.channels) - 1
 
     def input(self, channel: int, timeout_ns: int | None = None) -> int:
@@ -49,6 +56,13 @@ class Draft:
     ) -> int:
         path = (f"slot_{len(self.slots)}",)
         self.slots.append(ir.Slot(used, path, kind, scale, offset, "", limits))
+        return len(self.slots) - 1
+
+    def question(self, used: int, step: ir.SkillStep) -> int:
+        """A slot that is a question to the skills that run."""
+        is_flag = isinstance(step, ir.Doing) or step.is_truth
+        kind = ir.Kind.FLAG if is_flag else ir.Kind.REAL
+        self.slots.append(ir.Slot(used, (step,), kind, 1.0, 0.0, ""))
         return len(self.slots) - 1
 
     def array(
@@ -147,4 +161,5 @@ class Draft:
             tuple(self.truths),
             tuple(self.rules),
             lists=tuple(self.lists),
+            calls=self.calls,
         )

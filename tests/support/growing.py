@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.core import row, sampling_row
 from support.drafts import SECOND, Draft
+from support.skill_contexts import QUESTIONS, calls_told
 
 TICK = SECOND // 10
 
@@ -34,6 +36,7 @@ class Growing:
         self.element_numbers: dict[int, list[int]] = {}
         self.element_texts: dict[int, list[int]] = {}
         self.truths: list[int] = []
+        self.questions: list[int] = []
 
     def one_of(self, choices: Sequence[int]) -> int:
         # Later nodes are preferred a little, so that machines grow deep as well as wide.
@@ -46,6 +49,24 @@ class Growing:
             for _ in range(self.draw(st.integers(1, 2))):
                 used = self.draft.input(channel, self.draw(timeouts))
                 self._fields(used)
+        if self.draw(st.booleans()):
+            self._skills()
+
+    def _skills(self) -> None:
+        """The context of skills, by one or two inputs that ask, the same at times. At times nothing
+        is known of which answers go together.
+        """
+        channel = self.draft.skill_channel()
+        for _ in range(self.draw(st.integers(1, 2))):
+            used = self.draft.input(channel, self.draw(timeouts))
+            for step in self.draw(st.lists(st.sampled_from(QUESTIONS), max_size=3, unique=True)):
+                slot = self.draft.question(used, step)
+                if isinstance(step, ir.Doing):
+                    self.questions.append(slot)
+                elif not step.is_truth:
+                    self.numbers.append(self.draft.signal(ir.Read(slot)))
+        steps = [slot.path[0] for slot in self.draft.slots if isinstance(slot.path[0], ir.Doing)]
+        self.draft.calls = calls_told(steps) if self.draw(st.booleans()) else ()
 
     def _fields(self, used: int) -> None:
         # Of an input without fields only the age is read.
@@ -173,6 +194,8 @@ class Growing:
             grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
             grow += [self._since]
             grow += [self._recurs, self._recurs]
+        if self.questions:
+            grow += [self._doing, self._kept]
         self.truths.append(self.draw(st.sampled_from(grow))())
 
     def _name(self) -> str | None:
@@ -218,6 +241,17 @@ class Growing:
         text = self.draft.constant(float(self.draw(st.integers(0, 1))))
         return self._add(ir.Compare(comparison, read, text))
 
+    def _doing(self) -> int:
+        slot = self.draw(st.sampled_from(self.questions))
+        return self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
+
+    def _kept(self) -> int:
+        """That a skill runs, as told in time: what an exemption rests on (S59)."""
+        slot = self.draw(st.sampled_from(self.questions))
+        flag = self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
+        late = self._add(ir.AgeReaches(self.draft.slots[slot].input, self.draw(durations)))
+        return self._add(ir.And((flag, self._add(ir.Not(late)))))
+
     def _not(self) -> int:
         return self._add(ir.Not(self.one_of(self.truths)))
 
@@ -242,6 +276,9 @@ class Growing:
         return self._add(ir.Since(self.one_of(self.truths), self.one_of(self.truths)))
 
     def rule(self) -> None:
+        if bool(self.questions) and self.draw(st.booleans()):
+            self._exempted()
+            return
         condition = self.one_of(self.truths)
         match self.draw(st.sampled_from(("at once", "when", "for", "latched"))):
             case "at once":
@@ -254,3 +291,13 @@ class Growing:
                 self.draft.rule(condition, calm)
             case _:
                 self.draft.rule(condition, latched=True)
+
+    def _exempted(self) -> None:
+        """A rule, and the one that stands for an exemption of it (S60)."""
+        condition = self.one_of(self.truths)
+        calm = self._not() if self.draw(st.booleans()) else None
+        parts = (condition, self._add(ir.Not(self._doing())))
+        exempted = self.draft.rule(self._add(ir.And(parts)), calm)
+        used = self.draft.rule(self._add(ir.And((condition, self._kept()))))
+        exemption = ir.Exemption(self.draft.rules[exempted].name, "doing Push", ())
+        self.draft.rules[used] = replace(self.draft.rules[used], exempts=exemption)

@@ -21,6 +21,7 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from support.drafts import SECOND
 from support.growing import EXTREMES, NUMBERS, TICK, Growing
+from support.skill_contexts import CONTEXTS, told
 
 NAN = float("nan")
 INFINITY = float("inf")
@@ -126,7 +127,11 @@ def _messages(draw: st.DrawFn, machine: ir.Machine) -> dict[int, ir.ChannelValue
 
 @st.composite
 def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.ChannelValues:
-    """One message with the arrays of its channel, and nearly always all its slots."""
+    """One message with the arrays of its channel, and nearly always all its slots; on that of
+    skills, what they answer.
+    """
+    if machine.channels[channel].message_type == "skill_context_msgs/SkillContext":
+        return draw(_answers(machine, channel))
     return ir.ChannelValues(
         slots={
             index: draw(raw(slot.kind, slot.limits))
@@ -140,6 +145,19 @@ def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.Cha
         }
         | draw(columns(machine, channel)),
     )
+
+
+@st.composite
+def _answers(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.ChannelValues:
+    """What skills that run answer, those of another export and those too large among them."""
+    number = draw(st.integers(0, len(CONTEXTS) - 1))
+    slots = {
+        index: told(slot.path[0], number)
+        for index, slot in enumerate(machine.slots)
+        if machine.inputs[slot.input].channel == channel
+        and isinstance(slot.path[0], ir.Doing | ir.Quantity)
+    }
+    return ir.ChannelValues(slots, {})
 
 
 @st.composite

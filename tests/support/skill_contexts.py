@@ -7,14 +7,21 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import cache
 from random import Random
 from typing import Any, TypeVar
 
 from rosbags.typesys import get_types_from_msg
 from rosbags.typesys.store import Typestore
 
-from rossmarie.ir import Doing, Quantity, SkillStep
-from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, SkillProperty
+from rossmarie.ir import Doing, Quantity, SkillCall, SkillStep
+from rossmarie.ir.skills import (
+    RunningSkill,
+    SkillArgument,
+    SkillContext,
+    SkillProperty,
+    answer,
+)
 from rossmarie.types.definitions import own_texts
 from support.recordings import ROS1, ROS2, stamped
 
@@ -49,13 +56,15 @@ def random_lie(random: Random, context: SkillContext) -> SkillContext:
 
 
 def random_question(random: Random) -> SkillStep:
+    """A question: one in five for a truth that is an argument."""
     skills = _some(random, SKILLS)
     if random.random() < 0.6:
         parameters = sorted(random.sample(PARAMETERS, random.randrange(3)))
         limits = tuple((each, _some(random, CLASSES)) for each in parameters)
         return Doing(DIGEST, skills, limits)
     properties = random.choice([None, *PROPERTIES])
-    return Quantity(DIGEST, skills, random.choice(PARAMETERS), properties)
+    is_truth = random.random() < 0.5
+    return Quantity(DIGEST, skills, random.choice(PARAMETERS), properties, is_truth=is_truth)
 
 
 def crowd(count: int, each: Each) -> tuple[Each, ...]:
@@ -95,6 +104,31 @@ def _argument(random: Random, parameter: str) -> SkillArgument:
         number=random.choice(_NUMBERS),
         properties=tuple(SkillProperty(each, random.choice(_NUMBERS)) for each in names),
     )
+
+
+# --- for random machines ---------------------------------------------------------------------
+
+_CHOSEN = Random(63)
+QUESTIONS = tuple(random_question(_CHOSEN) for _ in range(24))
+CONTEXTS = tuple(random_context(_CHOSEN) for _ in range(60))
+
+
+@cache
+def told(step: SkillStep, number: int) -> float:
+    """What one of these contexts answers to a question."""
+    return answer(step, CONTEXTS[number])
+
+
+def calls_told(steps: Sequence[Doing]) -> tuple[SkillCall, ...]:
+    """Calls of skills, one for each combination of answers that a skill in these contexts gives."""
+    found: dict[tuple[bool, ...], SkillCall] = {}
+    for running in (each for context in CONTEXTS for each in context.running):
+        types = tuple((each.parameter, each.type) for each in running.arguments)
+        call = SkillCall(running.skill, types, None)
+        answers = tuple(call.answers(step) for step in steps)
+        if any(answers):
+            found.setdefault(answers, call)
+    return tuple(found.values())
 
 
 # --- as messages -------------------------------------------------------------------------------

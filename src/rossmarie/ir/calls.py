@@ -12,12 +12,13 @@ from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answe
 @dataclass(frozen=True)
 class SkillCall:
     """A skill that runs, and the classes of the things that are its arguments, as pairs of a
-    parameter and a class. `text` is how a test says so.
+    parameter and a class: of no class where the parameter has no value, and once for each where a
+    thing has several. `text` is how a test says so, None if none can.
     """
 
     skill: str
     types: tuple[tuple[str, str], ...]
-    text: str
+    text: str | None
 
     @property
     def running(self) -> RunningSkill:

@@ -107,8 +107,9 @@ def _verify_question(slot: ir.Slot, where: str) -> None:
             require(all(map(_is_choice, choices)), where, "names that are not sorted, or none")
             parameters = tuple(parameter for parameter, _ in arguments)
             require(parameters == tuple(sorted(set(parameters))), where, "unsorted parameters")
-        case (Quantity(skills=skills),):
-            require(slot.kind is not ir.Kind.TEXT, where, "a quantity that is a text")
+        case (Quantity(skills=skills, is_truth=is_truth),):
+            kind = ir.Kind.FLAG if is_truth else ir.Kind.REAL
+            require(slot.kind is kind, where, f"a quantity of the kind {slot.kind.value}")
             require(_is_choice(skills), where, "names that are not sorted, or none")
         case _:  # open: other paths ask no skills
             require(not _asks_skills(slot.path), where, "a question to skills inside a message")

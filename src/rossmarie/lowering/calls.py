@@ -6,15 +6,22 @@ are one to the machine. Which answers there can be together is what solvers have
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
+from typing import TypeAlias
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedSkills
-from rossmarie.skills import Skill
+from rossmarie.skills import Parameter, Skill
 
 MOST_CALLS = 512
 """The most calls that are kept. Of more, nothing is known of which answers go together."""
+
+Kinds: TypeAlias = tuple[str, ...]
+"""All classes of one argument."""
+
+NO_VALUE: Kinds = ("",)
+"""The class of an argument that is nothing."""
 
 
 def calls_of(skills: CheckedSkills, steps: Sequence[ir.Doing]) -> tuple[ir.SkillCall, ...]:
@@ -23,8 +30,8 @@ def calls_of(skills: CheckedSkills, steps: Sequence[ir.Doing]) -> tuple[ir.Skill
     for skill in skills.file.skills.values():
         for call in _calls_of(skill, skills, steps):
             answers = tuple(call.answers(step) for step in steps)
-            if any(answers):
-                found.setdefault(answers, call)
+            if any(answers) and (answers not in found or found[answers].text is None):
+                found[answers] = call
             if len(found) > MOST_CALLS:
                 return ()
     return tuple(found.values())
@@ -37,27 +44,57 @@ def _calls_of(
     for step in steps:
         for parameter, classes in step.arguments if skill.name in step.skills else ():
             asked.setdefault(parameter, []).append(classes)
-    types = {
-        each.name: each.type
-        for each in skill.parameters.values()
-        if each.type in skills.file.classes
-    }
-    choices = [_kinds(types[name], asked.get(name, []), skills) for name in sorted(types)]
-    for chosen in product(*choices):
-        pairs = tuple(zip(sorted(types), chosen, strict=True))
-        told = [f"{name}: {kind}" for name, kind in pairs if kind != types[name]]
-        limits = f"({', '.join(told)})" if told else ""
-        yield ir.SkillCall(skill.name, pairs, f"doing {skill.name}{limits}")
-
-
-def _kinds(type_: str, asked: Sequence[tuple[str, ...]], skills: CheckedSkills) -> list[str]:
-    """Classes that an argument may have, of each kind that the questions tell apart one; the most
-    general first.
-    """
-    below = sorted(
-        skills.classes.below(type_), key=lambda name: (len(skills.classes.above(name)), name)
+    things = sorted(
+        (each for each in skill.parameters.values() if each.type in skills.file.classes),
+        key=lambda each: each.name,
     )
-    found: dict[tuple[bool, ...], str] = {}
-    for name in below:
-        found.setdefault(tuple(name in classes for classes in asked), name)
+    choices = [_kinds(each, asked.get(each.name, []), skills) for each in things]
+    for chosen in product(*choices):
+        pairs = list(zip(things, chosen, strict=True))
+        yield ir.SkillCall(
+            skill.name,
+            tuple((thing.name, kind) for thing, kinds in pairs for kind in kinds),
+            _text(skill, pairs),
+        )
+
+
+def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]]) -> str | None:
+    """The call in the words of a test, which cannot say that a thing has several classes, or that
+    there is none.
+    """
+    if not all(len(kinds) == 1 and kinds != NO_VALUE for _, kinds in chosen):
+        return None
+    told = [f"{thing.name}: {kind}" for thing, (kind,) in chosen if kind != thing.type]
+    limits = f"({', '.join(told)})" if told else ""
+    return f"doing {skill.name}{limits}"
+
+
+def _kinds(
+    thing: Parameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
+) -> list[Kinds]:
+    """Classes that an argument may have, of each kind that the questions tell apart one; the most
+    general first. Of another class than its parameter demands, a thing can be beside that one. Any
+    parameter may have no value: what is gone from the world is told so.
+    """
+    below, above = skills.classes.below(thing.type), skills.classes.above(thing.type)
+    own = _told_apart(below, asked, skills)
+    others = _told_apart(
+        {name for each in asked for name in each} - {*below, *above}, asked, skills
+    )
+    found: dict[tuple[bool, ...], Kinds] = {answers: (name,) for answers, name in own.items()}
+    found.setdefault((False,) * len(asked), NO_VALUE)
+    for one, name in own.items():
+        for other, beside in others.items():
+            both = tuple(yes or also for yes, also in zip(one, other, strict=True))
+            found.setdefault(both, (name, beside))
     return list(found.values())
+
+
+def _told_apart(
+    names: Iterable[str], asked: Sequence[tuple[str, ...]], skills: CheckedSkills
+) -> dict[tuple[bool, ...], str]:
+    """Classes by the answers that they give, of each kind the most general."""
+    found: dict[tuple[bool, ...], str] = {}
+    for name in sorted(names, key=lambda name: (len(skills.classes.above(name)), name)):
+        found.setdefault(tuple(name in classes for classes in asked), name)
+    return found

@@ -58,10 +58,10 @@ def _note(flags: Sequence[Setting], wanted: dict[ir.Doing, bool]) -> bool:
 
 
 def _running(machine: ir.Machine, topic: str, wanted: dict[ir.Doing, bool]) -> Running | None:
-    calls = covering(machine.calls, wanted)
+    calls = covering((call for call in machine.calls if call.text is not None), wanted)
     if calls is None:
         return None
-    text = ", ".join(call.text for call in calls) or f"{DOING} nothing"
+    text = ", ".join(call.text or "" for call in calls) or f"{DOING} nothing"
     return Running(topic, tuple(call.running for call in calls), text)
 
 

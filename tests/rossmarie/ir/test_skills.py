@@ -136,7 +136,7 @@ def test_the_order_of_skills_and_arguments_says_nothing(seed: int) -> None:
     question, given = random_question(random), random_context(random)
     turned = tuple(replace(each, arguments=each.arguments[::-1]) for each in given.running[::-1])
     there, back = answer(question, given), answer(question, replace(given, running=turned))
-    assert repr(there) == repr(back)
+    assert there == back or (math.isnan(there) and math.isnan(back))
 
 
 def test_a_question_is_shown_as_it_is_written() -> None:
@@ -176,7 +176,8 @@ BACKWARDS = (("b", ("x",)), ("a", ("x",)))
     ("path", "kind", "said"),
     [
         ((PUSH,), REAL, "an answer of the kind real"),
-        ((DEPTH,), ir.Kind.TEXT, "a quantity that is a text"),
+        ((DEPTH,), FLAG, "a quantity of the kind flag"),
+        ((replace(DEPTH, is_truth=True),), REAL, "a quantity of the kind real"),
         (("data", PUSH), FLAG, "a question to skills inside a message"),
         ((replace(PUSH, skills=()),), FLAG, NOT_SORTED),
         ((replace(WEIGHT, skills=("b", "a")),), REAL, NOT_SORTED),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -13,7 +16,7 @@ from rossmarie.lowering import calls
 from rossmarie.skills import Closure, parse_skills, read_text
 from support.compiled import machine_of
 from support.depth import examples
-from support.rule_skills import DIGEST, FILE, HEAD
+from support.rule_skills import DIGEST, FILE, HEAD, content
 
 SKILLS = parse_skills(read_text(FILE))
 BELOW = Closure({name: each.parents for name, each in SKILLS.classes.items()})
@@ -82,6 +85,28 @@ def test_answers_that_no_skills_give_are_covered_by_none() -> None:
     assert call.text == "doing Push"
     (call,) = covering(machine.calls, {fragile: True}) or ()
     assert call.text == "doing Push(Object: skiros.Fragile)"
+
+
+def test_a_thing_may_be_of_several_classes(tmp_path: Path) -> None:
+    """One that is a product and a box, and yet none of the chests, which are both."""
+    found = content()
+    chest = {**found["classes"][0], "name": "toys.Chest"}
+    found["classes"].append({**chest, "parents": ["skiros.Product", "toys.Box"]})
+    (tmp_path / "skills.json").write_text(json.dumps(found), encoding="utf-8")
+    questions = ["doing Push(Object: toys.Box)", "doing Push(Object: Chest)"]
+    head = HEAD.replace(str(FILE), str(tmp_path / "skills.json"))
+    machine = machine_of(f"{head} rule it: if {' or '.join(questions)} then {{ stop; }};")
+    box, chest_step = steps_of(machine)
+    (call,) = covering(machine.calls, {box: True, chest_step: False}) or ()
+    assert call.types == (("Object", "skiros.Product"), ("Object", "toys.Box"))
+    assert call.text is None
+
+
+def test_a_parameter_may_have_no_value() -> None:
+    machine = machine_asking(["doing Push", "doing Push(Object: Product)"])
+    push, product = steps_of(machine)
+    (call,) = covering(machine.calls, {push: True, product: False}) or ()
+    assert (call.types, call.text) == ((("Object", ""),), None)
 
 
 def test_of_too_many_calls_none_are_kept(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rossmarie import ir
+from rossmarie.ir.skills import RunningSkill, SkillArgument
 from support.compiled import machine_of
 from support.programs import errors_of
 from support.rule_skills import HEAD, Robot, running
@@ -62,6 +63,20 @@ def test_s58_a_number_is_that_of_the_one_skill_that_runs() -> None:
     assert (slot.kind, slot.scale, slot.unit) == (ir.Kind.REAL, 1.0, "kg")
     machine = machine_of(HEAD + rules)
     assert [(used.name, used.timeout_ns) for used in machine.inputs] == [("weight", 10**9)]
+
+
+@pytest.mark.parametrize(
+    ("number", "active"),
+    [(1.0, {"it"}), (0.0, {"no"}), (-0.0, {"no"}), (0.25, {"it", "no"}), (-1.0, {"it", "no"})],
+)
+def test_s58_a_truth_of_a_skill_is_0_or_1(number: float, active: set[str]) -> None:
+    robot = Robot("""
+    input gently = doing Push.Gently;
+    rule it: if gently then { stop; };
+    rule no: if not gently then { stop; };
+    """)
+    robot.tell(0, RunningSkill("Push", (SkillArgument("Gently", number=number),)))
+    assert robot.active() == active
 
 
 # --- S59 ---------------------------------------------------------------------------------------

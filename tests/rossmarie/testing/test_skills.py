@@ -89,6 +89,7 @@ def test_generated_tests_say_which_skills_run_and_pass(tmp_path: Path) -> None:
         ("doing Push(Object: Fragile) and not doing Push", True),
         ("doing Push(Object: Fragile) and not doing Push(Object: Glass)", False),
         ("doing Push(Object: skiros.Box) and doing Push(Object: Fragile)", False),
+        ("doing Push and not doing Push(Object: Product)", False),
         ("doing Drive and not doing Move", True),
         ("doing Move and not doing Drive", False),
     ],

@@ -86,7 +86,9 @@ def _find(
         asked = _property(number, parameter, rest, skills, context)
         if asked is None:
             return None
-        question = Question(skills.file.digest, all_skills, parameter.name, asked.name, text)
+        question = Question(
+            skills.file.digest, all_skills, parameter.name, asked.name, text, asked.type == "bool"
+        )
         return question, asked.type, asked.unit
     if rest:
         extra = ".".join(("", *(step.text for step in rest)))
@@ -97,8 +99,9 @@ def _find(
         finding = NoSkillNumber(field=text, found=kind_of(parameter.type))
         context.collector.add(finding.at(number.span, help=finding.Other()))
         return None
+    is_truth = parameter.type == "bool"
     return (
-        Question(skills.file.digest, all_skills, parameter.name, None, text),
+        Question(skills.file.digest, all_skills, parameter.name, None, text, is_truth),
         parameter.type,
         None,
     )

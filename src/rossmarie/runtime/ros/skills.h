@@ -141,4 +141,7 @@ double quantity(const Context &context, const char *digest, const Asked &asked,
     return number.get();
 }
 
+// The number of a truth, which is 0 or 1.
+inline double truth(double number) { return number == 0.0 || number == 1.0 ? number : NAN; }
+
 } // namespace skills

@@ -138,9 +138,10 @@ def skill_question(step: ir.SkillStep) -> str:
                 for parameter, classes in arguments
             )
             return f"skills::doing({', '.join([asked, *limits])})"
-        case ir.Quantity(parameter=parameter, property=asked_property):
+        case ir.Quantity(parameter=parameter, property=asked_property, is_truth=is_truth):
             named = (parameter,) if asked_property is None else (parameter, asked_property)
-            return f"skills::quantity({asked}, {_texts(named)})"
+            number = f"skills::quantity({asked}, {_texts(named)})"
+            return f"skills::truth({number})" if is_truth else number
 
 
 def _texts(texts: Sequence[str]) -> str:

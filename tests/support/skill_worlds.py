@@ -1,0 +1,391 @@
+"""Random files of skills, questions about them, what skills then tell, and the answers that S58 of
+docs/explanation/semantics.md gives: from the file and the message alone, by nothing of ours.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from random import Random
+from typing import Any
+
+from rossmarie import ir
+from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, SkillProperty
+from support.compiled import machine_of
+from support.skill_contexts import crowd
+
+MOST = 64
+"""Of each thing that a message lists, by the definition of the messages."""
+
+_NUMBERS = (0.0, 1.0, 1.0, 0.25, -1.0, -0.0, 7.25, 2.5e-308, math.inf, math.nan)
+_PLAIN = ("float", "int", "bool", "str", "enum")
+_ASKED = ("float", "int", "bool")
+
+
+@dataclass(frozen=True)
+class Question:
+    """A question as rules write it: for a truth the classes of parameters, in `limits`; for a
+    number its `parameter`, and the `property` of the thing that is it. `is_truth` tells that the
+    number is one of a truth.
+    """
+
+    skill: str
+    limits: tuple[tuple[str, str], ...] = ()
+    parameter: str | None = None
+    property: str | None = None
+    is_truth: bool = False
+
+
+class World:
+    """A file of skills."""
+
+    def __init__(self, content: Mapping[str, Any]) -> None:
+        self.content = content
+        self.digest: str = content["digest"]
+        self.skills = {each["name"]: each for each in content["skills"]}
+        self.classes = {each["name"]: each for each in content["classes"]}
+        self.properties = {each["name"]: each for each in content["properties"]}
+
+    def is_skill(self, name: str, wanted: str) -> bool:
+        """Whether a skill is another one, or is derived from it."""
+        return _leads(self.skills, name, wanted, set())
+
+    def is_class(self, name: str, wanted: str) -> bool:
+        """Whether a class is another one, or is derived from it."""
+        return _leads(self.classes, name, wanted, set())
+
+    def things(self, skill: str) -> dict[str, dict[str, Any]]:
+        """The parameters of a skill that are things."""
+        parameters = self.skills[skill]["parameters"]
+        return {each["name"]: each for each in parameters if each["type"] in self.classes}
+
+    def may_be(self, type_: str) -> list[str]:
+        """The classes that some thing of a class may have as well."""
+        return [
+            name
+            for name in self.classes
+            if any(self.is_class(each, type_) and self.is_class(each, name)
+                   for each in self.classes)
+        ]  # fmt: skip
+
+    # --- S58 -------------------------------------------------------------------------------------
+
+    def answer(self, question: Question, context: SkillContext) -> float:
+        """What S58 says."""
+        if context.digest != self.digest or not _is_as_defined(context):
+            return math.nan
+        if question.parameter is None:
+            return float(any(self._is_done(question, each) for each in context.running))
+        asked = [each for each in context.running if self.is_skill(each.skill, question.skill)]
+        return _one_of(question, asked[0]) if len(asked) == 1 else math.nan
+
+    def _is_done(self, question: Question, running: RunningSkill) -> bool:
+        if not self.is_skill(running.skill, question.skill):
+            return False
+        for parameter, wanted in question.limits:
+            classes = [each.type for each in running.arguments if each.parameter == parameter]
+            if not any(self.is_class(each, wanted) for each in classes):
+                return False
+        return True
+
+
+def _leads(known: Mapping[str, Any], name: str, wanted: str, passed: set[str]) -> bool:
+    if name == wanted:
+        return True
+    if name in passed or name not in known:
+        return False
+    passed.add(name)
+    return any(_leads(known, each, wanted, passed) for each in known[name]["parents"])
+
+
+def _is_as_defined(context: SkillContext) -> bool:
+    lists: list[Sequence[object]] = [context.running]
+    lists += [each.arguments for each in context.running]
+    lists += [each.properties for skill in context.running for each in skill.arguments]
+    return max(map(len, lists)) <= MOST
+
+
+def _one_of(question: Question, running: RunningSkill) -> float:
+    """The number, however often it is told: of a thing once for each of its classes."""
+    found = [each for each in running.arguments if each.parameter == question.parameter]
+    numbers = [each.number for each in found]
+    if question.property is not None:
+        numbers = [
+            one.number
+            for each in found
+            for one in each.properties
+            if one.property == question.property
+        ]
+    if not numbers or any(each != numbers[0] for each in numbers):
+        return math.nan
+    return math.nan if question.is_truth and numbers[0] not in (0, 1) else numbers[0]
+
+
+# --- files of skills -----------------------------------------------------------------------------
+
+
+def random_world(random: Random) -> World:
+    """Classes and skills that are derived over several levels, from several others, and classes
+    that mean the same.
+    """
+    classes: list[dict[str, Any]] = []
+    is_small = random.random() < 0.4  # then questions meet at the same classes
+    for number in range(3 if is_small else random.randint(3, 8)):
+        above = [each["name"] for each in classes]
+        name = f"{random.choice(('kit', 'toys'))}.C{number}"
+        count = min(len(above), random.choice((0, 1, 2, 2)))
+        classes.append(_derived(name, random.sample(above, count)))
+    if random.random() < 0.25:
+        one, other = random.sample(classes, 2)
+        one["parents"] = [*one["parents"], other["name"]]  # at times a circle: they mean the same
+    names = [each["name"] for each in classes]
+    properties = [
+        {
+            "name": f"kit.D{number}",
+            "type": random.choice(_ASKED),
+            "of": random.sample(names, random.randint(1, 2)),
+            "unit": None,
+            "place": None,
+        }
+        for number in range(random.randint(1, 3))
+    ]
+    skills: list[dict[str, Any]] = []
+    for number in range(1 if is_small else random.randint(2, 6)):
+        skills.append(_skill(random, number, skills, names))
+    return World({
+        "format": "ezskiros/skills",
+        "version": 1,
+        "digest": f"{random.getrandbits(256):064x}",
+        "sources": [],
+        "context": {
+            "topic": "/skill_context", "type": "skill_context_msgs/SkillContext", "period": 0.1,
+        },
+        "classes": [{**each, "iri": f"http://example.org/{each['name']}"} for each in classes],
+        "properties": properties,
+        "skills": skills,
+    })  # fmt: skip
+
+
+def _few(random: Random) -> int:
+    return random.choice((0, 1, 1, 1, 2))
+
+
+def _derived(name: str, parents: Sequence[str]) -> dict[str, Any]:
+    return {"name": name, "parents": list(parents), "place": None}
+
+
+def _skill(
+    random: Random, number: int, others: Sequence[dict[str, Any]], classes: Sequence[str]
+) -> dict[str, Any]:
+    """A skill that has the parameters of those that it is derived from, and some of its own."""
+    parents = random.sample(others, min(len(others), _few(random)))
+    parameters = {one["name"]: one for each in parents for one in each["parameters"]}
+    for name in random.sample(("P0", "P1", "P2", "P3"), random.randint(0, 3)):
+        type_ = random.choice(classes) if random.random() < 0.7 else random.choice(_PLAIN)
+        parameters.setdefault(name, {
+            "name": name, "key": name, "kind": "given", "type": type_, "is_output": False,
+            "place": None,
+        })  # fmt: skip
+    return {
+        **_derived(f"S{number}", [each["name"] for each in parents]),
+        "doc": "",
+        "parameters": list(parameters.values()),
+        "conditions": {"pre": [], "hold": [], "post": []},
+        "trees": [],
+        "permits": [],
+        "uses": [],
+    }
+
+
+# --- questions -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A machine that asks, and what each of its slots asks."""
+
+    world: World
+    machine: ir.Machine
+    questions: tuple[Question, ...]
+
+    def steps(self) -> tuple[ir.SkillStep, ...]:
+        """The questions as the machine has them."""
+        steps = (slot.path[0] for slot in self.machine.slots)
+        return tuple(each for each in steps if isinstance(each, ir.Doing | ir.Quantity))
+
+
+def asked_of(random: Random, world: World, folder: Path) -> Asked:
+    """The machine of rules that ask some questions about a file of skills, which is written."""
+    file = folder / f"{world.digest[:12]}.json"
+    file.write_text(json.dumps(world.content), encoding="utf-8")
+    lines = [f'skills "{file}" timeout 1 sec;', "action stop;"]
+    words: dict[str, Question] = {}
+    skills = sorted(world.skills)
+    if random.random() < 0.5:  # questions about one skill are told apart by classes alone
+        skills = [random.choice(skills)]
+    for number in range(random.randint(2, 5)):
+        question = random_question(random, world, skills)
+        text = _text(random, question, world)
+        if text in words:
+            continue
+        words[text] = question
+        asked = text
+        if question.parameter is not None:
+            lines.append(f"input n{number} = doing {text};")
+            asked = f"n{number}" if question.is_truth else f"n{number} > 0.5"
+        lines.append(f"rule r{number}: if {asked} then {{ stop; }};")
+    machine = machine_of("\n".join(lines))
+    questions = tuple(words[str(slot.path[0])] for slot in machine.slots)
+    return Asked(world, machine, questions)
+
+
+def random_question(random: Random, world: World, skills: Sequence[str]) -> Question:
+    """A question that rules may ask about one of some skills."""
+    skill = random.choice(skills)
+    numbers = list(_numbers(world, skill))
+    if numbers and random.random() < 0.4:
+        return random.choice(numbers)
+    limits = []
+    for name, parameter in world.things(skill).items():
+        if random.random() < 0.6:
+            type_ = parameter["type"]
+            possible = world.may_be(type_)
+            beside = [
+                each
+                for each in possible
+                if not world.is_class(each, type_) and not world.is_class(type_, each)
+            ]
+            limits.append((name, random.choice(random.choice((possible, beside or possible)))))
+    random.shuffle(limits)
+    return Question(skill, tuple(limits))
+
+
+def _numbers(world: World, skill: str) -> Iterator[Question]:
+    things = world.things(skill)
+    for parameter in world.skills[skill]["parameters"]:
+        name, type_ = parameter["name"], parameter["type"]
+        if type_ in _ASKED:
+            yield Question(skill, (), name, None, type_ == "bool")
+        for each in world.properties.values() if name in things else ():
+            if any(world.is_class(one, type_) or world.is_class(type_, one) for one in each["of"]):
+                yield Question(skill, (), name, each["name"], each["type"] == "bool")
+
+
+def _text(random: Random, question: Question, world: World) -> str:
+    """The question in the words of rules; that of a number without `doing`."""
+    if question.parameter is not None:
+        behind = "" if question.property is None else f".{question.property.rpartition('.')[2]}"
+        return f"{question.skill}.{question.parameter}{behind}"
+    limits = [f"{name}: {_class(random, wanted, world)}" for name, wanted in question.limits]
+    return f"doing {question.skill}" + (f"({', '.join(limits)})" if limits else "")
+
+
+def _class(random: Random, name: str, world: World) -> str:
+    """A class with or without its namespace, which goes without saying where no two are alike."""
+    return random.choice((name, name.rpartition(".")[2]))
+
+
+# --- what skills tell ----------------------------------------------------------------------------
+
+
+def honest_context(random: Random, world: World) -> SkillContext:
+    """Skills that run with what their descriptions demand, as a robot tells of them."""
+    running = random.choices(sorted(world.skills), k=random.choice((0, 1, 1, 2, 3)))
+    return SkillContext(world.digest, tuple(_running(random, world, each) for each in running))
+
+
+def _running(random: Random, world: World, skill: str) -> RunningSkill:
+    arguments: list[SkillArgument] = []
+    for parameter in world.skills[skill]["parameters"]:
+        arguments += _argument(random, world, parameter)
+    return RunningSkill(skill, tuple(arguments))
+
+
+def _argument(
+    random: Random, world: World, parameter: Mapping[str, Any]
+) -> Iterator[SkillArgument]:
+    """An argument: of a thing once for each class, none of them above another. There is none of
+    what is optional, of what the skill has yet to find out, and of what is gone from the world.
+    """
+    name, type_ = parameter["name"], parameter["type"]
+    if random.random() < 0.15:
+        yield SkillArgument(name)
+    elif type_ in world.classes:
+        classes = [random.choice([each for each in world.classes if world.is_class(each, type_)])]
+        others = sorted(world.classes)
+        for each in random.sample(others, random.choice((0, 0, len(others)))):
+            if not any(world.is_class(each, one) or world.is_class(one, each) for one in classes):
+                classes.append(each)
+        properties = tuple(_properties(random, world))
+        for each in random.sample(classes, len(classes)):
+            yield SkillArgument(name, "it", each, properties=properties)
+    else:
+        yield SkillArgument(name, "0", number=random.choice(_NUMBERS))
+
+
+def _properties(random: Random, world: World) -> Iterator[SkillProperty]:
+    for each in world.properties:
+        if random.random() < 0.7:
+            yield SkillProperty(each, random.choice(_NUMBERS))
+
+
+def any_context(random: Random, world: World, others: Sequence[World] = ()) -> SkillContext:
+    """Anything that may stand in a message: what an honest robot tells, often changed at one place
+    to what it would not.
+    """
+    context = honest_context(random, world)
+    for _ in range(random.choice((0, 1, 1, 2))):
+        context = _changed(random, world, context, others)
+    return context
+
+
+def _changed(
+    random: Random, world: World, context: SkillContext, others: Sequence[World]
+) -> SkillContext:
+    if random.random() < 0.15:
+        digests = [each.digest for each in others] + ["", world.digest[:-1], f"{world.digest}\0"]
+        return replace(context, digest=random.choice(digests))
+    if random.random() < 0.1 or not context.running:
+        filling = crowd(random.choice((MOST, MOST + 1, 500)) - 1, RunningSkill("none"))
+        return replace(context, running=(*filling, *context.running[:1]))
+    place = random.randrange(len(context.running))
+    running = list(context.running)
+    running[place] = _changed_skill(random, world, running[place])
+    return replace(context, running=tuple(running))
+
+
+def _changed_skill(random: Random, world: World, skill: RunningSkill) -> RunningSkill:
+    if random.random() < 0.2 or not skill.arguments:
+        names = [*world.skills, "", "S", skill.skill + "\0", "Größe"]
+        return replace(skill, skill=random.choice(names))
+    arguments = list(skill.arguments)
+    place = random.randrange(len(arguments))
+    match random.randrange(6):
+        case 0:
+            arguments.append(arguments[place])
+        case 1:
+            del arguments[place]
+        case 2:
+            arguments += crowd(MOST + random.randrange(2) - len(arguments), SkillArgument("P9"))
+        case _:  # open: three of six
+            arguments[place] = _changed_argument(random, world, arguments[place])
+    return replace(skill, arguments=tuple(arguments))
+
+
+def _changed_argument(random: Random, world: World, argument: SkillArgument) -> SkillArgument:
+    properties = list(argument.properties) or [SkillProperty("kit.D0", 1.0)]
+    match random.randrange(5):
+        case 0:
+            return replace(argument, type=random.choice([*world.classes, "", "kit.C", 'a"b\\c\n']))
+        case 1:
+            return replace(argument, number=random.choice(_NUMBERS))
+        case 2:
+            properties.append(replace(properties[0], number=random.choice(_NUMBERS)))
+        case 3:
+            properties = [*crowd(MOST + random.randrange(2) - 1, properties[0]), properties[-1]]
+        case _:  # open: one of five
+            return replace(argument, parameter=random.choice(("P0", "P1", "P2", "P3", "")))
+    return replace(argument, properties=tuple(properties))
