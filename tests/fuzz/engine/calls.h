@@ -38,6 +38,7 @@ static void answer_all(void (*begin)(void), void (*make)(const call *))
             make(&next);
         }
         fflush(stdout);
+        alarm(0);
     }
 }
 
