@@ -174,7 +174,8 @@ def test_a_huge_line_is_not_read_again_for_each_finding() -> None:
         [unit_fix(file, len(file.text) - before) for before in range(2, 10_000, 100)]
         for file in (short, huge)
     )
-    assert takes_at_most(10, render_text, on_short, on_huge)
+    # A hundred times as much text. Its copy with a fix is made in C, for little each time.
+    assert takes_at_most(40, render_text, on_short, on_huge)
 
 
 def unit_fix(file: SourceFile, offset: int) -> Diagnostic:
