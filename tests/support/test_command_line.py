@@ -250,6 +250,7 @@ COMMANDS = {
         "check robot.ross",
         "explain CHK102",
         "impact Wipe robot.ross",
+        "live robot.ross --seconds 1",
         "show robot.ross --svg robot.svg",
     ],
     "heron": ["run nav --ros1 --arm none"],

@@ -284,7 +284,7 @@ def test_replay_prints_a_table_and_writes_reports(rules: Path, tmp_path: Path) -
     done = run("replay", rules, recording, "--out", tmp_path / "out")
     assert done.returncode == 0, done.stdout + done.stderr
     assert done.stderr == ""
-    assert "01.0  on = true" in done.stdout
+    assert "01.0  on, true since" in done.stdout
     lines = [
         json.loads(line) for line in (tmp_path / "out/verdicts.jsonl").read_text().splitlines()
     ]
@@ -329,7 +329,7 @@ def test_a_topic_map_leads_elsewhere(rules: Path, tmp_path: Path) -> None:
     recording.write_text(DRIVE.replace("time,on", "time,/bumper.data"))
     done = run("replay", rules, recording, "--topic-map", "/on=/bumper")
     assert done.returncode == 0
-    assert "on = true" in done.stdout
+    assert "on, true since" in done.stdout
 
 
 def test_a_defect_of_ours_is_called_that(rules: Path) -> None:
