@@ -67,11 +67,11 @@ def run_with(copy: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
 def watched(copy: Path) -> frozenset[str]:
     """Who notices something with a copy of the package."""
     done = run_with(copy, "-m", "mutation.skill_watch")
-    return frozenset(done.stdout.splitlines() if done.returncode == 0 else ("the import",))
+    return frozenset([*done.stdout.splitlines(), *(["a crash"] if done.returncode else [])])
 
 
 def fails_examples(copy: Path) -> bool:
-    """Whether tests by examples fail with a copy of the package."""
+    """Say whether tests by examples fail with a copy of the package."""
     options = ("-q", "-x", "-p", "no:cacheprovider", "-p", "no:randomly")
     return run_with(copy, "-m", "pytest", *options, *EXAMPLES).returncode != 0
 
@@ -129,7 +129,7 @@ def asked(tmp_path_factory: pytest.TempPathFactory) -> Sequence[Asked]:
 
 
 def is_noticed(asked: Sequence[Asked], folder: Path, damage: Damage | None) -> bool:
-    """Whether a node with a fault answers otherwise than S58 says."""
+    """Say whether a node with a fault answers otherwise than S58 says."""
     text = (RUNTIME / "skills.h").read_text("utf-8")
     if damage is not None:
         assert text.count(damage.old) == 1, (text.count(damage.old), damage)

@@ -1,5 +1,5 @@
-"""Whatever a message tells of skills, questions of rules are answered as S58 says; and which
-answers a machine holds for possible are those that some skills give.
+"""Questions about skills are answered as S58 says, for any message; and a machine holds those
+answers for possible that some skills give.
 """
 
 from __future__ import annotations

@@ -77,7 +77,7 @@ class Program:
         """
 
     def actions(self) -> Iterator[tuple[str, ...]]:
-        """What each rule does while it is active, the use of an exemption nothing."""
+        """The actions of each rule; a rule that only tells of an exemption has none."""
         yield ("stop",)
         for each in self.exemptions:
             if each.instead != "action":
@@ -151,7 +151,7 @@ def opposite(value: int) -> int:
 
 @dataclass
 class Model:
-    """What a robot has told, and which rules are active, in the order of the rules."""
+    """The last messages of a robot, and the rules that are active, in the order of the rules."""
 
     program: Program
     force: float = math.nan

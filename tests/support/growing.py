@@ -246,7 +246,7 @@ class Growing:
         return self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
 
     def _kept(self) -> int:
-        """That a skill runs, as told in time: what an exemption rests on (S59)."""
+        """An exemption rests on this: a skill runs, as told in time (S59)."""
         slot = self.draw(st.sampled_from(self.questions))
         flag = self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
         late = self._add(ir.AgeReaches(self.draft.slots[slot].input, self.draw(durations)))

@@ -149,7 +149,7 @@ def channel_values(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.Cha
 
 @st.composite
 def _answers(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.ChannelValues:
-    """What skills that run answer, those of another export and those too large among them."""
+    """Answers of skills that run; some are of another export, some too large."""
     number = draw(st.integers(0, len(CONTEXTS) - 1))
     slots = {
         index: told(slot.path[0], number)

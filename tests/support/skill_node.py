@@ -1,4 +1,4 @@
-"""What the C++ of nodes answers to questions about skills, in a program that reads messages."""
+"""Answers of the C++ of nodes to questions about skills, in a program that reads messages."""
 
 from __future__ import annotations
 

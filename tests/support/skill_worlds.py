@@ -50,11 +50,11 @@ class World:
         self.properties = {each["name"]: each for each in content["properties"]}
 
     def is_skill(self, name: str, wanted: str) -> bool:
-        """Whether a skill is another one, or is derived from it."""
+        """Say whether a skill is another one, or is derived from it."""
         return _leads(self.skills, name, wanted, set())
 
     def is_class(self, name: str, wanted: str) -> bool:
-        """Whether a class is another one, or is derived from it."""
+        """Say whether a class is another one, or is derived from it."""
         return _leads(self.classes, name, wanted, set())
 
     def things(self, skill: str) -> dict[str, dict[str, Any]]:
@@ -74,7 +74,7 @@ class World:
     # --- S58 -------------------------------------------------------------------------------------
 
     def answer(self, question: Question, context: SkillContext) -> float:
-        """What S58 says."""
+        """The answer that S58 says."""
         if context.digest != self.digest or not _is_as_defined(context):
             return math.nan
         if question.parameter is None:

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import typer
 
+from crosscheck.cli.loading import loaded
 from crosscheck.cli.output import output
 from crosscheck.impact import dependents
 from crosscheck.picture import Pictured, pictured
-from crosscheck.robot import Robot, load
 from crosscheck.svg import svg_of
 
 
@@ -43,14 +43,6 @@ def run_impact(
         output.fail(f"there is no skill `{skill}`{meant}", exit_code=2)
     lines = [f"{each.what} {each.how} ({each.span})" for each in dependents(robot, found)]
     typer.echo("\n".join(lines) if lines else f"nothing depends on {skill}")
-
-
-def loaded(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> Robot:
-    """The robot; what is wrong with it ends the run."""
-    found = load(rules, systems=systems, message_folders=message_folders)
-    if found.robot is None:
-        output.reject(found.diagnostics)
-    return found.robot
 
 
 def _told(skill: Pictured) -> str:

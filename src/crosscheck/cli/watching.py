@@ -11,8 +11,8 @@ from pathlib import Path
 import typer
 
 from crosscheck.cli.choices import LiveFormat
+from crosscheck.cli.loading import loaded
 from crosscheck.cli.output import output
-from crosscheck.cli.showing import loaded
 from crosscheck.live.facts import facts_of
 from crosscheck.live.model import Change
 from crosscheck.live.ros import Ears, NoRosError, listen

@@ -92,7 +92,10 @@ def _found(facts: Facts) -> tuple[Any, list[Topic]]:
     messages = {name: _imported(f"{name}.msg") for name in packages}
     missing += [name for name, found in messages.items() if found is None]
     if library is None or missing:
-        raise NoRosError(f"this Python lacks packages of ROS: {', '.join(missing)}")
+        lacking = ", ".join(missing)
+        raise NoRosError(
+            f"this Python lacks packages of ROS: {lacking}; source the workspace that has them"
+        )
     context, state, diagnostics = messages.values()
     return library, [
         Topic(facts.topic, context.SkillContext, context_of),

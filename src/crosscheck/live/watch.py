@@ -75,7 +75,9 @@ class Watch:
         self._node.heard += seconds
 
     def end(self, at: float) -> list[Told]:
-        """End; gives all that is new: who has never spoken is told, however short the time was."""
+        """End; gives all that is new. A source that was never heard is told, however short the time
+        was.
+        """
         found = self.pass_time(at)
         if not self._context.has_spoken:
             found += self._counted(self._context_is_silent(self.now - self.start))

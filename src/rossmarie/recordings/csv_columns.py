@@ -159,14 +159,14 @@ def _names(match: Match, field: Slot | Array, machine: Machine) -> Iterator[str]
     yield ".".join([match.topic, *path])
     if path == ("data",):
         yield match.topic
-    last = path.index(_EACH) if _EACH in path else len(path)
-    siblings = {_texts(other) for other in match.fields_of(field.input)} - {path}
-    siblings = {other for other in siblings if other[:-1] != path}
     if isinstance(field, Slot) and question_of(field) is not None:
         # All inputs that read the context ask the same, and one of them is the compiler's own.
         readers = (machine.inputs[reader].name for reader in match.inputs)
         yield from sorted((".".join([name, *path]) for name in readers), key=len, reverse=True)
         return
+    last = path.index(_EACH) if _EACH in path else len(path)
+    siblings = {_texts(other) for other in match.fields_of(field.input)} - {path}
+    siblings = {other for other in siblings if other[:-1] != path}
     for start in range(last + 1):
         end = path[start:]
         if not any(other[len(other) - len(end) :] == end for other in siblings):
