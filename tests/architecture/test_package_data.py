@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[2]
 def test_every_data_file_is_installed() -> None:
     project = (ROOT / "pyproject.toml").read_text(encoding="utf-8")
     section = project.partition("[tool.setuptools.package-data]")[2].partition("[tool.")[0]
-    patterns = re.findall(r'"(\*\..+?|py\.typed)"', section)
+    patterns = re.findall(r'"(\*?[\w.]+)"', section)
     files = [
         path.relative_to(ROOT)
         for package in ("campaign", "dslkit", "heron", "rossmarie")

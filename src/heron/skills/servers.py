@@ -5,8 +5,11 @@ from __future__ import annotations
 from contextvars import ContextVar
 
 from heron.goals import Goal, Servers
+from heron.skills.ros1_servers import Ros1Servers
 
-CARRIER: ContextVar[Servers] = ContextVar("carrier")
+_ROS1 = Ros1Servers()
+CARRIER: ContextVar[Servers] = ContextVar("carrier", default=_ROS1)
+"""Real SkiROS2 sets none: its skills reach the action servers of ROS 1."""
 
 
 class Sent:

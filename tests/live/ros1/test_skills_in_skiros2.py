@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import shutil
 import signal
-import sys
 import time
 from pathlib import Path
 
@@ -15,13 +14,13 @@ from ezskiros.hosts.owl_files import owl_files
 from ezskiros.ontology import load
 from rossmarie.driver import compile_file
 from support import command_line
-from support.live import LIMIT, Ears, Process, talking, until
+from support.live import LIMIT, Ears, Process, until
 from support.ontologies import HALL
 from support.parts import SKIROS2, needs
-from support.ros1_live import Ros1, set_parameters
+from support.ros1_live import Ros1
+from support.skiros2_live import Robot, SkiROS2
 
 ROOT = Path(__file__).parents[3]
-START = ROOT / "tests" / "support" / "skiros2_start.py"
 MESSAGES = ROOT / "ros" / "ros1" / "skill_context_msgs"
 TIMEOUT = 0.5
 """Seconds after which the rules give up a context: five periods of it."""
@@ -88,53 +87,17 @@ def made(folder: Path) -> Path:
 pytestmark = [needs(SKIROS2)]
 
 
-class SkiROS2:
-    """A world model and a skill manager, in processes of their own; all that was `started`."""
-
-    def __init__(self, ros: Ros1, robot: Path, log: Path, started: list[Process]) -> None:
-        self._ros, self._log, self._started = ros, log, started
-        own = {key: ros.variables[key] for key in ("ROS_MASTER_URI", "ROS_IP", "ROS_LOG_DIR")}
-        paths = [ros.variables["PYTHONPATH"], str(robot), os.environ["PYTHONPATH"], *sys.path]
-        self.variables = {**os.environ, **own, "PYTHONPATH": ":".join(filter(None, paths))}
-        set_parameters(
-            ros.variables,
-            "wm",
-            {"workspace_dir": str(robot), "init_scene": "lab.turtle"},
-            use_sim_time=False,
-        )
-        self._node("skiros2_world_model", "world_model_server_node", "wm")
-        self.begin()
-
-    def begin(self) -> None:
-        """Start the skill manager, and Push in it."""
-        values = {
-            "prefix": "skiros",
-            "verbose": False,
-            "libraries_list": ["pushing_skills"],
-            "skill_list": ["push"],
-        }
-        set_parameters(self._ros.variables, "heron", values, use_sim_time=False)
-        self.manager = self._node("skiros2_skill", "skill_manager_node", "heron")
-        command = [sys.executable, str(START), "/heron", "push", "Object=cable"]
-        starter = Process(command, self.variables, self._log / "starter.log", talking)
-        self._started.append(starter)
-        until(lambda: "started" in starter.said(), "Push starts")
-
-    def _node(self, package: str, program: str, name: str) -> Process:
-        folders = [Path(each) for each in os.environ["ROS_PACKAGE_PATH"].split(":")]
-        path = next(
-            each / package / "nodes" / program for each in folders if (each / package).is_dir()
-        )
-        command = [sys.executable, str(path), f"__name:={name}"]
-        node = Process(command, self.variables, self._log / f"{name}.log", talking)
-        self._started.append(node)
-        return node
-
-
 @pytest.fixture
 def skiros2(ros1: Ros1, robot: Path, tmp_path: Path, started: list[Process]) -> SkiROS2:
     ros1.prepare([MESSAGES, compile_file(robot / "pushing.ross").machine])
-    return SkiROS2(ros1, robot, tmp_path, started)
+    pushing = Robot(
+        workspace=robot,
+        scene="lab.turtle",
+        library="pushing_skills",
+        skills=["push"],
+        begins=["push", "Object=cable"],
+    )
+    return SkiROS2(ros1, pushing, tmp_path, started)
 
 
 @pytest.fixture
