@@ -67,16 +67,20 @@ class Cause:
 
 @dataclass(frozen=True)
 class LostInput:
-    """An input to blame for an unknown condition. FRESH: messages come, without a usable value."""
+    """An input to blame for an unknown condition. FRESH: messages come, without a usable value; or
+    it `was_lost` earlier, within the time that the condition looks back on.
+    """
 
     input: int
     name: str
     topic: str
     state: InputState
+    was_lost: bool = False
 
     def line(self) -> str:
         """One line."""
-        return f"input {self.name} ({self.topic}) {_STATES[self.state]}"
+        state = "was lost earlier" if self.was_lost else _STATES[self.state]
+        return f"input {self.name} ({self.topic}) {state}"
 
 
 @dataclass(frozen=True)
@@ -197,21 +201,23 @@ class _Snapshot:
 
     def lost_inputs(self, causes: tuple[Cause, ...]) -> tuple[LostInput, ...]:
         """The inputs to blame for the causes that are unknown for lack of one."""
-        leaves = (leaf for each in causes for leaf in leaf_truths(self._machine, each.truth))
+        unknown = [each.truth for each in causes if each.value is TruthValue.LOST]
+        leaves = [leaf for truth in unknown for leaf in leaf_truths(self._machine, truth)]
         lost = [leaf for leaf in leaves if self._truths[leaf] is TruthValue.LOST]
-        rests_on = supports(self._machine).truths if lost else ()
-        blamed = {used for leaf in lost for used in self._blamed(rests_on[leaf].inputs)}
-        return tuple(self._lost(index) for index in sorted(blamed))
+        rests_on = supports(self._machine).truths if leaves else ()
+        blamed = {used for leaf in lost or leaves for used in self._blamed(rests_on[leaf].inputs)}
+        return tuple(self._lost(index, was_lost=not lost) for index in sorted(blamed))
 
     def _blamed(self, inputs: frozenset[int]) -> set[int]:
         guarded = {i for i in inputs if self._machine.inputs[i].timeout_ns is not None}
         silent = {index for index in guarded if self._inputs[index] is not InputState.FRESH}
         return silent or guarded
 
-    def _lost(self, index: int) -> LostInput:
+    def _lost(self, index: int, *, was_lost: bool) -> LostInput:
         declared = self._machine.inputs[index]
         topic = self._machine.channels[declared.channel].topic
-        return LostInput(index, declared.name, topic, self._inputs[index])
+        state = self._inputs[index]
+        return LostInput(index, declared.name, topic, state, was_lost and state is InputState.FRESH)
 
     # --- causes ------------------------------------------------------------------------------
 

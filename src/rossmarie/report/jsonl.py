@@ -158,7 +158,8 @@ def _reading(reading: Reading) -> dict[str, object]:
 
 
 def _lost_input(lost: LostInput) -> dict[str, object]:
-    return {"name": lost.name, "topic": lost.topic, "state": STATES[lost.state]}
+    state = "was lost" if lost.was_lost else STATES[lost.state]
+    return {"name": lost.name, "topic": lost.topic, "state": state}
 
 
 def json_number(value: float) -> float | str | None:

@@ -164,7 +164,9 @@ class _Cutter:
 
     def _names_something(self, index: int) -> bool:
         """Say whether a token stands behind a word as behind `entitty` or `limit`."""
-        return self._text(index) in (":", "=") or self._is_word(index)
+        if self._text(index) in (":", "="):
+            return True
+        return self._is_word(index) and not self._begins_item(index, 0)
 
     def _is_word(self, index: int) -> bool:
         """Say whether a token is a text, or a word that neither carries on nor begins an item."""

@@ -176,6 +176,14 @@ def test_an_input_that_sends_no_number() -> None:
     assert lines_of_rule("x > 1 m", x=math.nan)[0] == "input x (/x) has no usable value"
 
 
+def test_an_input_that_was_lost_is_blamed_as_long_as_it_counts() -> None:
+    story = Story("rule it: if count(edges of x > 1 m within 5 sec) > 1 and on then { stop; };")
+    story.send(1, x=math.nan, on=0.0)
+    story.send(2, x=2.0)
+    story.send(3, on=1.0)
+    assert story.last().lines() == ("input x (/x) was lost earlier",)
+
+
 def test_inputs_that_arrive_are_not_blamed() -> None:
     story = Story("rule it: if x + y > 1 m then { stop; };")
     story.send(1, x=2.0)

@@ -243,6 +243,7 @@ def programs(draw: st.DrawFn) -> str:
 @many
 @given(text=programs())
 @example(text='test "an input that is called at" { at 0 m at ; } ')
+@example(text='const c = 0\nm test "a unit on a line of its own" { } ')
 def test_formatting_keeps_the_tree_and_the_comments(
     parsed: Parsed, without_spans: WithoutSpans, text: str
 ) -> None:

@@ -132,7 +132,7 @@ FAULTS = (
     Fault(SUPPORT, _COMPARED, f"{_COMPARED}[:1]", "numbers_belt", TWO_TOPICS),
     Fault(SUPPORT, _OPERANDS, f"{_OPERANDS}[:1]", "numbers_belt"),
     Fault(SUPPORT, _OF_TRUTHS, f"{_OF_TRUTHS}[:1]", "visit"),
-    Fault(SUPPORT, _TERMS, f"{_TERMS}[:1]", "visit"),
+    Fault("ir/terms.py", _TERMS, f"{_TERMS}[:1]", "visit"),
     Fault(SUPPORT, _OF_READ, _OF_READ.replace("{used}", "{0}"), "tick"),
     Fault("targets/c99/layout.py", _OF_SLOT, "inputs=frozenset({0}),", "tick"),
 )
@@ -141,6 +141,11 @@ FAULTS = (
 @pytest.fixture(scope="module")
 def prover() -> Prover:
     return real_prover()
+
+
+@pytest.mark.parametrize("fault", FAULTS, ids=lambda each: each.new.strip())
+def test_the_sources_have_what_a_fault_changes(fault: Fault, tmp_path: Path) -> None:
+    assert fault.new in (damaged(fault, tmp_path) / "rossmarie" / fault.file).read_text()
 
 
 @pytest.mark.parametrize("fault", [*QUICK, *deep(FAULTS)], ids=lambda each: each.new.strip())

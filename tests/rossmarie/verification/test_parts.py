@@ -361,7 +361,7 @@ def test_what_counts_and_elements_are_what_they_mean(
          "`recent_count` is as it has to be"),
         (("unknowns != 0 || count == 0", "count == 0"), "numbers_scan",
          "`any(ranges < 0.5 m)` is what it means"),
-        (("{ return m->value[guard_value[g]]; }", "{ return (void)m, (void)g, NAN; }"), "cross_1",
+        (("{ return m->value[guard_value[g]]; }", "{ return (void)m, (void)g, NAN; }"), "cross_2",
          "the guard of `min(ranges)`"),
     ],
 )  # fmt: skip

@@ -29,7 +29,7 @@ rule quiet: if speed > 6 then { mute; home; };
 priority quiet over loud;
 """
 
-NEVER = {("derive", "return UNKNOWN;")}
+NEVER = {("derive", "default: return UNKNOWN;")}
 """What no state of a monitor leads to."""
 
 NEVER_IN_REACTORS = {("is_answered", "return false;")}
@@ -56,14 +56,16 @@ def goals(prover: Prover, folder: Path, command: list[str]) -> Iterator[tuple[st
     for message in json.loads(prover._must(command, folder)):
         for goal in (*message.get("goals", ()), *message.get("properties", ())):
             at = goal["sourceLocation"]
-            if at["file"].startswith("small_"):
+            if at["file"].startswith(("small_", "engine/")):
                 lines = (folder / at["file"]).read_text().splitlines()
                 line = Line(at["function"], lines[int(at["line"]) - 1].strip())
                 yield goal.get("goal") or goal["name"], line, goal.get("status", "")
 
 
 def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[Line], set[Line]]:
-    """The lines of one generated file at which something begins, and those that a check reaches."""
+    """The lines of one generated file and of the engine at which something begins, and those that a
+    check reaches.
+    """
     path = folder / "small.ross"
     path.write_text(rules)
     questions = questions_of(path)
@@ -91,10 +93,18 @@ def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[
     return found, reached
 
 
+def overlooked(found: set[Line], reached: set[Line]) -> set[Line]:
+    """Generated functions that no check enters, and lines that none reaches, of functions that one
+    enters: the engine has more functions than each monitor uses.
+    """
+    entered = {line.function for line in reached}
+    return {line for line in found - reached if not line.text or line.function in entered}
+
+
 def test_every_line_of_a_monitor_is_looked_at(prover: Prover, tmp_path: Path) -> None:
     found, reached = looked_at(prover, tmp_path, TILTED, "monitor")
     assert len(reached) > 150
-    assert found - reached == NEVER
+    assert overlooked(found, reached) == NEVER
 
 
 def test_every_line_of_a_reactor_is_looked_at(prover: Prover, tmp_path: Path) -> None:
@@ -105,4 +115,4 @@ def test_every_line_of_a_reactor_is_looked_at(prover: Prover, tmp_path: Path) ->
         there, seen = looked_at(prover, tmp_path, rules, "reactor")
         found, reached = found | there, reached | seen
     assert len(reached) > 100
-    assert found - reached == NEVER_IN_REACTORS
+    assert overlooked(found, reached) == NEVER_IN_REACTORS
