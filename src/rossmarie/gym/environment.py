@@ -22,10 +22,10 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
     the observation that follows, one period later. Time is counted in steps, from 0 in each
     episode. `info` has:
 
-    - `guard`: the actions `proposed` and `executed`, `intervened` (whether they differ) and
-      `active` (which rules are active at the new observation, in the order of `rules`) and
-      `feedback` (that of each rule for this step) and `margin` (at the new observation, in the
-      order of `rules_with_margin`);
+    - `guard`: the actions `proposed` and `executed`, `intervened` (whether they differ, or would
+      with rules that are enforced), `active` (which rules are active at the new observation, in
+      the order of `rules`), `feedback` (that of each rule for this step) and `margin` (at the new
+      observation, in the order of `rules_with_margin`);
     - `cost`: 1.0 if a rule was active in the step, added to that of the environment if it has one;
     - `action_mask`, for choices: 1 for each that would pass as it is in the next step;
     - `no_choice_passes`, for choices: true if the mask is 0 throughout. The choice that is nearest
@@ -44,6 +44,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         targets: Mapping[str, Any] | None = None,
         with_feedback: bool = False,
         substeps: int = 1,
+        enforce: bool = True,
     ) -> None:
         """`observe` and `act` are the declarations of `Monitor.guard`; in a dictionary of
         observations a place stands behind its key, and for choices `act` has a list with the number
@@ -51,7 +52,8 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         `targets` are names of `act` that are places to go to, with the numbers of observations that
         say where the robot is. `with_feedback` takes the feedback of all rules from the reward.
         `substeps` is how often the environment computes its physics in a step; then it may tell the
-        guard what there is to see after each, by `observe_substep`. The rules are a file, or a
+        guard what there is to see after each, by `observe_substep`. Without `enforce` actions are
+        executed as proposed, and the guard only tells what it would do. The rules are a file, or a
         monitor of it.
 
         Raises `RulesError` for rules with errors, and `MappingError` for declarations that do not
@@ -60,10 +62,10 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         RecordConstructorArgs.__init__(
             self, _disable_deepcopy=True, rules=rules, period_ns=period_ns, observe=observe,
             act=act, latched=latched, targets=targets, with_feedback=with_feedback,
-            substeps=substeps,
+            substeps=substeps, enforce=enforce,
         )  # fmt: skip
         super().__init__(env)
-        declared = Declarations(rules, period_ns, observe, act, latched, targets or {})
+        declared = Declarations(rules, period_ns, observe, act, latched, targets or {}, enforce)
         self._interface = Interface(declared, env.observation_space, env.action_space)
         self.guard = self._interface.guard
         self.decision: Decision | None = None

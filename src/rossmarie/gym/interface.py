@@ -34,10 +34,13 @@ class Declarations:
     act: Mapping[str, Any]
     latched: Latched
     targets: Mapping[str, Any]
+    enforce: bool
 
 
 class Passed(NamedTuple):
-    """An action on its way, or actions: as wanted, as executed, and whether these differ."""
+    """An action on its way, or actions: as wanted, as executed, and whether the rules have changed
+    it, or would have.
+    """
 
     proposed: Any
     executed: Any
@@ -60,6 +63,7 @@ class Interface:
             raise MappingError(f'`latched` is "hold" or "truncate", not {declared.latched!r}')
         self.observations = Observations(observations)
         self.actions = actions_of(actions, declared.act)
+        self._enforces = declared.enforce
         seen = {
             name: self.observations.number(name, spot) for name, spot in declared.targets.items()
         }
@@ -98,7 +102,8 @@ class Interface:
         proposed = self.actions.flat(action)
         speeds = self.targets.speeds(proposed)
         bounded = self.targets.back(proposed, speeds, decide(speeds))
-        executed = self.actions.executed(action, bounded, allows)
-        done = self.actions.flat(executed)
-        self.targets.take(done, which)
-        return Passed(action, executed, np.asarray((proposed != done).any(axis=-1)))
+        allowed = self.actions.executed(action, bounded, allows)
+        is_changed = np.asarray((proposed != self.actions.flat(allowed)).any(axis=-1))
+        executed = allowed if self._enforces else action
+        self.targets.take(self.actions.flat(executed), which)
+        return Passed(action, executed, is_changed)

@@ -36,6 +36,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         latched: Latched = "hold",
         targets: Mapping[str, Any] | None = None,
         with_feedback: bool = False,
+        enforce: bool = True,
     ) -> None:
         """The arguments are those of `GuardedEnv`. Environments that begin anew by themselves do
         not know that a latched rule has truncated an episode, so there `latched` is "hold"; or let
@@ -48,7 +49,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
                 'latched="truncate" needs environments that are reset by a mask '
                 '(autoreset_mode=DISABLED); or let each one be a GuardedEnv with latched="truncate"'
             )
-        declared = Declarations(rules, period_ns, observe, act, latched, targets or {})
+        declared = Declarations(rules, period_ns, observe, act, latched, targets or {}, enforce)
         self._interface = Interface(declared, env.single_observation_space, env.single_action_space)
         self._guards = self._interface.guard.batch(env.num_envs)
         self._at_ns = np.zeros(env.num_envs, np.int64)

@@ -55,6 +55,18 @@ def test_only_what_rules_allow_is_executed(rules: str) -> None:
     assert env.decision.changed_by == ("close",)
 
 
+def test_rules_that_are_not_enforced_are_watched(rules: str) -> None:
+    cart = Cart()
+    env = guarded(rules, cart, enforce=False)
+    env.reset()
+    told = [env.step(fast())[4]["guard"] for _ in range(8)]
+    assert cart.executed == [1.0] * 8
+    assert [each["executed"] for each in told] == [fast()] * 8
+    assert [each["intervened"] for each in told] == [False] * 5 + [True] * 3
+    assert env.decision is not None
+    assert env.decision.changed_by
+
+
 def test_an_episode_forgets_the_one_before(rules: str) -> None:
     env = guarded(rules, Cart(start=0.25))
     for _ in range(2):

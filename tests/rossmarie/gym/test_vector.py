@@ -59,9 +59,14 @@ def wanted_actions(kind: str, steps: int) -> Iterator[Any]:
             yield chance.uniform(-0.5, 1.5, (COUNT, 1)).astype(np.float32)
 
 
-def alone(rules: str, kind: str, steps: int, mode: AutoresetMode) -> list[list[Any]]:
+def alone(
+    rules: str, kind: str, steps: int, mode: AutoresetMode, *, enforce: bool = True
+) -> list[list[Any]]:
     """What environments by themselves execute and tell: for each step, and for each of them."""
-    envs = [GuardedEnv(cart, rules, **declared(kind)) for cart in carts(kind, mode).envs]
+    envs = [
+        GuardedEnv(cart, rules, **declared(kind), enforce=enforce)
+        for cart in carts(kind, mode).envs
+    ]
     for env in envs:
         env.reset()
     ended = [False] * COUNT
@@ -83,9 +88,11 @@ def alone(rules: str, kind: str, steps: int, mode: AutoresetMode) -> list[list[A
     return found
 
 
-def together(rules: str, kind: str, steps: int, mode: AutoresetMode) -> list[list[Any]]:
+def together(
+    rules: str, kind: str, steps: int, mode: AutoresetMode, *, enforce: bool = True
+) -> list[list[Any]]:
     """The same of all of them in one call."""
-    envs = GuardedVectorEnv(carts(kind, mode), rules, **declared(kind))
+    envs = GuardedVectorEnv(carts(kind, mode), rules, **declared(kind), enforce=enforce)
     envs.reset()
     found: list[list[Any]] = []
     for actions in wanted_actions(kind, steps):
@@ -124,10 +131,13 @@ def plain(found: list[list[Any]]) -> list[list[Any]]:
 
 
 @pytest.mark.parametrize("mode", MODES)
+@pytest.mark.parametrize("enforce", [True, False])
 @pytest.mark.parametrize("kind", ["speed", "choice", "place"])
-def test_each_is_guarded_as_by_itself(rules: str, kind: str, mode: AutoresetMode) -> None:
-    wanted = plain(alone(rules, kind, 40, mode))
-    assert plain(together(rules, kind, 40, mode)) == wanted
+def test_each_is_guarded_as_by_itself(
+    rules: str, kind: str, enforce: bool, mode: AutoresetMode
+) -> None:
+    wanted = plain(alone(rules, kind, 40, mode, enforce=enforce))
+    assert plain(together(rules, kind, 40, mode, enforce=enforce)) == wanted
     assert any(each and each[0]["intervened"] for told in wanted for each in told)
     assert any(each and sum(each[0]["feedback"]) for told in wanted for each in told)
     assert any(each and not each[0]["intervened"] for told in wanted for each in told)
