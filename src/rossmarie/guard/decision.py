@@ -23,7 +23,6 @@ from rossmarie.ir import (
     Verdict,
     Wiring,
     explain,
-    margins_of,
 )
 from rossmarie.ir.reactions import (
     Call,
@@ -56,19 +55,19 @@ def active_in(note: bytes, rules: int) -> NDArray[np.bool_]:
     return np.unpackbits(bits, count=rules, bitorder="little").astype(np.bool_)
 
 
-def margins_in(note: bytes, machine: Machine) -> NDArray[np.float64]:
+def margins_in(note: bytes, meter: FeedbackMeter) -> NDArray[np.float64]:
     """The margins that rules declare, each in its unit, by the facts after a step."""
-    first = 1 + (max(1, len(machine.rules)) + 7) // 8
-    declared = np.frombuffer(note, np.uint8, 8 * len(margins_of(machine)), first)
-    return FeedbackMeter(machine).margins(declared.view(np.float64))
+    first = 1 + (max(1, meter.rules) + 7) // 8
+    declared = np.frombuffer(note, np.uint8, 8 * meter.declared_margins, first)
+    return meter.margins(declared.view(np.float64))
 
 
 def feedback_between(
-    machine: Machine, before: tuple[int, bytes], after: tuple[int, bytes]
+    meter: FeedbackMeter, before: tuple[int, bytes], after: tuple[int, bytes]
 ) -> NDArray[np.float64]:
     """The feedback of each rule from one observation to the next, of shape (rules,)."""
-    was, is_ = (active_in(note, len(machine.rules)) for _, note in (before, after))
-    return FeedbackMeter(machine).between(was, is_, after[0] - before[0])
+    was, is_ = (active_in(note, meter.rules) for _, note in (before, after))
+    return meter.between(was, is_, after[0] - before[0])
 
 
 @dataclass(frozen=True)
@@ -94,6 +93,7 @@ class Reasons:
     """
 
     machine: Machine
+    meter: FeedbackMeter
     mapping: ArrayMapping
     wiring: Wiring
     causes: Mapping[int, Verdict]
@@ -155,10 +155,10 @@ class Decision:
         """The feedback of each rule for a learner since the observation of the decision before, of
         shape (rules,); 0 at the first one.
         """
-        machine = self._reasons.machine
+        meter = self._reasons.meter
         if self._before is None:
-            return np.zeros(len(machine.rules))
-        last = feedback_between(machine, self._before, (self._at_ns, self._note))
+            return np.zeros(meter.rules)
+        last = feedback_between(meter, self._before, (self._at_ns, self._note))
         return last if self._earlier is None else self._earlier + last
 
     @property
@@ -167,7 +167,7 @@ class Decision:
         order of `Guard.rules_with_margin` and each in the unit that its rule declares: positive
         while the condition is false, negative while it is true, NaN while it is unknown.
         """
-        return margins_in(self._note, self._reasons.machine)
+        return margins_in(self._note, self._reasons.meter)
 
     @property
     def changed_by(self) -> tuple[str, ...]:

@@ -20,15 +20,19 @@ class FeedbackMeter:
 
     def __init__(self, machine: Machine) -> None:
         amounts = [rule.feedback for rule in machine.rules]
+        self.rules = len(amounts)
         self._per_activation = np.array([each.per_activation for each in amounts], np.float64)
         self._per_second = np.array([each.per_second for each in amounts], np.float64)
         self._margin_scales = np.array([each.scale for each in margins_of(machine)], np.float64)
+        self.declared_margins = len(self._margin_scales)
 
     def between(self, before: Active, after: Active, elapsed_ns: Any) -> Floats:
         """The feedback of each rule from one observation to the next: of those that have become
         active, and of those that were active, for the time between. `elapsed_ns` is a number, or
         of shape (n,).
         """
+        if not before.any() and not after.any():
+            return np.zeros(np.shape(before))
         seconds = np.asarray(elapsed_ns, np.float64)[..., None] / 1e9
         lasting = before * (self._per_second * seconds)
         found: Floats = (after & ~before) * self._per_activation + lasting

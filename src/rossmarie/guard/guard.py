@@ -27,7 +27,7 @@ from rossmarie.guard.decision import (
     feedback_between,
     margins_in,
 )
-from rossmarie.guard.feedback import rules_with_margin
+from rossmarie.guard.feedback import FeedbackMeter, rules_with_margin
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
 from rossmarie.guard.state import GuardState, Sizes
 from rossmarie.ir import (
@@ -73,6 +73,11 @@ class Guard:
         not fit the rules.
         """
         self.machine = machine
+        self.rules = tuple(rule.name for rule in machine.rules)
+        """The names of the rules."""
+        self.rules_with_margin = rules_with_margin(machine)
+        """The names of the rules that declare a margin, in the order of margins."""
+        self._meter = FeedbackMeter(machine)
         self._declared = observe, act
         self._mapping = ArrayMapping(machine, observe, act)
         self._lock = RLock()
@@ -96,23 +101,13 @@ class Guard:
         self._sizes: Sizes | None = None
 
     @property
-    def rules(self) -> tuple[str, ...]:
-        """The names of the rules."""
-        return tuple(rule.name for rule in self.machine.rules)
-
-    @property
-    def rules_with_margin(self) -> tuple[str, ...]:
-        """The names of the rules that declare a margin, in the order of margins."""
-        return rules_with_margin(self.machine)
-
-    @property
     def margin(self) -> NDArray[np.float64]:
         """The margins at the last observation, as `Decision.margin`. Raises `ValueError` before
         any observation.
         """
         self._now()
         assert self._latest is not None, "it was observed"
-        return margins_in(self._latest[1], self.machine)
+        return margins_in(self._latest[1], self._meter)
 
     def require_sizes(self, observed: int, acted: int) -> None:
         """Raise `MappingError` if observations and actions of so many numbers lack a place that is
@@ -199,7 +194,7 @@ class Guard:
         if self._is_decided:
             self._earlier = None
         elif self._before is not None and self._latest is not None:
-            found = feedback_between(self.machine, self._before, self._latest)
+            found = feedback_between(self._meter, self._before, self._latest)
             self._earlier = found if self._earlier is None else self._earlier + found
         self._is_decided = False
         self._before, self._latest = self._latest, (at_ns, note)
@@ -324,7 +319,7 @@ class Guard:
         wiring = self._mapping.wiring(observed, acted)
         self._sizes = (observed, acted)
         causes = self._reasons.causes if self._at_ns is not None else {}
-        self._reasons = Reasons(self.machine, self._mapping, wiring, causes)
+        self._reasons = Reasons(self.machine, self._meter, self._mapping, wiring, causes)
         self._acted = {each.command for each in wiring.commands}
         self._step = self._engine.step_call(wiring)
         self._allow = self._engine.allow_call(wiring)
