@@ -1,6 +1,8 @@
 """CBMC, as a program beside us: where it is, and what it says of one check.
 
-CBMC 6 and its solvers are looked for on the PATH; they are packages of Debian 13.
+CBMC 6 and its solvers are looked for on the PATH; they are packages of Debian 13. A z3 that the
+Python package `z3-solver` has installed comes first: it is the one that is asked about rules, and
+often newer, which halves the time of some proofs.
 """
 
 from __future__ import annotations
@@ -13,6 +15,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import sysconfig
 import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
@@ -26,6 +29,9 @@ from rossmarie.verification.solver_scripts import SCRIPTS
 
 PROGRAMS = ("cbmc", "cadical", "z3")
 """The programs that have to be there: CBMC and the solvers that it asks."""
+
+_SCRIPTS = sysconfig.get_path("scripts")
+"""The folder of the programs that Python packages bring."""
 
 _SAT = ("--external-sat-solver", "cadical")
 """A SAT solver, which decides hundreds of claims about states and instants at once."""
@@ -98,7 +104,7 @@ class ProverError(Exception):
 
 @dataclass(frozen=True)
 class Prover:
-    """CBMC and its solvers, on the PATH."""
+    """CBMC and its solvers."""
 
     def version(self, program: str = "cbmc") -> str:
         """The version of CBMC, or of a solver, as `6.6.0`; empty if it does not run."""
@@ -113,7 +119,7 @@ class Prover:
         """The reason why nothing can be proved; None if CBMC 6 and its solvers run."""
         for program in PROGRAMS:
             if not self.version(program):
-                is_there = shutil.which(program) is not None
+                is_there = shutil.which(program, path=_path()) is not None
                 return f"{program} does not run" if is_there else f"{program} is not on the PATH"
         found = self.version()
         return None if found.startswith("6.") else f"cbmc is version {found}, not 6"
@@ -262,10 +268,8 @@ class _Started:
         self.process = subprocess.Popen(
             command,
             cwd=folder,
-            env={
-                **os.environ,
-                "TMPDIR": ".",
-            },  # what it leaves when it is killed goes with the folder
+            # TMPDIR: what it leaves when it is killed goes with the folder.
+            env={**os.environ, "PATH": _path(), "TMPDIR": "."},
             stdout=self._said,
             stderr=subprocess.STDOUT,
             start_new_session=True,
@@ -292,6 +296,11 @@ class _Started:
         """The text that it has written so far."""
         self._said.seek(0)
         return self._said.read()
+
+
+def _path() -> str:
+    """The places where programs are looked for."""
+    return os.pathsep.join([_SCRIPTS, os.environ.get("PATH", "")])
 
 
 def _unwound(check: Check) -> list[str]:

@@ -190,6 +190,7 @@ def test_without_a_prover_it_says_how_to_get_one(
 ) -> None:
     programs(tmp_path / "bin", versions)
     monkeypatch.setenv("PATH", str(tmp_path / "bin"))
+    monkeypatch.setattr("rossmarie.verification.prover._SCRIPTS", "")
     code, printed = verify(rules)
     assert code == 1
     assert "error[ROSS791]: nothing can be proved here" in printed

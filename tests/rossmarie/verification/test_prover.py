@@ -102,3 +102,18 @@ def answered(
         program = Harness("", (), passes=1)
         prover.compile(workshop, program)
         return prover.run(program, Check("it", "it is asked"), workshop, 10)
+
+
+def test_the_z3_of_the_python_package_is_asked(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name, version in (("package", "5.4.0"), ("system", "4.13.3")):
+        script = tmp_path / name / "z3"
+        script.parent.mkdir()
+        script.write_text(f"#!/bin/sh\necho Z3 version {version}\n")
+        script.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path / 'system'}:/usr/bin:/bin")
+    monkeypatch.setattr("rossmarie.verification.prover._SCRIPTS", str(tmp_path / "package"))
+    assert Prover().version("z3") == "5.4.0"
+    (tmp_path / "package" / "z3").unlink()
+    assert Prover().version("z3") == "4.13.3"
