@@ -1,0 +1,100 @@
+"""The task as environments of Gymnasium: `heron/PegInHole-v1` for commands, and
+`heron/PegInHoleMoves-v1` for a choice of moves.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium import spaces
+
+from heron.learning.arm import Command
+from heron.learning.insertion import FIELDS, Insertion, TaskParameters
+from heron.scene.insertion import InsertionParameters
+
+FASTEST = 0.3
+"""The greatest velocity that can be commanded along each axis (m/s)."""
+STRONGEST = 10.0
+"""The greatest force with which the peg can be pushed down (N)."""
+ACTIONS = ("linear.x", "linear.y", "linear.z", "force.z")
+"""The numbers of an action, in m/s and N."""
+_FAST, _SLOW, _PUSH = 0.2, 0.03, -8.0
+MOVES: tuple[tuple[float, float, float, float], ...] = (
+    (0.0, 0.0, 0.0, 0.0),
+    *(
+        (speed * (axis == 0), speed * (axis == 1), speed * (axis == 2), 0.0)
+        for size in (_FAST, _SLOW)
+        for axis in range(3)
+        for speed in (-size, size)
+    ),
+    (0.0, 0.0, 0.0, _PUSH),
+)
+"""The choices of `heron/PegInHoleMoves-v1`, as numbers of an action: to stand, to move along an
+axis, fast or slowly, and to push. All rules let a hand stand.
+"""
+
+
+class PegInHole(gymnasium.Env[Any, Any]):
+    """A step policy on Cartesian velocities, and a push.
+
+    The reward is the way that the peg comes nearer to its goal, in decimeters, and 10 for the
+    insertion, which ends the episode; each step costs 0.01.
+    """
+
+    def __init__(self, *, clearance: float = 0.003, error: float = 0.0005) -> None:
+        """`clearance` is the difference of the widths of hole and peg (m); `error` is the standard
+        deviation of where the robot believes the hole, in the plane (m).
+        """
+        scene = InsertionParameters(clearance=clearance)
+        self.insertion = Insertion(TaskParameters(scene, error))
+        highest = np.full(len(FIELDS), np.inf)
+        self.observation_space = spaces.Box(-highest, highest, dtype=np.float64)
+        fastest = [FASTEST] * 3
+        self.action_space: spaces.Space[Any] = spaces.Box(
+            np.array([*(-each for each in fastest), -STRONGEST], np.float32),
+            np.array([*fastest, 0.0], np.float32),
+        )
+        self.on_reading: Callable[[Any], object] = lambda _: None
+        """Called with each observation within a step."""
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Any, dict[str, Any]]:
+        """Begin an episode; `options` is not used."""
+        super().reset(seed=seed, options=options)
+        self.insertion.begin(self.np_random)
+        self._far = self._distance()
+        return self.insertion.observation(), {}
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        """Follow an action for 40 ms."""
+        insertion = self.insertion
+        x, y, z, push = np.asarray(action, np.float64).tolist()
+        command = Command((x, y, z), push)
+        insertion.step(command, lambda: self.on_reading(insertion.observation()))
+        before, self._far = self._far, self._distance()
+        inserted = insertion.outcome.inserted
+        reward = 10.0 * (before - self._far) - 0.01 + 10.0 * inserted
+        info = {"outcome": insertion.outcome} if inserted or insertion.is_over else {}
+        return insertion.observation(), reward, inserted, insertion.is_over, info
+
+    def _distance(self) -> float:
+        """The way from the peg to its goal: above the hole first, then down (m)."""
+        offset = self.insertion.arm.place - self.insertion.goal
+        return float(np.hypot(offset[0], offset[1]) + abs(offset[2]))
+
+
+class PegInHoleMoves(PegInHole):
+    """The same task by a choice from `MOVES` in each step."""
+
+    def __init__(self, **parameters: Any) -> None:
+        """The parameters are those of `PegInHole`."""
+        super().__init__(**parameters)
+        self.action_space = spaces.Discrete(len(MOVES))
+
+    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+        """Make a move for 40 ms."""
+        return super().step(MOVES[action])
