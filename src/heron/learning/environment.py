@@ -19,8 +19,8 @@ FASTEST = 0.3
 """The greatest velocity that can be commanded along each axis (m/s)."""
 STRONGEST = 10.0
 """The greatest force with which the peg can be pushed down (N)."""
-ACTIONS = ("linear.x", "linear.y", "linear.z", "force.z")
-"""The numbers of an action, in m/s and N."""
+_LEAST = np.array([-FASTEST, -FASTEST, -FASTEST, -STRONGEST], np.float32)
+_GREATEST = np.array([FASTEST, FASTEST, FASTEST, 0.0], np.float32)
 _FAST, _SLOW, _PUSH = 0.2, 0.03, -8.0
 MOVES: tuple[tuple[float, float, float, float], ...] = (
     (0.0, 0.0, 0.0, 0.0),
@@ -52,11 +52,7 @@ class PegInHole(gymnasium.Env[Any, Any]):
         self.insertion = Insertion(TaskParameters(scene, error))
         highest = np.full(len(FIELDS), np.inf)
         self.observation_space = spaces.Box(-highest, highest, dtype=np.float64)
-        fastest = [FASTEST] * 3
-        self.action_space: spaces.Space[Any] = spaces.Box(
-            np.array([*(-each for each in fastest), -STRONGEST], np.float32),
-            np.array([*fastest, 0.0], np.float32),
-        )
+        self.action_space: spaces.Space[Any] = spaces.Box(_LEAST, _GREATEST)
         self.on_reading: Callable[[Any], object] = lambda _: None
         """Called with each observation within a step."""
 
@@ -70,9 +66,13 @@ class PegInHole(gymnasium.Env[Any, Any]):
         return self.insertion.observation(), {}
 
     def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Follow an action for 40 ms."""
+        """Follow an action for 40 ms, as far as its numbers are in the space. Raises `ValueError`
+        for numbers that are not finite.
+        """
         insertion = self.insertion
-        x, y, z, push = np.asarray(action, np.float64).tolist()
+        if not np.isfinite(action).all():
+            raise ValueError(f"an action has four finite numbers, not {action}")
+        x, y, z, push = np.clip(np.asarray(action, np.float64), _LEAST, _GREATEST).tolist()
         command = Command((x, y, z), push)
         insertion.step(command, lambda: self.on_reading(insertion.observation()))
         before, self._far = self._far, self._distance()

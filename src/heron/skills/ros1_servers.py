@@ -16,11 +16,18 @@ _PATIENCE_S = 10.0
 
 
 class Ros1Servers:
-    """The servers whose actions the package `heron_msgs` defines."""
+    """The servers whose actions the package `heron_msgs` defines; each has one client."""
+
+    def __init__(self) -> None:
+        self._known: dict[str, Server] = {}
 
     def server(self, name: str) -> Server:
-        """A client of an action server. Raises `KeyError` if ROS 1 has no action for it."""
-        return Ros1Server(name, _ACTIONS[name])
+        """A client of an action server. Raises `KeyError` if `heron_msgs` has no action for it."""
+        if name not in _ACTIONS:
+            raise KeyError(f"{_PACKAGE} has no action for {name}, only for {', '.join(_ACTIONS)}")
+        if name not in self._known:
+            self._known[name] = Ros1Server(name, _ACTIONS[name])
+        return self._known[name]
 
 
 class Ros1Server:

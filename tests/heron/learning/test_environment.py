@@ -68,7 +68,7 @@ def episode(env: Any, policy: Policy, seed: int) -> Iterator[tuple[Floats, Any]]
 
 
 def outcome(env: Any, policy: Policy, seed: int) -> Outcome:
-    """What an episode comes to."""
+    """Run an episode, and give its outcome."""
     *_, (_, info) = episode(env, policy, seed)
     found: Outcome = info["outcome"]
     return found
@@ -144,6 +144,16 @@ def test_a_choice_may_always_be_to_stand() -> None:
         assert info["action_mask"][0]
         if truncated:
             break
+
+
+def test_actions_outside_of_the_space_are_bounded_or_refused() -> None:
+    bounded, usual = made(), made()
+    for env in (bounded, usual):
+        env.reset(seed=4)
+    greatest = usual.action_space.high  # type: ignore[attr-defined]
+    assert np.array_equal(bounded.step(np.full(4, 1e9))[0], usual.step(greatest)[0])
+    with pytest.raises(ValueError, match="four finite numbers, not"):
+        bounded.step(np.array([0.0, np.nan, 0.0, 0.0]))
 
 
 def test_physics_of_moves_are_those_of_commands() -> None:

@@ -93,7 +93,7 @@ def prepare_workspace(folder: Path) -> None:
 
 @pytest.fixture
 def ears(ros1: Ros1, skiros2: SkiROS2, started: list[Process]) -> Ears:
-    """What hears the guard, and how far the box is pushed."""
+    """A node that hears the guard, and how far the box is pushed."""
     heard = [STATE, "contact_skills_safety/State", PUSHED, "std_msgs/Float64"]
     ears = ros1.ears(*heard)
     started.append(ears)
