@@ -53,13 +53,21 @@ class Episode(NamedTuple):
 
 
 @dataclass
-class _Going:
-    """An episode that goes on."""
+class Tally:
+    """The counts of an episode that goes on, as `Episode` has them."""
 
     length: int = 0
     reward: float = 0.0
     proposed_outside: int = 0
     executed_outside: int = 0
+
+    def count(self, reward: float, told: Any) -> None:
+        """Take a step into account."""
+        self.length += 1
+        self.reward += reward
+        self.proposed_outside += told["intervened"]
+        is_executed = bool(np.all(told["executed"] == told["proposed"]))
+        self.executed_outside += told["intervened"] and is_executed
 
 
 class Trainer:
@@ -78,7 +86,7 @@ class Trainer:
         """Learn until all environments have taken so many steps, and tell of each episode."""
         began = time.monotonic()
         seen = np.array([env.reset(seed=self._seed(i))[0] for i, env in enumerate(self._envs)])
-        going = [_Going() for _ in self._envs]
+        going = [Tally() for _ in self._envs]
         while self.steps < steps:
             proposed = self.learner.act(scaled(seen))
             taken = [env.step(each) for env, each in zip(self._envs, proposed, strict=True)]
@@ -94,7 +102,7 @@ class Trainer:
             self.steps += COUNT
             seen = np.array(following)
             for i, info in enumerate(infos):
-                _count(going[i], float(rewards[i]), info["guard"])
+                going[i].count(float(rewards[i]), info["guard"])
                 if ended[i]:
                     seconds = time.monotonic() - began
                     found = going[i]
@@ -107,7 +115,7 @@ class Trainer:
                         found.executed_outside,
                         info["outcome"],
                     )
-                    going[i] = _Going()
+                    going[i] = Tally()
                     seen[i] = self._envs[i].reset()[0]
 
     def _seed(self, number: int) -> int:
@@ -118,15 +126,6 @@ class Trainer:
         if self.run.arm is not LearningArm.EXECUTED:
             return proposed
         return np.array([info["guard"]["executed"] for info in infos])
-
-
-def _count(going: _Going, reward: float, told: Any) -> None:
-    """Take a step into account."""
-    going.length += 1
-    going.reward += reward
-    going.proposed_outside += told["intervened"]
-    is_executed = bool(np.all(told["executed"] == told["proposed"]))
-    going.executed_outside += told["intervened"] and is_executed
 
 
 def environment(formulation: str, arm: LearningArm) -> gymnasium.Env[Any, Any]:

@@ -1,0 +1,1 @@
+"""The skills of the insertion, in EzSkiROS: a behavior tree whose parameters can be learned."""
