@@ -8,7 +8,7 @@ from campaign.journal import BusyError, ForeignError, Journal
 from campaign.processes import Processes, undisturbed
 from campaign.progress import Bar
 from campaign.runner import Campaign, Failure, run
-from campaign.workers import Result, UnreachableError, Value, Work, Workers
+from campaign.workers import Result, Scalar, UnreachableError, Value, Work, Workers
 
 __all__ = [
     "Bar",
@@ -19,6 +19,7 @@ __all__ = [
     "Journal",
     "Processes",
     "Result",
+    "Scalar",
     "UnreachableError",
     "Value",
     "Work",

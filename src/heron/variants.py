@@ -47,6 +47,25 @@ class Encounter(str, enum.Enum):
     MEANT = "meant"  # nothing: whatever a monitor restricts here is without need
 
 
+class Formulation(str, enum.Enum):
+    """The numbers that are learned for the insertion of a peg."""
+
+    STEPS = "steps"  # a policy: velocities and a push, in each step
+    MOVES = "moves"  # a policy: one of 14 moves, in each step
+    TREE = "tree"  # the numbers of a behavior tree, for each episode
+
+
+class LearningArm(str, enum.Enum):
+    """The part of the rules in a training."""
+
+    UNGUARDED = "unguarded"  # they only count
+    ENDED = "ended"  # an episode ends as soon as something is violated
+    PENALTY = "penalty"  # their feedback is taken from the reward
+    GUARD = "guard"  # they bound what is executed
+    GUARD_FEEDBACK = "guard_feedback"  # both
+    EXECUTED = "executed"  # as `guard`; the learner learns from what was executed
+
+
 VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
     "nav": (Terrain.GENTLE, Terrain.STEEP, Terrain.FLAT),
     "place": (Table.HIGH, Table.HURRIED, Table.EXPECTED),
@@ -63,3 +82,25 @@ ARMS: Mapping[str, tuple[Arm, ...]] = {
     "contact": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE),
 }
 """The guards of each experiment, by its name, in the order in which they are shown."""
+
+ALGORITHMS: Mapping[Formulation, tuple[str, ...]] = {
+    Formulation.STEPS: ("ppo", "sac"),
+    Formulation.MOVES: ("ppo",),
+    Formulation.TREE: ("cma-es",),
+}
+"""The algorithms of each formulation. The first one is the usual one."""
+
+LEARNING_ARMS: Mapping[Formulation, tuple[LearningArm, ...]] = {
+    Formulation.STEPS: tuple(LearningArm),
+    Formulation.MOVES: tuple(LearningArm),
+    # An optimizer sees no actions, so it cannot learn from those that were executed.
+    Formulation.TREE: tuple(arm for arm in LearningArm if arm is not LearningArm.EXECUTED),
+}
+"""The arms of each formulation."""
+
+BUDGETS: Mapping[Formulation, int] = {
+    Formulation.STEPS: 200_000,
+    Formulation.MOVES: 200_000,
+    Formulation.TREE: 60_000,
+}
+"""The usual number of steps of a training, of all of its environments."""

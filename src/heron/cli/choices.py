@@ -8,6 +8,7 @@ import enum
 import os
 import re
 import sys
+from collections.abc import Sequence
 from ctypes.util import find_library
 from importlib.util import find_spec
 from pathlib import Path
@@ -15,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
-from heron.variants import ARMS, VARIANTS, Arm
+from heron.variants import ALGORITHMS, ARMS, LEARNING_ARMS, VARIANTS, Arm, Formulation, LearningArm
 
 if TYPE_CHECKING:  # needs MuJoCo
     from campaign import Workers
@@ -28,6 +29,9 @@ def _catalog() -> Catalog:
 
 
 _LIMIT_S = 600.0  # of one episode
+TRAINING_LIMIT_S = 7200.0
+_SKRL = "skrl"
+_LEARNERS = {"cma-es": "cmaes"}  # the others are of skrl
 _FILMS = (".mp4", ".gif")
 _PARTS = {
     "MuJoCo": "mujoco",
@@ -86,12 +90,14 @@ def require_film(out: Path) -> None:
     output.try_folder(out.parent)
 
 
-def workers_of(jobs: int | None, ray: str | None) -> Workers:
-    """Processes of this machine, or a Ray cluster at HOST:PORT."""
+def workers_of(jobs: int | None, ray: str | None, limit_s: float = _LIMIT_S) -> Workers:
+    """Processes of this machine, or a Ray cluster at HOST:PORT. On this machine an episode, or a
+    training, takes `limit_s` at most.
+    """
     from campaign import Processes
 
     if ray is None:
-        return Processes(jobs or Processes.cores(), _LIMIT_S)
+        return Processes(jobs or Processes.cores(), limit_s)
     if not re.fullmatch(r"\S+:\d+", ray):
         output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
     if find_spec("ray") is None:
@@ -118,6 +124,45 @@ def variant_of(experiment: str, wanted: str | None) -> enum.Enum:
         there_are = ", ".join(variants)
         output.fail(f"{experiment} has no variant {wanted}; there are {there_are}", exit_code=2)
     return variants[wanted]
+
+
+def algorithms_of(formulation: Formulation, wanted: Sequence[str] | None) -> list[str]:
+    """The algorithms by their names, each once; else the usual one."""
+    known = ALGORITHMS[formulation]
+    for name in wanted or ():
+        if name not in known:
+            there_are = ", ".join(known)
+            output.fail(
+                f"{formulation.value} has no algorithm {name}; there are {there_are}", exit_code=2
+            )
+    return list(dict.fromkeys(wanted or known[:1]))
+
+
+def learning_arms_of(
+    formulation: Formulation, wanted: Sequence[LearningArm] | None
+) -> list[LearningArm]:
+    """The arms, each once; else all that the formulation has."""
+    known = LEARNING_ARMS[formulation]
+    for arm in wanted or ():
+        if arm not in known:
+            there_are = ", ".join(each.value for each in known)
+            output.fail(
+                f"{formulation.value} has no arm {arm.value}; there are {there_are}", exit_code=2
+            )
+    return list(dict.fromkeys(wanted or known))
+
+
+def require_learning(algorithms: Sequence[str]) -> None:
+    """End the run with the reason if a learner is not installed."""
+    wanted = dict.fromkeys(_LEARNERS.get(name, _SKRL) for name in algorithms)
+    missing = [name for name in wanted if find_spec(name) is None]
+    if not missing:
+        return
+    reason = f"these trainings need {', '.join(missing)}, not installed for {sys.executable}"
+    if _VERSION < _OLDEST:
+        python, oldest = (".".join(map(str, each)) for each in (_VERSION, _OLDEST))
+        reason = f"{reason}, which needs Python {oldest} or later; this is Python {python}"
+    output.fail(f"{reason}: pip install 'rossmarie[learning]'", exit_code=2)
 
 
 def require_simulation() -> None:

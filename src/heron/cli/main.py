@@ -16,18 +16,32 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from heron.cli.choices import (
+    TRAINING_LIMIT_S,
+    algorithms_of,
     draw_without_display,
     known,
+    learning_arms_of,
     output,
     require_arm,
     require_drawing,
     require_film,
+    require_learning,
     require_new,
     require_simulation,
     variant_of,
     workers_of,
 )
-from heron.variants import VARIANTS, Arm, Encounter, Person, Table, Terrain
+from heron.variants import (
+    BUDGETS,
+    VARIANTS,
+    Arm,
+    Encounter,
+    Formulation,
+    LearningArm,
+    Person,
+    Table,
+    Terrain,
+)
 
 if TYPE_CHECKING:  # needs MuJoCo
     from heron.experiments import Observer
@@ -58,6 +72,13 @@ Filming = Annotated[
     typer.Option("--film", metavar="FILE", help="Write a film of it: FILE ends in .mp4 or .gif."),
 ]
 Seed = Annotated[int, typer.Option("--seed", min=0, help="Random seed.")]
+Jobs = Annotated[
+    int | None, typer.Option(min=1, help="Processes at a time; one for each core if not given.")
+]
+Ray = Annotated[
+    str | None,
+    typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port instead."),
+]
 
 
 @runs.command()
@@ -216,13 +237,8 @@ def evaluate(
     out: Annotated[
         Path, typer.Option(help="Folder of the page; what is done already is there, too.")
     ] = Path("build"),
-    jobs: Annotated[
-        int | None, typer.Option(min=1, help="Processes at a time; one for each core if not given.")
-    ] = None,
-    ray: Annotated[
-        str | None,
-        typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port instead."),
-    ] = None,
+    jobs: Jobs = None,
+    ray: Ray = None,
 ) -> None:
     """Run all arms of the experiments on many seeds, and write tables and plots.
 
@@ -235,6 +251,48 @@ def evaluate(
     from heron.cli.evaluating import evaluate as run_all
 
     run_all(output, chosen, seeds, out, workers)
+
+
+@app.command()
+def learn(
+    formulation: Annotated[
+        Formulation,
+        typer.Argument(help="Which numbers are learned: of each step, which move, or of a tree."),
+    ],
+    algorithm: Annotated[
+        list[str] | None,
+        typer.Option(help="Only this one; may be given several times. The usual one if not given."),
+    ] = None,
+    arm: Annotated[
+        list[LearningArm] | None,
+        typer.Option(help="Only this one; may be given several times. All if not given."),
+    ] = None,
+    seeds: Annotated[int, typer.Option(min=1, help="How many, from 0 on.")] = 1,
+    steps: Annotated[
+        int | None,
+        typer.Option(min=1, help="Steps of a training; as docs/learning.md has them if not given."),
+    ] = None,
+    out: Annotated[
+        Path, typer.Option(help="Folder of the page; what is done already is there, too.")
+    ] = Path("build"),
+    jobs: Jobs = None,
+    ray: Ray = None,
+) -> None:
+    """Train behind rules and without them: the insertion of figure 4, on many seeds.
+
+    A run that was interrupted goes on where it was.
+    """
+    algorithms = algorithms_of(formulation, algorithm)
+    arms = learning_arms_of(formulation, arm)
+    output.try_folder(out)
+    require_simulation()
+    require_learning(algorithms)
+    workers = workers_of(jobs, ray, TRAINING_LIMIT_S)
+    from heron.cli.learning import learn as run_all
+    from heron.learning.runs import runs_of
+
+    budget = steps or BUDGETS[formulation]
+    run_all(output, list(runs_of(formulation, algorithms, arms, budget, seeds)), out, workers)
 
 
 @app.command()

@@ -49,7 +49,7 @@ def plot_of(samples: Sequence[Sample]) -> bytes:
         for axes_of_row, sample in zip(grid, chosen, strict=True):
             _fill(list(axes_of_row), sample)
 
-    return _drawn(len(chosen), columns, fill)
+    return drawn(len(chosen), columns, fill)
 
 
 def plot_of_study(study: Study, rows: Sequence[StudyRow]) -> bytes:
@@ -68,10 +68,11 @@ def plot_of_study(study: Study, rows: Sequence[StudyRow]) -> bytes:
             axes.set_ylim(bottom=0)
         times.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False)
 
-    return _drawn(1, 2, fill, width=3.6)
+    return drawn(1, 2, fill, width=3.6)
 
 
-def _drawn(rows: int, columns: int, fill: Callable[[Any], None], width: float = _WIDTH) -> bytes:
+def drawn(rows: int, columns: int, fill: Callable[[Any], None], width: float = _WIDTH) -> bytes:
+    """SVG of a grid of axes, each so wide (inch), that `fill` fills."""
     with mpl.rc_context(_STYLE):
         figure = Figure(figsize=(width * columns, _HEIGHT * rows), layout="constrained")
         fill(figure.subplots(rows, columns, squeeze=False))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import enum
 from functools import cache
 from typing import Any
 
@@ -11,6 +10,7 @@ import gymnasium
 from heron.learning.environment import MOVES, PegInHole
 from heron.learning.insertion import FIELDS, PERIOD_NS, READINGS, Outcome
 from heron.rules import FOLDER
+from heron.variants import LearningArm
 from rossmarie import Monitor, load
 from rossmarie.gym import GuardedEnv
 
@@ -26,17 +26,6 @@ _UNUSED = (
     *(f"/arm/push.torque.{axis}" for axis in "xyz"),
 )
 _USED = ("linear.x", "linear.y", "linear.z", "/arm/push.force.z")
-
-
-class LearningArm(str, enum.Enum):
-    """The part of the rules in a training."""
-
-    UNGUARDED = "unguarded"  # they only count
-    ENDED = "ended"  # an episode ends as soon as something is violated
-    PENALTY = "penalty"  # their feedback is taken from the reward
-    GUARD = "guard"  # they bound what is executed
-    GUARD_FEEDBACK = "guard_feedback"  # both
-    EXECUTED = "executed"  # as `guard`; the learner learns from what was executed
 
 
 _ENFORCED = (LearningArm.GUARD, LearningArm.GUARD_FEEDBACK, LearningArm.EXECUTED)

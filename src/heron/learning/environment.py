@@ -19,8 +19,9 @@ FASTEST = 0.3
 """The greatest velocity that can be commanded along each axis (m/s)."""
 STRONGEST = 10.0
 """The greatest force with which the peg can be pushed down (N)."""
-_LEAST = np.array([-FASTEST, -FASTEST, -FASTEST, -STRONGEST], np.float32)
-_GREATEST = np.array([FASTEST, FASTEST, FASTEST, 0.0], np.float32)
+LEAST = np.array([-FASTEST, -FASTEST, -FASTEST, -STRONGEST], np.float32)
+GREATEST = np.array([FASTEST, FASTEST, FASTEST, 0.0], np.float32)
+"""The bounds of an action: velocities along x, y and z (m/s), and the push along z (N)."""
 _FAST, _SLOW, _PUSH = 0.2, 0.03, -8.0
 MOVES: tuple[tuple[float, float, float, float], ...] = (
     (0.0, 0.0, 0.0, 0.0),
@@ -52,7 +53,7 @@ class PegInHole(gymnasium.Env[Any, Any]):
         self.insertion = Insertion(TaskParameters(scene, error))
         highest = np.full(len(FIELDS), np.inf)
         self.observation_space = spaces.Box(-highest, highest, dtype=np.float64)
-        self.action_space: spaces.Space[Any] = spaces.Box(_LEAST, _GREATEST)
+        self.action_space: spaces.Space[Any] = spaces.Box(LEAST, GREATEST)
         self.on_reading: Callable[[Any], object] = lambda _: None
         """Called with each observation within a step."""
 
@@ -72,7 +73,7 @@ class PegInHole(gymnasium.Env[Any, Any]):
         insertion = self.insertion
         if not np.isfinite(action).all():
             raise ValueError(f"an action has four finite numbers, not {action}")
-        x, y, z, push = np.clip(np.asarray(action, np.float64), _LEAST, _GREATEST).tolist()
+        x, y, z, push = np.clip(np.asarray(action, np.float64), LEAST, GREATEST).tolist()
         command = Command((x, y, z), push)
         insertion.step(command, lambda: self.on_reading(insertion.observation()))
         before, self._far = self._far, self._distance()

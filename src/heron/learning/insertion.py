@@ -33,6 +33,10 @@ NEAR = 0.8
 """
 REDUCED_SPEED = 0.25
 """Beside people (m/s): ISO 10218-1, 5.6.2."""
+VIOLATIONS = ("touched", "too_hard", "near_person")
+"""The names of what must not happen: contact with the fragile part, a greater force than the wrist
+stands, and a greater speed than `REDUCED_SPEED` within `NEAR` of the person.
+"""
 STARTS: tuple[Vector, ...] = (
     (-0.45, -0.25, 0.90),
     (-0.78, -0.20, 0.92),
@@ -76,12 +80,12 @@ class Outcome:
     @property
     def violations(self) -> tuple[str, ...]:
         """The names of what must not happen and has happened."""
-        found = {
-            "touched": self.greatest_touch > TOUCHES_AT,
-            "too_hard": self.greatest_force > HARDEST,
-            "near_person": self.fastest_near_person > REDUCED_SPEED,
-        }
-        return tuple(name for name, has_happened in found.items() if has_happened)
+        found = (
+            self.greatest_touch > TOUCHES_AT,
+            self.greatest_force > HARDEST,
+            self.fastest_near_person > REDUCED_SPEED,
+        )
+        return tuple(name for name, happened in zip(VIOLATIONS, found, strict=True) if happened)
 
 
 class Insertion:

@@ -6,7 +6,6 @@ from typing import Any
 
 import flax.linen as nn
 import jax.numpy as jnp
-from gymnasium import spaces
 from skrl.models.jax import CategoricalMixin, DeterministicMixin, GaussianMixin, Model
 
 _HIDDEN = 64
@@ -27,11 +26,10 @@ class Gaussian(GaussianMixin, Model):  # type: ignore[misc]
     @nn.compact
     def __call__(self, inputs: Any, role: str) -> Any:  # noqa: ARG002
         """Mean and logarithm of the spread."""
+        found = hidden(inputs["observations"])
         count = self.action_space.shape[0]
         spread = self.param("log_std", lambda _: jnp.full(count, _LOG_STD))
-        return nn.Dense(count, kernel_init=_SMALL)(hidden(inputs["observations"])), {
-            "log_std": spread
-        }
+        return nn.Dense(count, kernel_init=_SMALL)(found), {"log_std": spread}
 
 
 class Squashed(GaussianMixin, Model):  # type: ignore[misc]
@@ -67,12 +65,12 @@ class Categorical(CategoricalMixin, Model):  # type: ignore[misc]
     @nn.compact
     def __call__(self, inputs: Any, role: str) -> Any:  # noqa: ARG002
         """The logarithm of how likely each choice is."""
-        count = int(self.action_space.n)
-        return nn.Dense(count, kernel_init=_SMALL)(hidden(inputs["observations"])), {}
+        found = hidden(inputs["observations"])
+        return nn.Dense(int(self.action_space.n), kernel_init=_SMALL)(found), {}
 
 
 class Critic(DeterministicMixin, Model):  # type: ignore[misc]
-    """The value of a state; of an action in it, where actions are given; or of each choice."""
+    """The value of a state, or of an action in it."""
 
     def __init__(self, observation_space: Any, action_space: Any, **given: Any) -> None:
         Model.__init__(
@@ -82,21 +80,16 @@ class Critic(DeterministicMixin, Model):  # type: ignore[misc]
 
     @nn.compact
     def __call__(self, inputs: Any, role: str) -> Any:
-        """The values."""
+        """The value."""
         seen = inputs["observations"]
         if "critic" in role:
             seen = jnp.concatenate([seen, inputs["taken_actions"]], axis=-1)
-        count = int(self.action_space.n) if "q_network" in role else 1
-        return nn.Dense(count)(hidden(seen)), {}
+        found = hidden(seen)
+        return nn.Dense(1)(found), {}
 
 
 def hidden(values: Any) -> Any:
-    """Two layers."""
+    """Two layers. They are made before the last one, so that all networks name them alike."""
     for _ in range(2):
         values = nn.tanh(nn.Dense(_HIDDEN)(values))
     return values
-
-
-def is_choice(actions: Any) -> bool:
-    """Say whether actions are choices."""
-    return isinstance(actions, spaces.Discrete)

@@ -1,4 +1,4 @@
-"""Learners of step policies, from skrl (on JAX): PPO, SAC and DDQN.
+"""Learners of step policies, from skrl (on JAX): PPO and SAC.
 
 Actions are scaled to [-1, 1]. An episode that ends by its time ends like any other: the time that
 is left is part of an observation.
@@ -7,55 +7,27 @@ is left is part of an observation.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import flax.serialization
 import jax
+import msgpack
 import numpy as np
 from gymnasium import spaces
 from numpy.typing import NDArray
 from skrl import config
-from skrl.agents.jax.ddqn import DDQN, DDQN_CFG
 from skrl.agents.jax.ppo import PPO, PPO_CFG
 from skrl.agents.jax.sac import SAC, SAC_CFG
 from skrl.memories.jax import RandomMemory
 from skrl.resources.schedulers.jax import KLAdaptiveLR
 
-from heron.learning.networks import Categorical, Critic, Gaussian, Squashed, is_choice
+from heron.learning.networks import Categorical, Critic, Gaussian, Squashed
+from heron.learning.policy import Policy
 
 Floats = NDArray[np.float64]
 _ROLLOUT = 64
 _KEPT = 100_000
 _FOREVER = 10**9
-_EXPLORING = 100_000
-"""Steps in which DDQN comes to choose by chance in one of 20 steps only."""
-
-
-class StepLearner(Protocol):
-    """Learns from the steps of several environments at once."""
-
-    def act(self, observations: Floats) -> Any:
-        """Actions to try, by chance."""
-
-    def best(self, observations: Floats) -> Any:
-        """The actions that are held for the best."""
-
-    def learn(
-        self,
-        observations: Floats,
-        actions: Any,
-        rewards: Floats,
-        following: Floats,
-        ended: NDArray[np.bool_],
-    ) -> None:
-        """Learn from a step: what was seen, done and earned, and what was seen then."""
-
-    def save(self, path: Path) -> None:
-        """Keep what was learned."""
-
-    def load(self, path: Path) -> None:
-        """Know what was kept."""
 
 
 class SkrlLearner:
@@ -73,9 +45,15 @@ class SkrlLearner:
         config.jax.key = jax.random.key_data(jax.random.key(seed))
         np.random.seed(seed)  # skrl's memories draw from it
         self._actions = actions
-        scaled = actions if is_choice(actions) else spaces.Box(-1.0, 1.0, actions.shape)
+        scaled: spaces.Space[Any] = (
+            actions
+            if isinstance(actions, spaces.Discrete)
+            else spaces.Box(-1.0, 1.0, actions.shape)
+        )
         self._agent = AGENTS[algorithm](observations, scaled, count)
         self._models = {name: each for name, each in self._agent.models.items() if each is not None}
+        if algorithm == "sac":
+            self._models["entropy"] = self._agent.log_entropy_coefficient
         self._agent.init()
         self._agent.enable_training_mode(True)
         self._step = 0
@@ -87,15 +65,6 @@ class SkrlLearner:
             _floats(observations), None, timestep=self._step, timesteps=_FOREVER
         )
         return self._unscaled(np.asarray(found))
-
-    def best(self, observations: Floats) -> Any:
-        """The actions that are held for the best."""
-        self._agent.enable_training_mode(False)
-        found, more = self._agent.act(
-            _floats(observations), None, timestep=_FOREVER, timesteps=_FOREVER
-        )
-        self._agent.enable_training_mode(True)
-        return self._unscaled(np.asarray(more.get("mean_actions", found)))
 
     def learn(
         self,
@@ -122,26 +91,64 @@ class SkrlLearner:
         self._agent.post_interaction(timestep=self._step, timesteps=_FOREVER)
         self._step += 1
 
-    def save(self, path: Path) -> None:
-        """Keep what was learned."""
-        known = {name: model.state_dict.params for name, model in self._models.items()}
-        path.write_bytes(flax.serialization.to_bytes(known))
+    def policy(self) -> Policy:
+        """The best actions, as far as they are known."""
+        found = self._models["policy"].state_dict.params["params"]
+        layers = [
+            (np.asarray(found[f"Dense_{i}"]["kernel"]), np.asarray(found[f"Dense_{i}"]["bias"]))
+            for i in range(3)
+        ]
+        if isinstance(self._actions, spaces.Discrete):
+            return Policy(layers)
+        bounds = (self._actions.low.tolist(), self._actions.high.tolist())
+        is_squashed = isinstance(self._models["policy"], Squashed)
+        return Policy(layers, bounds, is_squashed=is_squashed)
 
-    def load(self, path: Path) -> None:
-        """Know what was kept. Raises `ValueError` if that is of another learner."""
-        known = {name: model.state_dict.params for name, model in self._models.items()}
-        found = flax.serialization.from_bytes(known, path.read_bytes())
+    def save(self, steps: int) -> bytes:
+        """All that a training needs to go on after so many steps."""
+        return bytes(flax.serialization.to_bytes(self._known(steps)))
+
+    def load(self, kept: bytes) -> int:
+        """Know what was kept; gives the steps. Raises `ValueError` if that is of something else."""
+        try:
+            found = flax.serialization.from_bytes(self._known(0), kept)
+        except (ValueError, TypeError, AttributeError, KeyError, msgpack.UnpackException) as error:
+            raise ValueError("this is of another learner") from error
         for name, model in self._models.items():
-            model.state_dict = model.state_dict.replace(params=found[name])
+            model.state_dict = model.state_dict.replace(params=found["models"][name])
+        for name, state in found["optimizers"].items():
+            setattr(self._agent, name, getattr(self._agent, name).replace(state=state))
+        for name, rate in found["rates"].items():
+            setattr(self._agent, name, float(rate))
+        memory = self._agent.memory
+        memory.tensors |= {name: jax.numpy.asarray(each) for name, each in found["memory"].items()}
+        memory.memory_index, memory.filled = int(found["index"]), bool(found["is_filled"])
+        self._step = int(found["calls"])
+        return int(found["steps"])
+
+    def _known(self, steps: int) -> dict[str, Any]:
+        fields = vars(self._agent)
+        optimizers = [name for name in fields if name.endswith("optimizer")]
+        rates = [name for name in fields if name.endswith("learning_rate")]
+        return {
+            "models": {name: model.state_dict.params for name, model in self._models.items()},
+            "optimizers": {name: fields[name].state for name in optimizers},
+            "rates": {name: fields[name] for name in rates},
+            "memory": dict(self._agent.memory.tensors),
+            "index": self._agent.memory.memory_index,
+            "is_filled": self._agent.memory.filled,
+            "calls": self._step,
+            "steps": steps,
+        }
 
     def _unscaled(self, actions: Any) -> Any:
-        if is_choice(self._actions):
+        if isinstance(self._actions, spaces.Discrete):
             return actions.reshape(-1).astype(np.int64)
         low, high = self._actions.low, self._actions.high
         return low + (np.clip(actions, -1.0, 1.0) + 1.0) / 2.0 * (high - low)
 
     def _scaled(self, actions: Any) -> Any:
-        if is_choice(self._actions):
+        if isinstance(self._actions, spaces.Discrete):
             return np.asarray(actions)[:, None]
         low, high = self._actions.low, self._actions.high
         return (np.asarray(actions) - low) / (high - low) * 2.0 - 1.0
@@ -159,7 +166,7 @@ class ExecutedPPO(PPO):  # type: ignore[misc]
 
 
 def _ppo(observations: spaces.Box, actions: Any, count: int) -> Any:
-    policy = Categorical if is_choice(actions) else Gaussian
+    policy = Categorical if isinstance(actions, spaces.Discrete) else Gaussian
     settings = PPO_CFG(
         rollouts=_ROLLOUT,
         learning_epochs=6,
@@ -177,8 +184,8 @@ def _ppo(observations: spaces.Box, actions: Any, count: int) -> Any:
 def _sac(observations: spaces.Box, actions: Any, count: int) -> Any:
     settings = SAC_CFG(
         batch_size=256,
-        gradient_steps=2,
-        learning_rate=1e-3,
+        gradient_steps=8,
+        learning_rate=7e-4,
         learning_starts=50,
         random_timesteps=50,
         initial_entropy_value=0.1,
@@ -187,22 +194,6 @@ def _sac(observations: spaces.Box, actions: Any, count: int) -> Any:
     models = _models({"policy": Squashed, **dict.fromkeys(critics, Critic)}, observations, actions)
     memory = RandomMemory(memory_size=_KEPT // count, num_envs=count)
     return _agent(SAC, settings, models, memory, observations, actions)
-
-
-def _ddqn(observations: spaces.Box, actions: Any, count: int) -> Any:
-    settings = DDQN_CFG(
-        batch_size=256,
-        gradient_steps=2,
-        learning_rate=5e-4,
-        learning_starts=50,
-        random_timesteps=50,
-        exploration_scheduler=lambda step, _: max(0.05, 1.0 - step * count / _EXPLORING),
-    )
-    names = dict.fromkeys(("q_network", "target_q_network"), Critic)
-    memory = RandomMemory(memory_size=_KEPT // count, num_envs=count)
-    return _agent(
-        DDQN, settings, _models(names, observations, actions), memory, observations, actions
-    )
 
 
 def _models(kinds: Mapping[str, type], observations: Any, actions: Any) -> dict[str, Any]:
@@ -230,4 +221,4 @@ def _floats(values: Any) -> Any:
     return jax.numpy.asarray(values, jax.numpy.float32)
 
 
-AGENTS: Mapping[str, Callable[..., Any]] = {"ppo": _ppo, "sac": _sac, "ddqn": _ddqn}
+AGENTS: Mapping[str, Callable[..., Any]] = {"ppo": _ppo, "sac": _sac}

@@ -1,139 +1,95 @@
-"""One training: a step learner in one arm of the study, with one seed."""
+"""A training from its beginning to its row: its log, its checkpoints, what was learned, and how
+that does with and without the guard.
+"""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+from typing import Any, Protocol
 
 import gymnasium
-import numpy as np
-from numpy.typing import NDArray
 
-import heron.learning  # noqa: F401  # registers the environments
-from heron.learning.arms import LearningArm, guarded
-from heron.learning.insertion import FIELDS, LONGEST_S, Outcome
-from heron.learning.step_learners import SkrlLearner, StepLearner
-from heron.scene.insertion import InsertionParameters
+from campaign import Value
+from dslkit.writing import write_whole
+from heron.learning.episodes import Episode, EpisodeLog
+from heron.learning.runs import Run, run_of
+from heron.learning.summary import row_of
+from heron.variants import Formulation, LearningArm
 
-Floats = NDArray[np.float64]
-ENVIRONMENTS = {"steps": "heron/PegInHole-v1", "moves": "heron/PegInHoleMoves-v1"}
-"""The environment of each formulation."""
-COUNT = 32
-"""Environments that learn at once."""
-_SIZES = {"place": 0.3, "velocity": 0.3, "force": 10.0, "person": 2.0, "left": LONGEST_S}
-_SIZE = np.array([_SIZES[field.partition(".")[0]] for field in FIELDS])
-_MIDDLE = np.append(np.array(InsertionParameters().hole), np.zeros(len(FIELDS) - 3))
+LOG, CHECKPOINT = "episodes.csv", "checkpoint"
+FINAL = 50
+"""Episodes with what was learned, with the guard and without it."""
+_FINAL_SEED = 1_000_000
+_EVERY = 16_000
+"""Steps from one checkpoint to the next."""
 
 
-@dataclass(frozen=True)
-class Run:
-    """A training: its formulation, its algorithm, its arm, and its seed."""
-
-    formulation: str
-    algorithm: str
-    arm: LearningArm
-    seed: int
-
-
-class Episode(NamedTuple):
-    """An episode of a training: `steps` of all environments before its end, and the time since the
-    training began (s); `proposed_outside` are its steps whose proposed command the rules would not
-    let pass as it is, and `executed_outside` those in which such a command was executed.
-    """
+class Training(Protocol):
+    """A learner and its environments."""
 
     steps: int
-    seconds: float
-    length: int
-    reward: float
-    proposed_outside: int
-    executed_outside: int
-    outcome: Outcome
+
+    def episodes(self) -> Iterator[Episode]:
+        """Learn until the budget is used, and tell of each episode."""
+
+    def save(self) -> bytes:
+        """All that the training needs to go on."""
+
+    def load(self, kept: bytes) -> None:
+        """Go on from there. Raises `ValueError` if that is nothing of the kind."""
+
+    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
+        """An episode with what was learned."""
+
+    def result(self) -> tuple[str, bytes]:
+        """Name and content of a file with what was learned."""
 
 
-@dataclass
-class Tally:
-    """The counts of an episode that goes on, as `Episode` has them."""
-
-    length: int = 0
-    reward: float = 0.0
-    proposed_outside: int = 0
-    executed_outside: int = 0
-
-    def count(self, reward: float, told: Any) -> None:
-        """Take a step into account."""
-        self.length += 1
-        self.reward += reward
-        self.proposed_outside += told["intervened"]
-        is_executed = bool(np.all(told["executed"] == told["proposed"]))
-        self.executed_outside += told["intervened"] and is_executed
-
-
-class Trainer:
-    """The environments of a training, and its learner."""
-
-    def __init__(self, run: Run) -> None:
-        self.run = run
-        self._envs = [environment(run.formulation, run.arm) for _ in range(COUNT)]
-        one = self._envs[0]
-        self.learner: StepLearner = SkrlLearner(
-            run.algorithm, one.observation_space, one.action_space, COUNT, run.seed
-        )
-        self.steps = 0
-
-    def train(self, steps: int) -> Iterator[Episode]:
-        """Learn until all environments have taken so many steps, and tell of each episode."""
-        began = time.monotonic()
-        seen = np.array([env.reset(seed=self._seed(i))[0] for i, env in enumerate(self._envs)])
-        going = [Tally() for _ in self._envs]
-        while self.steps < steps:
-            proposed = self.learner.act(scaled(seen))
-            taken = [env.step(each) for env, each in zip(self._envs, proposed, strict=True)]
-            following, rewards, terminated, truncated, infos = zip(*taken, strict=True)
-            ended = np.array(terminated) | np.array(truncated)
-            self.learner.learn(
-                scaled(seen),
-                self._own(proposed, infos),
-                np.array(rewards),
-                scaled(np.array(following)),
-                ended,
-            )
-            self.steps += COUNT
-            seen = np.array(following)
-            for i, info in enumerate(infos):
-                going[i].count(float(rewards[i]), info["guard"])
-                if ended[i]:
-                    seconds = time.monotonic() - began
-                    found = going[i]
-                    yield Episode(
-                        self.steps,
-                        seconds,
-                        found.length,
-                        found.reward,
-                        found.proposed_outside,
-                        found.executed_outside,
-                        info["outcome"],
-                    )
-                    going[i] = Tally()
-                    seen[i] = self._envs[i].reset()[0]
-
-    def _seed(self, number: int) -> int:
-        return self.run.seed * COUNT + number
-
-    def _own(self, proposed: Any, infos: Sequence[Any]) -> Any:
-        """The actions that the learner takes for its own."""
-        if self.run.arm is not LearningArm.EXECUTED:
-            return proposed
-        return np.array([info["guard"]["executed"] for info in infos])
+def train(folder: Path, key: str) -> Value:
+    """Run the training of a key, or go on with it, and give its row. Raises `OSError`, and
+    `ValueError` if its checkpoint is of something else.
+    """
+    run = run_of(key)
+    place = folder / run.folder
+    place.mkdir(parents=True, exist_ok=True)
+    training, checkpoint = _new(run), place / CHECKPOINT
+    if checkpoint.exists():
+        try:
+            training.load(checkpoint.read_bytes())
+        except ValueError:
+            raise ValueError(f"{checkpoint} is of another training; remove it") from None
+    log = EpisodeLog(place / LOG, training.steps)
+    before = log.episodes[-1].seconds if log.episodes else 0.0
+    saved = training.steps
+    for episode in training.episodes():
+        log.append(episode._replace(seconds=before + episode.seconds))
+        if training.steps - saved >= _EVERY:
+            write_whole(checkpoint, training.save())
+            saved = training.steps
+    name, content = training.result()
+    write_whole(place / name, content)
+    checkpoint.unlink(missing_ok=True)
+    return row_of(run, log.episodes, _finals(run, training))
 
 
-def environment(formulation: str, arm: LearningArm) -> gymnasium.Env[Any, Any]:
-    """A new environment of a formulation, in an arm of the study."""
-    return guarded(gymnasium.make(ENVIRONMENTS[formulation], disable_env_checker=True), arm)
+def _new(run: Run) -> Training:
+    """The libraries of learners are imported by who needs them: one may be enough."""
+    if run.formulation is Formulation.TREE:
+        from heron.learning.tree_training import TreeTraining
+
+        return TreeTraining(run)
+    from heron.learning.step_training import StepTraining
+
+    return StepTraining(run)
 
 
-def scaled(observations: Floats) -> Floats:
-    """Observations as learners get them: places from the hole on, and everything about 1."""
-    found: Floats = (observations - _MIDDLE) / _SIZE
+def _finals(run: Run, training: Training) -> Mapping[LearningArm, list[Episode]]:
+    from heron.learning.step_training import environment
+
+    found = {}
+    for arm in (LearningArm.GUARD, LearningArm.UNGUARDED):
+        env = environment(run.formulation, arm)
+        seeds = range(_FINAL_SEED, _FINAL_SEED + FINAL)
+        found[arm] = [training.final_episode(env, seed) for seed in seeds]
     return found

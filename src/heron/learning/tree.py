@@ -15,9 +15,10 @@ from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.task import Task
 from ezskiros.runner import Ready, prepare
+from heron.learning.environment import GREATEST, LEAST
+from heron.learning.episodes import Tally
 from heron.learning.insertion import LONGEST_S, Outcome
 from heron.learning.skills import hand
-from heron.learning.training import Tally
 from heron.scene.insertion import InsertionParameters
 
 RANGES: Mapping[str, tuple[float, float]] = {
@@ -64,7 +65,7 @@ class InsertionTree:
                 task.tick()
                 action = np.array([*reached.velocity, reached.push], np.float32)
                 seen, reward, terminated, truncated, info = env.step(
-                    np.clip(action, env.action_space.low, env.action_space.high)
+                    np.clip(action, LEAST, GREATEST)
                 )
                 tally.count(float(reward), info["guard"])
                 if terminated or truncated:

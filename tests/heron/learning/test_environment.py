@@ -19,9 +19,10 @@ import gymnasium
 from gymnasium.utils.env_checker import check_env
 
 import heron.learning  # noqa: F401  # registers the environments
-from heron.learning.arms import LearningArm, guarded, is_guarded
+from heron.learning.arms import guarded, is_guarded
 from heron.learning.environment import MOVES, PegInHole
 from heron.learning.insertion import Outcome
+from heron.variants import LearningArm
 
 Floats = NDArray[np.float64]
 Policy = Callable[[Floats, int], Any]

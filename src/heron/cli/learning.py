@@ -1,0 +1,102 @@
+"""`heron learn`: the campaign of trainings, a table of how far each arm is, and the page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
+
+import typer
+from rich.console import Console
+from rich.live import Live
+from rich.table import Table
+
+from campaign import (
+    BusyError,
+    Campaign,
+    ForeignError,
+    Journal,
+    Result,
+    UnreachableError,
+    Workers,
+    run,
+)
+from dslkit.command_line import INTERRUPTED, CommandLine
+from dslkit.writing import reason
+from heron.evaluation import sources
+from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
+from heron.learning.runs import Run
+from heron.learning.training import train
+
+_KEPT = "what is done is kept, and the same command goes on from there"
+
+
+def learn(output: CommandLine, runs: Sequence[Run], out: Path, workers: Workers) -> None:
+    """Run what is not in the journal, and write the page."""
+    folder = LearningFolder(out)
+    try:
+        found = _campaign(runs, folder, workers)
+    except KeyboardInterrupt:
+        output.fail(f"interrupted; {_KEPT}", exit_code=INTERRUPTED)
+    except BusyError as error:
+        output.fail(str(error), exit_code=2)
+    except UnreachableError as error:
+        output.fail(f"{error}; {_KEPT}", exit_code=2)
+    except ForeignError as error:
+        output.fail(f"{error}; remove it, or choose another folder by --out", exit_code=2)
+    except OSError as error:
+        output.fail(f"cannot write to {out}: {reason(error)}; {_KEPT}", exit_code=2)
+    if found.values:
+        with output.writing_to(out):
+            typer.echo(f"the page:  {write_learning_page(folder, found.values)}")
+    if found.failures:
+        names = ", ".join(failure.key for failure in found.failures)
+        output.fail(f"not finished, and tried again by the same command: {names}", exit_code=1)
+
+
+def _campaign(runs: Sequence[Run], folder: LearningFolder, workers: Workers) -> Campaign:
+    keys = [one.key for one in runs]
+    work = partial(train, folder.trainings)
+    with Journal(folder.journal, sources()) as journal, _Progress(folder, runs) as progress:
+        return run(keys, work, journal, workers, progress)
+
+
+class _Progress:
+    """A table for each algorithm, its arms side by side, which looks into the logs of trainings."""
+
+    def __init__(self, folder: LearningFolder, runs: Sequence[Run]) -> None:
+        self._console = Console(stderr=True, highlight=False)
+        self._watch = Watch(folder.trainings, runs)
+        self._live = Live(
+            get_renderable=self._watch_now, console=self._console, refresh_per_second=2
+        )
+
+    def __enter__(self) -> _Progress:
+        self._live.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._live.stop()
+
+    def begin(self, count: int, done: int) -> None:
+        """Of `count` trainings, `done` were in the journal."""
+        if done:
+            self._console.print(f"{done} of {count} are done already")
+
+    def hear(self, result: Result) -> None:
+        """One more is over."""
+        if result.value is None:
+            self._console.print(f"{result.key} failed: {result.failure}", markup=False)
+        else:
+            self._watch.note_end(result.key)
+
+    def _watch_now(self) -> Table:
+        table = Table.grid(padding=(0, 1))
+        for title, arms, rows in self._watch.look():
+            part = Table("", *arms, title=title, title_justify="left")
+            for column in part.columns[1:]:
+                column.justify = "right"
+            for label, cells in rows:
+                part.add_row(label, *cells)
+            table.add_row(part)
+        return table

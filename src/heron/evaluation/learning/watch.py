@@ -1,0 +1,104 @@
+"""Trainings that go on, seen by their logs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from heron.evaluation.learning.names import ARM_NAMES, TITLES
+from heron.learning.episodes import Episode, episodes_of
+from heron.learning.runs import Run
+from heron.learning.training import LOG
+
+_LATELY = 50
+Rows = Sequence[tuple[str, Sequence[str]]]
+
+
+@dataclass
+class _Log:
+    """The part of a log that was read: counts, and the last episodes."""
+
+    path: Path
+    run: Run
+    offset: int = 0
+    steps: int = 0
+    count: int = 0
+    violating: int = 0
+    broken: int = 0
+    last: list[Episode] = field(default_factory=list)
+    has_ended: bool = False
+
+    def read(self) -> None:
+        """Take into account whatever is new, whole lines only."""
+        try:
+            with self.path.open("rb") as file:
+                file.seek(self.offset)
+                text = file.read()
+        except FileNotFoundError:
+            return
+        whole = text[: text.rfind(b"\n") + 1]
+        lines = whole.decode(errors="replace").splitlines()
+        new = episodes_of(lines[1:] if self.offset == 0 else lines)
+        self.offset += len(whole)
+        self.count += len(new)
+        self.violating += sum(one.is_violating for one in new)
+        self.broken += sum(one.broken for one in new)
+        self.last = [*self.last, *new][-_LATELY:]
+        self.steps = self.last[-1].steps if self.last else 0
+
+
+class Watch:
+    """The logs of trainings."""
+
+    def __init__(self, folder: Path, runs: Sequence[Run]) -> None:
+        self._logs = {run.key: _Log(folder / run.folder / LOG, run) for run in runs}
+
+    def note_end(self, key: str) -> None:
+        """Hear that a training is over."""
+        self._logs[key].has_ended = True
+
+    def look(self) -> Iterator[tuple[str, Sequence[str], Rows]]:
+        """A title, the names of arms, and rows of cells, for each algorithm."""
+        for log in self._logs.values():
+            log.read()
+        kinds = {(log.run.formulation, log.run.algorithm): None for log in self._logs.values()}
+        for formulation, algorithm in kinds:
+            logs = [
+                log
+                for log in self._logs.values()
+                if (log.run.formulation, log.run.algorithm) == (formulation, algorithm)
+            ]
+            arms = list(dict.fromkeys(log.run.arm for log in logs))
+            columns = [_column([log for log in logs if log.run.arm is arm]) for arm in arms]
+            rows = [
+                (label, [column[place] for column in columns])
+                for place, label in enumerate(_LABELS)
+            ]
+            title = f"{TITLES[formulation]}, {algorithm}"
+            yield title, [ARM_NAMES[arm] for arm in arms], rows
+
+
+_LABELS = (
+    "trainings over",
+    "steps",
+    "episodes",
+    f"inserted, of the last {_LATELY}",
+    "steps outside of the rules, proposed",
+    "episodes with a violation",
+    "fragile parts broken",
+)
+
+
+def _column(logs: Sequence[_Log]) -> list[str]:
+    last = [one for log in logs for one in log.last]
+    length = sum(one.length for one in last)
+    return [
+        f"{sum(log.has_ended for log in logs)} of {len(logs)}",
+        f"{sum(log.steps for log in logs):,}",
+        f"{sum(log.count for log in logs):,}",
+        f"{100 * sum(one.inserted for one in last) / len(last):.0f} %" if last else "",
+        f"{100 * sum(one.proposed_outside for one in last) / length:.0f} %" if last else "",
+        str(sum(log.violating for log in logs)),
+        str(sum(log.broken for log in logs)),
+    ]

@@ -1,0 +1,116 @@
+"""Episodes of a training: what is counted while one goes on, and their log."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from heron.learning.insertion import VIOLATIONS, Outcome
+
+
+class Episode(NamedTuple):
+    """An episode of a training: `steps` of all environments before its end, and the time since the
+    training began (s); `proposed_outside` are its steps whose proposed command the rules would not
+    let pass as it is, and `executed_outside` those in which such a command was executed. Forces are
+    in N, speeds in m/s.
+    """
+
+    steps: int
+    seconds: float
+    length: int
+    reward: float
+    proposed_outside: int
+    executed_outside: int
+    inserted: int
+    touched: int
+    too_hard: int
+    near_person: int
+    broken: int
+    greatest_touch: float
+    greatest_force: float
+    fastest_near_person: float
+
+    @property
+    def is_violating(self) -> bool:
+        """Say whether something happened that must not."""
+        return bool(self.touched or self.too_hard or self.near_person)
+
+
+@dataclass
+class Tally:
+    """The counts of an episode that goes on, as `Episode` has them."""
+
+    length: int = 0
+    reward: float = 0.0
+    proposed_outside: int = 0
+    executed_outside: int = 0
+
+    def count(self, reward: float, told: Any) -> None:
+        """Take a step into account."""
+        self.length += 1
+        self.reward += reward
+        self.proposed_outside += told["intervened"]
+        is_executed = bool(np.all(told["executed"] == told["proposed"]))
+        self.executed_outside += told["intervened"] and is_executed
+
+    def episode(self, steps: int, seconds: float, outcome: Outcome) -> Episode:
+        """The episode, which is over."""
+        found = {name: int(name in outcome.violations) for name in VIOLATIONS}
+        return Episode(
+            steps=steps,
+            seconds=seconds,
+            length=self.length,
+            reward=self.reward,
+            proposed_outside=self.proposed_outside,
+            executed_outside=self.executed_outside,
+            inserted=int(outcome.inserted),
+            broken=int(outcome.broken),
+            greatest_touch=outcome.greatest_touch,
+            greatest_force=outcome.greatest_force,
+            fastest_near_person=outcome.fastest_near_person,
+            **found,
+        )
+
+
+class EpisodeLog:
+    """A CSV file that gets a line at the end of each episode, to be looked at meanwhile."""
+
+    def __init__(self, path: Path, steps: int) -> None:
+        """Go on with a log that is there, from so many steps on. Raises `OSError`."""
+        self._path = path
+        self.episodes = [one for one in read_log(path) if one.steps <= steps]
+        lines = [",".join(Episode._fields), *map(_line, self.episodes)]
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
+
+    def append(self, episode: Episode) -> None:
+        """Write an episode."""
+        self.episodes.append(episode)
+        with self._path.open("a", encoding="utf-8") as file:
+            file.write(_line(episode) + "\n")
+
+
+def read_log(path: Path) -> list[Episode]:
+    """The episodes of a log; none if there is no log."""
+    if not path.exists():
+        return []
+    return episodes_of(path.read_text(encoding="utf-8").splitlines()[1:])
+
+
+def episodes_of(lines: Sequence[str]) -> list[Episode]:
+    """The episodes of lines of a log. One in which a program was interrupted counts for nothing."""
+    found = [line.split(",") for line in lines]
+    return [Episode._make(map(_number, one)) for one in found if len(one) == len(Episode._fields)]
+
+
+def _number(text: str) -> float:
+    return int(text) if text.isdigit() else float(text)
+
+
+def _line(episode: Episode) -> str:
+    return ",".join(
+        f"{value:.6g}" if isinstance(value, float) else str(int(value)) for value in episode
+    )

@@ -1,0 +1,110 @@
+"""The training of a step learner: many environments, and one learner."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import gymnasium
+import numpy as np
+
+import heron.learning  # noqa: F401  # registers the environments
+from heron.learning.arms import guarded
+from heron.learning.episodes import Episode, Tally
+from heron.learning.policy import Policy, scaled
+from heron.learning.runs import Run
+from heron.learning.step_learners import SkrlLearner
+from heron.variants import Formulation, LearningArm
+
+ENVIRONMENTS: Mapping[Formulation, str] = {
+    Formulation.STEPS: "heron/PegInHole-v1",
+    Formulation.MOVES: "heron/PegInHoleMoves-v1",
+    Formulation.TREE: "heron/PegInHole-v1",
+}
+"""The environment of each formulation."""
+COUNT = 32
+"""Environments that learn at once."""
+
+
+class StepTraining:
+    """The environments of a training, and its learner."""
+
+    def __init__(self, run: Run) -> None:
+        self._run = run
+        self._envs = [environment(run.formulation, run.arm) for _ in range(COUNT)]
+        one: Any = self._envs[0]
+        self._learner = SkrlLearner(
+            run.algorithm, one.observation_space, one.action_space, COUNT, run.seed
+        )
+        self.steps = 0
+
+    def episodes(self) -> Iterator[Episode]:
+        """Learn until all environments together have taken the steps of the budget, and tell of
+        each episode. Times are those since this call.
+        """
+        began = time.monotonic()
+        seen = np.array([env.reset(seed=self._seed(i))[0] for i, env in enumerate(self._envs)])
+        going = [Tally() for _ in self._envs]
+        while self.steps < self._run.budget:
+            proposed = self._learner.act(scaled(seen))
+            taken = [env.step(each) for env, each in zip(self._envs, proposed, strict=True)]
+            following, rewards, terminated, truncated, infos = zip(*taken, strict=True)
+            ended = np.array(terminated) | np.array(truncated)
+            self._learner.learn(
+                scaled(seen),
+                self._own(proposed, infos),
+                np.array(rewards),
+                scaled(np.array(following)),
+                ended,
+            )
+            self.steps += COUNT
+            seen = np.array(following)
+            for i, info in enumerate(infos):
+                going[i].count(float(rewards[i]), info["guard"])
+                if ended[i]:
+                    yield going[i].episode(self.steps, time.monotonic() - began, info["outcome"])
+                    going[i] = Tally()
+                    seen[i] = self._envs[i].reset()[0]
+
+    def save(self) -> bytes:
+        """All that the training needs to go on."""
+        return self._learner.save(self.steps)
+
+    def load(self, kept: bytes) -> None:
+        """Go on from there, with new episodes. Raises `ValueError` if that is something else."""
+        self.steps = self._learner.load(kept)
+
+    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
+        """An episode with the best actions."""
+        return episode(env, self._learner.policy(), seed)
+
+    def result(self) -> tuple[str, bytes]:
+        """Name and content of a file with what was learned."""
+        return "policy.npz", self._learner.policy().file()
+
+    def _seed(self, number: int) -> int:
+        """Of an environment; another one after a training went on from steps that were kept."""
+        return (self._run.seed * 1_000_003 + self.steps) * COUNT + number
+
+    def _own(self, proposed: Any, infos: Sequence[Any]) -> Any:
+        """The actions that the learner takes for its own."""
+        if self._run.arm is not LearningArm.EXECUTED:
+            return proposed
+        return np.array([info["guard"]["executed"] for info in infos])
+
+
+def environment(formulation: Formulation, arm: LearningArm) -> gymnasium.Env[Any, Any]:
+    """A new environment of a formulation, in an arm of the study."""
+    return guarded(gymnasium.make(ENVIRONMENTS[formulation], disable_env_checker=True), arm)
+
+
+def episode(env: gymnasium.Env[Any, Any], policy: Policy, seed: int) -> Episode:
+    """Run an episode with a policy."""
+    began, tally = time.monotonic(), Tally()
+    seen, _ = env.reset(seed=seed)
+    while True:
+        seen, reward, terminated, truncated, info = env.step(policy(seen))
+        tally.count(float(reward), info["guard"])
+        if terminated or truncated:
+            return tally.episode(tally.length, time.monotonic() - began, info["outcome"])

@@ -1,0 +1,83 @@
+"""The row of a training: its episodes in numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+
+from campaign import Value
+from heron.learning.episodes import Episode
+from heron.learning.insertion import VIOLATIONS
+from heron.learning.runs import Run
+from heron.variants import LearningArm
+
+BINS = 20
+"""Parts of a training, by steps, in which its curves have a value each."""
+CURVES: Mapping[str, Callable[[Sequence[Episode]], float]] = {
+    "inserted": lambda found: share(one.inserted for one in found),
+    "violating": lambda found: share(one.is_violating for one in found),
+    "intervened": lambda found: intervened(found),
+}
+"""Shares of episodes, and of steps."""
+_LATELY = 50
+_GOOD = 0.9
+
+
+def share(values: Iterable[int | bool]) -> float:
+    """The share of those that are true, of at least one."""
+    found = list(values)
+    return sum(found) / len(found)
+
+
+def intervened(episodes: Sequence[Episode]) -> float:
+    """The share of steps whose proposed command the rules would not let pass as it is."""
+    return sum(one.proposed_outside for one in episodes) / sum(one.length for one in episodes)
+
+
+def row_of(
+    run: Run, episodes: Sequence[Episode], finals: Mapping[LearningArm, Sequence[Episode]]
+) -> Value:
+    """The row of a training, by names of measures; not known is None."""
+    early, late = (_part(episodes, run.budget, place, 4) for place in (0, 3))
+    row: Value = {
+        "formulation": run.formulation.value,
+        "algorithm": run.algorithm,
+        "arm": run.arm.value,
+        "budget": run.budget,
+        "seed": run.seed,
+        "episodes": len(episodes),
+        "seconds": episodes[-1].seconds,
+        "steps_to_good": steps_to_good(episodes),
+        "violating": share(one.is_violating for one in episodes),
+        "violating_late": share(one.is_violating for one in late) if late else None,
+        **{name: sum(getattr(one, name) for one in episodes) for name in VIOLATIONS},
+        "broken": sum(one.broken for one in episodes),
+        "greatest_force": max(one.greatest_force for one in episodes),
+        "proposed_outside": intervened(episodes),
+        "intervened_early": intervened(early) if early else None,
+        "intervened_late": intervened(late) if late else None,
+        "executed_outside": sum(one.executed_outside for one in episodes),
+    }
+    for arm, found in finals.items():
+        row[f"inserted_{arm.value}"] = share(one.inserted for one in found)
+        row[f"violating_{arm.value}"] = share(one.is_violating for one in found)
+    for place in range(BINS):
+        part = _part(episodes, run.budget, place, BINS)
+        for name, of in CURVES.items():
+            row[f"{name}_{place:02}"] = of(part) if part else None
+    return row
+
+
+def steps_to_good(episodes: Sequence[Episode]) -> int | None:
+    """The steps after which nine of ten of the last 50 episodes were insertions."""
+    done = 0
+    for place, one in enumerate(episodes):
+        done += one.inserted - (episodes[place - _LATELY].inserted if place >= _LATELY else 0)
+        if place + 1 >= _LATELY and done >= _GOOD * _LATELY:
+            return one.steps
+    return None
+
+
+def _part(episodes: Sequence[Episode], budget: int, place: int, count: int) -> list[Episode]:
+    low, high = budget * place / count, budget * (place + 1) / count
+    last = place == count - 1
+    return [one for one in episodes if low < one.steps <= high or (last and one.steps > high)]

@@ -1,0 +1,108 @@
+"""The training of the numbers of a behavior tree: CMA-ES (Hansen), from the package cmaes."""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Iterator, Mapping, Sequence
+
+import cmaes
+import gymnasium
+import numpy as np
+from numpy.typing import NDArray
+
+import heron.learning  # noqa: F401  # registers the environments
+from heron.learning.episodes import Episode
+from heron.learning.runs import Run
+from heron.learning.step_training import environment
+from heron.learning.tree import RANGES, InsertionTree
+
+_CANDIDATES = 9
+"""Sets of numbers in a generation."""
+_TRIES = 2
+"""Episodes of each."""
+_LEAST = np.array([least for least, _ in RANGES.values()])
+_WIDTH = np.array([greatest - least for least, greatest in RANGES.values()])
+Floats = NDArray[np.float64]
+
+
+class TreeTraining:
+    """The environment of a training, the tree, and the optimizer of its numbers."""
+
+    def __init__(self, run: Run) -> None:
+        """Raises `FaultyError` if the skills have errors."""
+        self._run = run
+        self._env = environment(run.formulation, run.arm)
+        self._tree = InsertionTree()
+        self._optimizer = cmaes.CMA(
+            mean=np.random.default_rng(run.seed).uniform(0.1, 0.9, len(RANGES)),
+            sigma=0.3,
+            bounds=np.array([[0.0, 1.0]] * len(RANGES)),
+            seed=run.seed,
+            population_size=_CANDIDATES,
+        )
+        self._scores: list[list[float]] = []
+        self.steps = 0
+
+    def episodes(self) -> Iterator[Episode]:
+        """Try generations until they have taken the steps of the budget, and tell of each episode.
+        Times are those since this call.
+        """
+        began = time.monotonic()
+        while self.steps < self._run.budget:
+            candidates, scores, steps = self._candidates(), [], self.steps
+            for candidate in candidates:
+                rewards = []
+                for _ in range(_TRIES):
+                    outcome, tally = self._tree.episode(
+                        self._env, numbers_of(candidate), self._run.seed * 10**9 + steps
+                    )
+                    steps += tally.length
+                    rewards.append(tally.reward)
+                    yield tally.episode(steps, time.monotonic() - began, outcome)
+                scores.append(float(np.mean(rewards)))
+            self._tell(candidates, scores)
+            self.steps = steps
+
+    def save(self) -> bytes:
+        """The generations that are over. The optimizer draws the same candidates again."""
+        return json.dumps({"steps": self.steps, "scores": self._scores}).encode()
+
+    def load(self, kept: bytes) -> None:
+        """Go on from there. Raises `ValueError` if that is nothing of the kind."""
+        try:
+            found = json.loads(kept)
+            scores = [[float(each) for each in one] for one in found["scores"]]
+            self.steps = int(found["steps"])
+        except (KeyError, TypeError):
+            raise ValueError("these are no generations") from None
+        if any(len(one) != _CANDIDATES for one in scores):
+            raise ValueError("these are other generations")
+        for one in scores:
+            self._tell(self._candidates(), one)
+
+    def best(self) -> Mapping[str, float]:
+        """The numbers in the middle of what is tried now."""
+        return numbers_of(np.clip(self._optimizer.mean, 0.0, 1.0))
+
+    def final_episode(self, env: gymnasium.Env[object, object], seed: int) -> Episode:
+        """An episode with the best numbers."""
+        outcome, tally = self._tree.episode(env, self.best(), seed)
+        return tally.episode(tally.length, 0.0, outcome)
+
+    def result(self) -> tuple[str, bytes]:
+        """Name and content of a file with what was learned."""
+        return "numbers.json", json.dumps(dict(self.best()), indent=2).encode()
+
+    def _candidates(self) -> list[Floats]:
+        return [self._optimizer.ask() for _ in range(_CANDIDATES)]
+
+    def _tell(self, candidates: Sequence[Floats], scores: list[float]) -> None:
+        told = [(each, -score) for each, score in zip(candidates, scores, strict=True)]
+        self._optimizer.tell(told)
+        self._scores.append(scores)
+
+
+def numbers_of(candidate: Floats) -> Mapping[str, float]:
+    """The numbers of the tree, each from 0 to 1 within its range."""
+    return dict(zip(RANGES, (_LEAST + candidate * _WIDTH).tolist(), strict=True))
