@@ -101,6 +101,6 @@ LEARNING_ARMS: Mapping[Formulation, tuple[LearningArm, ...]] = {
 BUDGETS: Mapping[Formulation, int] = {
     Formulation.STEPS: 200_000,
     Formulation.MOVES: 200_000,
-    Formulation.TREE: 60_000,
+    Formulation.TREE: 100_000,
 }
 """The usual number of steps of a training, of all of its environments."""

@@ -47,6 +47,7 @@ def test_somebody_comes_into_the_room() -> None:
         ["demo"],
         ["evaluate"],
         ["record", "nav", "--out", "a.mcap"],
+        ["learn", "tree"],
     ],
 )
 def test_without_mujoco_it_says_what_to_install(
@@ -113,3 +114,31 @@ def test_without_a_guard_there_is_nothing_to_link() -> None:
     found = CliRunner().invoke(app, ["run", "nav", "--ros1", "--arm", "none"])
     assert found.exit_code == 2
     assert "--arm none has none" in found.stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "reason"),
+    [
+        (["tree", "--algorithm", "ppo"], "tree has no algorithm ppo; there are cma-es"),
+        (
+            ["tree", "--arm", "executed"],
+            "tree has no arm executed; there are unguarded, ended, penalty, guard, guard_feedback",
+        ),
+        (["tree", "--ray", "here"], "--ray needs HOST:PORT, not `here`"),
+    ],
+)
+def test_a_training_that_there_is_not_is_refused(words: list[str], reason: str) -> None:
+    found = CliRunner().invoke(app, ["learn", *words])
+    assert found.exit_code == 2
+    assert reason in found.output.replace("\n", " ")
+
+
+def test_without_learners_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(choices, "require_simulation", lambda: None)
+    monkeypatch.setattr(
+        choices, "find_spec", lambda name: None if name in {"cmaes", "skrl"} else name
+    )
+    found = CliRunner().invoke(app, ["learn", "steps"])
+    assert found.exit_code == 2
+    assert "these trainings need skrl, not installed" in found.output
+    assert "pip install 'rossmarie[learning]'" in found.output

@@ -79,6 +79,11 @@ def _mujoco() -> str | None:
     return None if find_spec("mujoco") else _python() or "not installed"
 
 
+def _learners() -> str | None:
+    lacking = [name for name in ("cmaes", "mujoco", "skrl") if find_spec(name) is None]
+    return (_python() or f"not installed: {', '.join(lacking)}") if lacking else None
+
+
 def _ray() -> str | None:
     return None if find_spec("ray") else "not installed"
 
@@ -244,6 +249,7 @@ DISPLAY = Part("a display", partial(_program, "Xvfb"), "make display")
 EGL = Part("EGL", _egl, "make drawing")
 PYTHON_3_11 = Part("Python 3.11", _python, _NEWER_PYTHON)
 MUJOCO = Part("MuJoCo", _mujoco, _NEWER_PYTHON)
+LEARNERS = Part("learners", _learners, "make .venv/.ready")
 RAY = Part("Ray", _ray, "EXTRAS=ray tools/setup.sh")
 PYRIGHT = Part("pyright", _pyright, "apt-get install nodejs")
 SKIROS2 = Part(

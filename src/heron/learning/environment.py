@@ -20,8 +20,10 @@ FASTEST = 0.3
 STRONGEST = 10.0
 """The greatest force with which the peg can be pushed down (N)."""
 LEAST = np.array([-FASTEST, -FASTEST, -FASTEST, -STRONGEST], np.float32)
-GREATEST = np.array([FASTEST, FASTEST, FASTEST, 0.0], np.float32)
-"""The bounds of an action: velocities along x, y and z (m/s), and the push along z (N)."""
+GREATEST = np.array([FASTEST, FASTEST, FASTEST, STRONGEST], np.float32)
+"""The bounds of an action: velocities along x, y and z (m/s), and the force along z (N), of which
+what points upwards is no push.
+"""
 _FAST, _SLOW, _PUSH = 0.2, 0.03, -8.0
 MOVES: tuple[tuple[float, float, float, float], ...] = (
     (0.0, 0.0, 0.0, 0.0),

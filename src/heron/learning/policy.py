@@ -18,13 +18,18 @@ from heron.scene.insertion import InsertionParameters
 Floats = NDArray[np.float64]
 _SIZES = {"place": 0.3, "velocity": 0.3, "force": 10.0, "person": 2.0, "left": LONGEST_S}
 _SIZE = np.array([_SIZES[field.partition(".")[0]] for field in FIELDS])
+INPUTS = len(FIELDS) + 3
+_NEAR = 0.02
 _MIDDLE = np.append(np.array(InsertionParameters().hole), np.zeros(len(FIELDS) - 3))
 
 
 def scaled(observations: Floats) -> Floats:
-    """Observations as learners get them: places from the hole on, and everything about 1."""
-    found: Floats = (observations - _MIDDLE) / _SIZE
-    return found
+    """Observations as learners get them, `INPUTS` numbers each: places from the hole on, everything
+    about 1, and places near the hole once more, spread wide.
+    """
+    found = (observations - _MIDDLE) / _SIZE
+    near = np.tanh((observations[..., :3] - _MIDDLE[:3]) / _NEAR)
+    return np.concatenate([found, near], axis=-1)
 
 
 @dataclass(frozen=True)
@@ -67,7 +72,7 @@ class Policy:
 def load_policy(path: Path) -> Policy:
     """Read a policy from a file. Raises `OSError`, and `ValueError` if it is none."""
     try:
-        with np.load(path, allow_pickle=False) as found:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as found:
             count = sum(name.startswith("weights") for name in found.files)
             layers = [(found[f"weights{i}"], found[f"bias{i}"]) for i in range(count)]
             least, greatest = found["bounds"].tolist()

@@ -22,7 +22,7 @@ from skrl.memories.jax import RandomMemory
 from skrl.resources.schedulers.jax import KLAdaptiveLR
 
 from heron.learning.networks import Categorical, Critic, Gaussian, Squashed
-from heron.learning.policy import Policy
+from heron.learning.policy import INPUTS, Policy
 
 Floats = NDArray[np.float64]
 _ROLLOUT = 64
@@ -36,7 +36,6 @@ class SkrlLearner:
     def __init__(
         self,
         algorithm: str,
-        observations: spaces.Box,
         actions: spaces.Box | spaces.Discrete,
         count: int,
         seed: int,
@@ -50,6 +49,7 @@ class SkrlLearner:
             if isinstance(actions, spaces.Discrete)
             else spaces.Box(-1.0, 1.0, actions.shape)
         )
+        observations = spaces.Box(-np.inf, np.inf, (INPUTS,))
         self._agent = AGENTS[algorithm](observations, scaled, count)
         self._models = {name: each for name, each in self._agent.models.items() if each is not None}
         if algorithm == "sac":
@@ -185,7 +185,7 @@ def _sac(observations: spaces.Box, actions: Any, count: int) -> Any:
     settings = SAC_CFG(
         batch_size=256,
         gradient_steps=8,
-        learning_rate=7e-4,
+        learning_rate=5e-4,
         learning_starts=50,
         random_timesteps=50,
         initial_entropy_value=0.1,

@@ -34,9 +34,7 @@ class StepTraining:
         self._run = run
         self._envs = [environment(run.formulation, run.arm) for _ in range(COUNT)]
         one: Any = self._envs[0]
-        self._learner = SkrlLearner(
-            run.algorithm, one.observation_space, one.action_space, COUNT, run.seed
-        )
+        self._learner = SkrlLearner(run.algorithm, one.action_space, COUNT, run.seed)
         self.steps = 0
 
     def episodes(self) -> Iterator[Episode]:

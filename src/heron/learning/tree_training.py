@@ -18,9 +18,7 @@ from heron.learning.step_training import environment
 from heron.learning.tree import RANGES, InsertionTree
 
 _CANDIDATES = 9
-"""Sets of numbers in a generation."""
-_TRIES = 2
-"""Episodes of each."""
+"""Sets of numbers in a generation; each is tried in one episode."""
 _LEAST = np.array([least for least, _ in RANGES.values()])
 _WIDTH = np.array([greatest - least for least, greatest in RANGES.values()])
 Floats = NDArray[np.float64]
@@ -52,15 +50,12 @@ class TreeTraining:
         while self.steps < self._run.budget:
             candidates, scores, steps = self._candidates(), [], self.steps
             for candidate in candidates:
-                rewards = []
-                for _ in range(_TRIES):
-                    outcome, tally = self._tree.episode(
-                        self._env, numbers_of(candidate), self._run.seed * 10**9 + steps
-                    )
-                    steps += tally.length
-                    rewards.append(tally.reward)
-                    yield tally.episode(steps, time.monotonic() - began, outcome)
-                scores.append(float(np.mean(rewards)))
+                outcome, tally = self._tree.episode(
+                    self._env, numbers_of(candidate), self._run.seed * 10**9 + steps
+                )
+                steps += tally.length
+                scores.append(tally.reward)
+                yield tally.episode(steps, time.monotonic() - began, outcome)
             self._tell(candidates, scores)
             self.steps = steps
 
