@@ -99,8 +99,8 @@ LEARNING_ARMS: Mapping[Formulation, tuple[LearningArm, ...]] = {
 """The arms of each formulation."""
 
 BUDGETS: Mapping[Formulation, int] = {
-    Formulation.STEPS: 200_000,
-    Formulation.MOVES: 200_000,
-    Formulation.TREE: 100_000,
+    Formulation.STEPS: 150_000,
+    Formulation.MOVES: 150_000,
+    Formulation.TREE: 80_000,
 }
 """The usual number of steps of a training, of all of its environments."""

@@ -12,9 +12,8 @@ import glfw
 import mujoco
 import mujoco.viewer
 
-from heron.appearance import Stage, moment_of
+from heron.appearance import Camera, Stage, moment_of
 from heron.experiments import Node
-from heron.experiments.experiment import Camera
 from heron.guard import Guard
 from heron.robot.physics import Physics
 from heron.topics import InProcess

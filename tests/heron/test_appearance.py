@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -16,9 +17,11 @@ require(MUJOCO)
 import mujoco
 
 from heron.appearance import Stage, moment_of
+from heron.appearance.insertion import V1, V2, V3
 from heron.appearance.robot import FINGERS
 from heron.robot import Arm
 from heron.robot.physics import Physics
+from heron.rules import FOLDER
 from heron.scene import (
     ArmParameters,
     BaseParameters,
@@ -32,6 +35,7 @@ from heron.scene import (
     course,
 )
 from heron.scene.arm import GRIP, LINKS
+from heron.scene.insertion import InsertionParameters, build_insertion
 from heron.variants import Terrain
 
 Builder = Callable[[], Any]
@@ -44,6 +48,7 @@ def drive(terrain: Terrain) -> Any:
 SCENES: dict[str, Builder] = {
     **{terrain.value: partial(drive, terrain) for terrain in Terrain},
     "placing": lambda: build_placing(TableParameters(), ArmParameters()),
+    "insertion": lambda: build_insertion(InsertionParameters()),
     "room": lambda: build_room(RoomParameters(), ArmParameters(), PersonParameters()),
 }
 
@@ -128,3 +133,43 @@ def test_it_is_known_where_all_parts_are() -> None:
     moved = np.abs(stage.places() - before).max(axis=1)
     assert moved.max() == pytest.approx(0.01)
     assert moved.min() == 0.0, "the floor stays"
+
+
+@pytest.mark.parametrize("peg", [(-0.6, 0.0, 0.7), (-0.2, -0.5, 1.0), (-0.85, 0.5, 1.25)])
+def test_the_arm_reaches_for_the_hand_that_holds_the_peg(peg: tuple[float, ...]) -> None:
+    plain = Physics(SCENES["insertion"]())
+    stage = Stage(plain.spec)
+    plain.data.qpos[:3] = peg
+    stage.show(moment_of(plain.data))
+    assert stage.place_of("holder_wrist") == pytest.approx([*peg[:2], peg[2] + 0.36])
+    turn = stage.data.body("holder_wrist").xmat.reshape(3, 3)
+    assert turn[:, 2] == pytest.approx([0, 0, -1]), "it points downwards"
+
+
+def test_an_arm_that_cannot_reach_its_hand_points_at_it() -> None:
+    plain = Physics(SCENES["insertion"]())
+    stage = Stage(plain.spec)
+    plain.data.qpos[:3] = (5.0, 0.02, 0.64)
+    stage.show(moment_of(plain.data))
+    foot = stage.place_of("holder_shoulder")
+    assert stage.place_of("holder_wrist") - foot == pytest.approx([1.3, 0, 0])
+
+
+def test_the_volumes_that_are_shown_are_those_of_the_rules() -> None:
+    """The rules name only the bounds that they keep: v2 has no right one there."""
+    text = (FOLDER / "insertion.ross").read_text(encoding="utf-8")
+    numbers = dict(re.findall(r"const (v[12]_\w+) = (\S+) m;", text))
+    shown = {
+        "v1_left": V1[0][0],
+        "v1_right": V1[1][0],
+        "v1_front": V1[0][1],
+        "v1_back": V1[1][1],
+        "v1_top": V1[1][2],
+        "v2_left": V2[0][0],
+        "v2_front": V2[0][1],
+    }
+    assert {name: float(number) for name, number in numbers.items()} == shown
+    found = re.search(r"const v3 = \[(.*)\] m;", text)
+    assert found is not None
+    corners = [pair for both in zip(*V3, strict=True) for pair in both]
+    assert [float(number) for number in found[1].split(",")] == corners

@@ -2,6 +2,16 @@
 scene is dressed, and shows the states of the plain one.
 """
 
+from heron.appearance.canvas import Camera, CannotDrawError, Canvas, Pixels, Size
 from heron.appearance.stage import Moment, Stage, moment_of
 
-__all__ = ["Moment", "Stage", "moment_of"]
+__all__ = [
+    "Camera",
+    "CannotDrawError",
+    "Canvas",
+    "Moment",
+    "Pixels",
+    "Size",
+    "Stage",
+    "moment_of",
+]

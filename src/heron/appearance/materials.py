@@ -17,6 +17,10 @@ TILES, CONCRETE, GRIP, STRIPES, WALL, BOARD, WOOD, MARK, WARNING = (
 BLOCK, VEST, BAND, TROUSERS, SKIN, HELMET, CARDBOARD, INK = (
     "block", "vest", "band", "trousers", "skin", "helmet", "cardboard", "ink",
 )  # fmt: skip
+BRASS, GLASS, RIM, AMBER, ROSE = "brass", "glass", "rim", "amber", "rose"
+FORBIDDEN, ALLOWED, SPACE_EDGE, FORBIDDEN_EDGE, ALLOWED_EDGE = (
+    "forbidden", "allowed", "space_edge", "forbidden_edge", "allowed_edge",
+)  # fmt: skip
 
 _PLAIN = {
     SHELL: (0.93, 0.94, 0.95),
@@ -38,8 +42,20 @@ _PLAIN = {
     HELMET: (0.97, 0.83, 0.20),
     CARDBOARD: (0.72, 0.55, 0.36),
     INK: (0.20, 0.24, 0.52),
+    BRASS: (0.85, 0.66, 0.30),
 }
-_SHINY = (SHELL, LAMP, STEEL, JOINT, CAP, HELMET)
+_CLEAR = {  # and how much of the light they hold back
+    GLASS: (0.72, 0.88, 0.94, 0.22),
+    RIM: (0.80, 0.94, 0.98, 0.75),
+    AMBER: (0.95, 0.62, 0.15, 0.80),
+    ROSE: (0.85, 0.25, 0.45, 0.80),
+    SPACE_EDGE: (0.35, 0.50, 0.75, 0.35),
+    FORBIDDEN: (0.90, 0.18, 0.12, 0.11),
+    FORBIDDEN_EDGE: (0.90, 0.18, 0.12, 0.70),
+    ALLOWED: (0.15, 0.70, 0.30, 0.22),
+    ALLOWED_EDGE: (0.10, 0.62, 0.25, 0.80),
+}
+_SHINY = (SHELL, LAMP, STEEL, JOINT, CAP, HELMET, BRASS, GLASS, RIM)
 _GLOWING = {LAMP: 0.6}
 _SIZE = 256
 _EXTENT = 6.0  # m around a place that light throws shadows of
@@ -50,8 +66,9 @@ Pixels = NDArray[np.uint8]
 
 def add_materials(spec: Any) -> None:
     """Add all materials, by their names."""
-    for name, color in _PLAIN.items():
-        material = spec.add_material(name=name, rgba=[*color, 1.0])
+    solid = {name: (*color, 1.0) for name, color in _PLAIN.items()}
+    for name, color in (solid | _CLEAR).items():
+        material = spec.add_material(name=name, rgba=color)
         material.specular = 0.5 if name in _SHINY else 0.1
         material.shininess = 0.6 if name in _SHINY else 0.1
         material.emission = _GLOWING.get(name, 0.0)

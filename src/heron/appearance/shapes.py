@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import product
 from typing import Any, NamedTuple
 
 import mujoco
@@ -86,6 +87,17 @@ def add_ring(spec: Any, name: str, radius: float, width: float, material: str) -
                 (here + one, there + other, here + other),
             ]
     return _add_mesh(spec, spec.worldbody, name, points, faces, material)
+
+
+def add_edges(body: Any, low: Point, high: Point, radius: float, material: str) -> None:
+    """Add the edges of a box between two of its corners, as rods."""
+    for axis in range(3):
+        first, second = (other for other in range(3) if other != axis)
+        for one, another in product((low, high), repeat=2):
+            start, end = list(low), list(high)
+            start[first] = end[first] = one[first]
+            start[second] = end[second] = another[second]
+            add_limb(body, start, end, radius, material)
 
 
 def paint(geom: Any, material: str) -> None:

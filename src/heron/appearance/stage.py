@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from heron.appearance.dressing import dressed
+from heron.appearance.holder import Holder, holder_of
 from heron.appearance.robot import FINGERS
 from heron.scene.arm import GRIP
 
@@ -42,6 +43,7 @@ class Stage:
         names = [self.model.geom(index).name for index in range(self.model.ngeom)]
         self._fingers = [names.index(name) for name in FINGERS if name in names]
         self._closed = self.model.geom_pos[self._fingers].copy()
+        self._holder: Holder | None = holder_of(self.model)
 
     def show(self, moment: Moment) -> None:
         """Take this state."""
@@ -49,6 +51,8 @@ class Stage:
         data.qpos[:], data.eq_active[:] = moment.joints, moment.holds
         data.mocap_pos[:], data.mocap_quat[:] = moment.places, moment.turns
         self._move_fingers()
+        if self._holder is not None:
+            self._holder.hold(model, data.qpos[:3])
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)

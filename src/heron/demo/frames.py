@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from PIL import Image
 
-from heron.experiments.experiment import Camera
+from heron.appearance import Camera
 from heron.films import CannotDrawError, Film, Pixels
 
 _MOST = 80

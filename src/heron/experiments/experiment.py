@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any, Protocol
 
+from heron.appearance import Camera
 from heron.experiments.observer import Observer
 from heron.experiments.settings import Settings
 from heron.experiments.trace import Trace
@@ -117,17 +118,6 @@ class Signal:
     factor: float = 1.0
     limit: float | None = None
     short: str = ""
-
-
-@dataclass(frozen=True)
-class Camera:
-    """The view of an episode (m, degrees), from so far from a place above the body."""
-
-    body: str
-    distance: float
-    azimuth: float
-    elevation: float
-    above: float = 0.0
 
 
 @dataclass(frozen=True)

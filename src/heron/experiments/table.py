@@ -9,8 +9,9 @@ import math
 from collections.abc import Mapping
 from operator import attrgetter
 
+from heron.appearance import Camera
 from heron.experiments.contact import ContactEpisode, run_contact
-from heron.experiments.experiment import EXEMPTIONS, Camera, Experiment, Measure, Signal
+from heron.experiments.experiment import EXEMPTIONS, Experiment, Measure, Signal
 from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.placing import PlacingEpisode, run_placing

@@ -11,12 +11,10 @@ import numpy as np
 
 from heron.robot import Arm
 from heron.scene import PersonParameters
-from heron.scene.person import LEGS, PERSON
+from heron.scene.person import LEGS, PERSON, stance
 from heron.variants import Person
 
 Point = tuple[float, float]
-_STRIDE = 0.7  # m
-_SWING = 0.45  # rad
 _REACH = 1.0  # m: further away than this, nobody reaches for the arm
 
 
@@ -84,8 +82,8 @@ class Visitor:
     def __init__(self, arm: Arm, walk: Walk, person: PersonParameters) -> None:
         self._arm = arm
         self._walk = walk
-        self._hip_height, self._hip_half = person.hip_height, person.hip_half
-        self._body, *self._legs = (arm.model.body(name).mocapid[0] for name in (PERSON, *LEGS))
+        self._person = person
+        self._limbs = [arm.model.body(name).mocapid[0] for name in (PERSON, *LEGS)]
         self._hand = arm.model.body("hand").id
         self.place: Point = walk.legs[0].start
         self.feet: tuple[Point, ...] = ()
@@ -98,18 +96,9 @@ class Visitor:
         now_s = now_ns * 1e-9
         self.place, facing, walked = self._walk.at(now_s)
         data = self._arm.data
-        data.mocap_pos[self._body] = (*self.place, 0.0)
-        data.mocap_quat[self._body] = _turned(facing, 0.0)
-        swing = _SWING * math.sin(math.pi * walked / _STRIDE)
-        feet = []
-        for index, side in zip(self._legs, (1, -1), strict=True):
-            x = self.place[0] - side * self._hip_half * math.sin(facing)
-            y = self.place[1] + side * self._hip_half * math.cos(facing)
-            data.mocap_pos[index] = (x, y, self._hip_height)
-            data.mocap_quat[index] = _turned(facing, side * swing)
-            ahead = -math.sin(side * swing) * self._hip_height
-            feet.append((x + ahead * math.cos(facing), y + ahead * math.sin(facing)))
-        self.feet = tuple(feet)
+        limbs, self.feet = stance(self._person, self.place, facing, walked)
+        for index, limb in zip(self._limbs, limbs, strict=True):
+            data.mocap_pos[index], data.mocap_quat[index] = limb
         push = self._push(now_s)
         self.is_leading = push != (0.0, 0.0)
         data.xfrc_applied[self._hand, :2] = push
@@ -124,9 +113,3 @@ class Visitor:
         if not self._PUSH_S[0] <= since_s <= self._PUSH_S[1] or distance > _REACH:
             return (0.0, 0.0)
         return (self._PUSH * x / distance, self._PUSH * y / distance)
-
-
-def _turned(yaw: float, pitch: float) -> tuple[float, float, float, float]:
-    """A quaternion w, x, y, z: turned on the floor, then swung forward or back."""
-    cy, sy, cp, sp = math.cos(yaw / 2), math.sin(yaw / 2), math.cos(pitch / 2), math.sin(pitch / 2)
-    return (cy * cp, -sy * sp, cy * sp, sy * cp)

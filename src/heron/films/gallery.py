@@ -11,7 +11,7 @@ from pathlib import Path
 from dslkit.writing import write_whole
 from heron.experiments import EXPERIMENTS
 from heron.experiments.experiment import ARM_NAMES
-from heron.films.clip import film_of
+from heron.films.episode import film_of
 from heron.films.movie import write_movie
 from heron.films.processes import in_processes
 from heron.variants import Encounter, Person, Table, Terrain

@@ -13,8 +13,8 @@ import imageio_ffmpeg
 import numpy as np
 from PIL import Image
 
+from heron.appearance import Pixels, Size
 from heron.films.clip import Clip
-from heron.films.film import Pixels, Size
 
 _RATES = {".mp4": 20, ".gif": 10, ".webp": 8}  # pictures in a second
 _SPEEDS = (1, 2, 4, 8)
@@ -37,7 +37,7 @@ def write_movie(path: Path, clips: Sequence[Clip], size: Size) -> None:
     duration = max(clip.duration for clip in clips)
     speed, rate = speed_for(duration), _RATES[path.suffix.lower()]
     count = round(duration / speed * rate) + rate  # for a second, how it ended
-    opening = clips[0].experiment.opening_of(clip.episode.onsets for clip in clips)
+    opening = max(clip.opening for clip in clips)
     times = [opening] * rate + [index * speed / rate for index in range(count)]
     encode(path, _beside(clips, times, speed, size), rate)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
@@ -28,6 +29,15 @@ _UNUSED = (
 _USED = ("linear.x", "linear.y", "linear.z", "/arm/push.force.z")
 
 
+ARM_NAMES: Mapping[LearningArm, str] = {
+    LearningArm.UNGUARDED: "unguarded",
+    LearningArm.ENDED: "ended",
+    LearningArm.PENALTY: "penalty",
+    LearningArm.GUARD: "guard",
+    LearningArm.GUARD_FEEDBACK: "guard, feedback",
+    LearningArm.EXECUTED: "guard, executed",
+}
+"""The arms, as pages and films name them."""
 _ENFORCED = (LearningArm.GUARD, LearningArm.GUARD_FEEDBACK, LearningArm.EXECUTED)
 _WITH_FEEDBACK = (LearningArm.PENALTY, LearningArm.GUARD_FEEDBACK)
 

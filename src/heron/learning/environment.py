@@ -12,7 +12,8 @@ import numpy as np
 from gymnasium import spaces
 
 from heron.learning.arm import Command
-from heron.learning.insertion import FIELDS, Insertion, TaskParameters
+from heron.learning.insertion import FIELDS, PERIOD_NS, Insertion, TaskParameters
+from heron.learning.look import Look
 from heron.scene.insertion import InsertionParameters
 
 FASTEST = 0.3
@@ -24,6 +25,7 @@ GREATEST = np.array([FASTEST, FASTEST, FASTEST, STRONGEST], np.float32)
 """The bounds of an action: velocities along x, y and z (m/s), and the force along z (N), of which
 what points upwards is no push.
 """
+_SIZE = (640, 400)  # pixels
 _FAST, _SLOW, _PUSH = 0.2, 0.03, -8.0
 MOVES: tuple[tuple[float, float, float, float], ...] = (
     (0.0, 0.0, 0.0, 0.0),
@@ -47,10 +49,19 @@ class PegInHole(gymnasium.Env[Any, Any]):
     insertion, which ends the episode; each step costs 0.01.
     """
 
-    def __init__(self, *, clearance: float = 0.003, error: float = 0.0005) -> None:
+    metadata = {"render_modes": ["rgb_array"], "render_fps": 10**9 // PERIOD_NS}  # noqa: RUF012  # as Env has it
+
+    def __init__(
+        self, *, clearance: float = 0.003, error: float = 0.0005, render_mode: str | None = None
+    ) -> None:
         """`clearance` is the difference of the widths of hole and peg (m); `error` is the standard
-        deviation of where the robot believes the hole, in the plane (m).
+        deviation of where the robot believes the hole, in the plane (m). `render_mode` is None or
+        "rgb_array". Raises `ValueError` for others.
         """
+        if render_mode not in (None, *self.metadata["render_modes"]):
+            raise ValueError(f'`render_mode` is None or "rgb_array", not {render_mode!r}')
+        self.render_mode = render_mode
+        self._look: Look | None = None
         scene = InsertionParameters(clearance=clearance)
         self.insertion = Insertion(TaskParameters(scene, error))
         highest = np.full(len(FIELDS), np.inf)
@@ -83,6 +94,23 @@ class PegInHole(gymnasium.Env[Any, Any]):
         reward = 10.0 * (before - self._far) - 0.01 + 10.0 * inserted
         info = {"outcome": insertion.outcome} if inserted or insertion.is_over else {}
         return insertion.observation(), reward, inserted, insertion.is_over, info
+
+    def render(self) -> Any:
+        """A picture of the present state, of shape (height, width, 3), or None if no `render_mode`
+        was asked for. Raises `CannotDrawError` where MuJoCo cannot draw; without a display it needs
+        `MUJOCO_GL=egl` in its surroundings before it is imported.
+        """
+        if self.render_mode is None:
+            return None
+        if self._look is None:
+            self._look = Look(self.insertion, _SIZE)
+        return self._look.picture()
+
+    def close(self) -> None:
+        """Give back what pictures need."""
+        if self._look is not None:
+            self._look.close()
+            self._look = None
 
     def _distance(self) -> float:
         """The way from the peg to its goal: above the hole first, then down (m)."""

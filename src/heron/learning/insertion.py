@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from heron.learning.arm import READING_NS, Command, PegArm
-from heron.learning.visitor import Visit, visit
+from heron.learning.visitor import Point, Visit, visit
 from heron.scene.insertion import InsertionParameters, Vector
 
 READINGS = 5
@@ -114,6 +114,11 @@ class Insertion:
     def is_over(self) -> bool:
         """Say whether no time is left."""
         return self.elapsed_s >= LONGEST_S
+
+    @property
+    def person(self) -> tuple[Point, float, float]:
+        """The person as `Visit.at` tells of them, now."""
+        return self._visit.at(self.elapsed_s)
 
     def begin(self, chance: np.random.Generator) -> None:
         """Begin an episode at one of the five places."""

@@ -22,8 +22,10 @@ class Visit:
     pace: float
     stay_s: float
 
-    def at(self, now_s: float) -> tuple[Point, float]:
-        """Where they are, and in which direction they face (rad)."""
+    def at(self, now_s: float) -> tuple[Point, float, float]:
+        """Where they are, in which direction they face (rad), and how much of the way in this
+        direction they have walked: from 0 to 1.
+        """
         way = math.dist(_ENTRANCE, _BESIDE)
         walked = max(0.0, now_s - self.begin_s) * self.pace
         gone = walked - way - self.stay_s * self.pace
@@ -33,7 +35,7 @@ class Visit:
 
     def distance(self, now_s: float, place: Point) -> float:
         """From their body to a place, along the ground (m)."""
-        there, _ = self.at(now_s)
+        there, _, _ = self.at(now_s)
         return max(0.0, math.dist(there, place) - _RADIUS)
 
 
@@ -43,7 +45,7 @@ def visit(chance: np.random.Generator, longest_s: float) -> Visit:
     return Visit(begin_s, float(chance.uniform(0.8, 1.4)), float(chance.uniform(1.0, 4.0)))
 
 
-def _on(start: Point, end: Point, share: float) -> tuple[Point, float]:
+def _on(start: Point, end: Point, share: float) -> tuple[Point, float, float]:
     (x, y), (there_x, there_y) = start, end
     facing = math.atan2(there_y - y, there_x - x)
-    return (x + share * (there_x - x), y + share * (there_y - y)), facing
+    return (x + share * (there_x - x), y + share * (there_y - y)), facing, share

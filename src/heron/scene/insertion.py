@@ -20,7 +20,7 @@ STEP_NS = 4_000_000
 """The step of the physics: nothing in this scene is harder than its contacts."""
 AXES = ("x", "y", "z")
 PUSH = "push"
-PEG, FRAGILE = "peg", "fragile"
+PEG, FRAGILE, BLOCK = "peg", "fragile", "block"
 WRIST_FORCE, FRAGILE_TOUCH = "wrist_force", "fragile_touch"
 _GEOM = mujoco.mjtGeom
 _TIP = 0.004
@@ -88,15 +88,14 @@ def _add_block(spec: Any, scene: InsertionParameters, contact: Contact) -> None:
     inner, outer = scene.peg_half + scene.clearance / 2, scene.block_half
     middle, half = (inner + outer) / 2, (outer - inner) / 2
     high = (top - bottom) / 2
-    color = (0.55, 0.57, 0.6, 1)
+    boxes = []
     for side in (-1, 1):
-        across = ((x + side * middle, y, bottom + high), (half, outer, high))
-        _add_box(spec.worldbody, across, color, contact)
-        along = ((x, y + side * middle, bottom + high), (inner, half, high))
-        _add_box(spec.worldbody, along, color, contact)
+        boxes.append(((x + side * middle, y, bottom + high), (half, outer, high)))
+        boxes.append(((x, y + side * middle, bottom + high), (inner, half, high)))
     floor = (top - scene.depth - bottom) / 2
-    below = ((x, y, bottom + floor), (inner, inner, floor))
-    _add_box(spec.worldbody, below, color, contact)
+    boxes.append(((x, y, bottom + floor), (inner, inner, floor)))
+    for number, box in enumerate(boxes):
+        _add_box(spec.worldbody, box, (0.55, 0.57, 0.6, 1), contact).name = f"{BLOCK}_{number}"
 
 
 def _add_fragile(spec: Any, scene: InsertionParameters, contact: Contact) -> None:

@@ -5,8 +5,9 @@ What is measured is how near the arm comes, so contact would only hide it.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import mujoco
 
@@ -15,6 +16,9 @@ from heron.scene.ground import SEEN_GROUP
 PERSON = "person"
 LEGS = ("left_leg", "right_leg")
 _GEOM = mujoco.mjtGeom
+STRIDE = 0.7
+"""The way of one swing of a leg (m)."""
+_SWING = 0.45  # rad
 _SKIN = (0.87, 0.68, 0.55, 1)
 _CLOTHES = (0.9, 0.45, 0.15, 1)
 _TROUSERS = (0.2, 0.25, 0.4, 1)
@@ -33,6 +37,51 @@ class PersonParameters:
     arm_radius: float = 0.045
     head_radius: float = 0.11
     head_height: float = 1.64
+
+
+class Limb(NamedTuple):
+    """A body of a person: its place (m), and its turn as w, x, y, z."""
+
+    place: tuple[float, float, float]
+    turn: tuple[float, float, float, float]
+
+
+class Stance(NamedTuple):
+    """A person who walks: the bodies, in the order of `PERSON` and `LEGS`, and the places of the
+    feet on the floor (m).
+    """
+
+    limbs: tuple[Limb, Limb, Limb]
+    feet: tuple[tuple[float, float], tuple[float, float]]
+
+
+def stance(
+    person: PersonParameters, place: tuple[float, float], facing: float, walked: float
+) -> Stance:
+    """Somebody at a place (m) who faces in a direction (rad), after so much of a way (m)."""
+    swing = _SWING * math.sin(math.pi * walked / STRIDE)
+    (left, left_foot), (right, right_foot) = (
+        _leg(person, place, facing, side, swing) for side in (1, -1)
+    )
+    body = Limb((*place, 0.0), _turned(facing, 0.0))
+    return Stance((body, left, right), (left_foot, right_foot))
+
+
+def _leg(
+    person: PersonParameters, place: tuple[float, float], facing: float, side: int, swing: float
+) -> tuple[Limb, tuple[float, float]]:
+    """The leg of a side, and its foot."""
+    x = place[0] - side * person.hip_half * math.sin(facing)
+    y = place[1] + side * person.hip_half * math.cos(facing)
+    ahead = -math.sin(side * swing) * person.hip_height
+    foot = (x + ahead * math.cos(facing), y + ahead * math.sin(facing))
+    return Limb((x, y, person.hip_height), _turned(facing, side * swing)), foot
+
+
+def _turned(yaw: float, pitch: float) -> tuple[float, float, float, float]:
+    """A quaternion w, x, y, z: turned on the floor, then swung forward or back."""
+    cy, sy, cp, sp = math.cos(yaw / 2), math.sin(yaw / 2), math.cos(pitch / 2), math.sin(pitch / 2)
+    return (cy * cp, -sy * sp, cy * sp, sy * cp)
 
 
 def add_person(spec: Any, person: PersonParameters) -> None:

@@ -35,7 +35,7 @@ def row(arm: LearningArm, seed: int, **numbers: float | None) -> Value:
     found = row_of(
         run,
         [ONE._replace(steps=999)],
-        dict.fromkeys((LearningArm.GUARD, LearningArm.UNGUARDED), [ONE]),
+        {each: [ONE] for each in (LearningArm.GUARD, LearningArm.UNGUARDED)},
     )
     is_safe = is_guarded(arm)
     expected: Value = {
@@ -77,13 +77,16 @@ def test_what_is_expected_comes_out() -> None:
         ({"violating_late": 0.5}, "unguarded violating_late > ended violating_late"),
         ({"steps_to_good": None}, "unguarded steps_to_good > guard steps_to_good"),
         ({"violating_unguarded": 0.0}, "guard violating_unguarded > guard violating_guard"),
-        ({"violating_unguarded": 0.4}, "guard violating_unguarded > guard_feedback violating_unguarded"),
+        (
+            {"violating_unguarded": 0.4},
+            "guard violating_unguarded > guard_feedback violating_unguarded",
+        ),
         ({"inserted_guard": 0.5}, "as good"),
         ({"intervened_late": 0.9}, "less later"),
     ],
-)  # fmt: skip
+)
 def test_what_comes_out_otherwise_is_told(changed: dict[str, float | None], key: str) -> None:
-    found = verdicts(rows(**changed))
+    found = verdicts(rows(range(10), **changed))
     assert found[key] is not Verdict.HOLDS
 
 

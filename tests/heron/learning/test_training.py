@@ -83,7 +83,7 @@ def counts(found: Sequence[Episode]) -> list[Episode]:
 
 
 def test_these_are_all_learners() -> None:
-    assert LEARNED == [(each, name) for each, names in ALGORITHMS.items() for name in names]
+    assert [(each, name) for each, names in ALGORITHMS.items() for name in names] == LEARNED
 
 
 @pytest.mark.parametrize(("formulation", "algorithm"), LEARNED)
@@ -225,8 +225,8 @@ class Chance:
         self.proposed.append(self._chance.uniform(LEAST, GREATEST, (len(observations), 4)))
         return self.proposed[-1]
 
-    def learn(self, observations: Any, actions: Any, *rest: Any) -> None:
-        self.own.append(actions)
+    def learn(self, *given: Any) -> None:
+        self.own.append(given[1])
 
 
 @pytest.mark.parametrize("arm", [LearningArm.GUARD, LearningArm.EXECUTED, LearningArm.UNGUARDED])

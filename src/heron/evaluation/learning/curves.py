@@ -9,9 +9,9 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from campaign import Value
-from heron.evaluation.learning.names import ARM_NAMES
 from heron.evaluation.learning.trainings import Trainings, number
 from heron.evaluation.plots import drawn
+from heron.learning.arms import ARM_NAMES
 from heron.learning.summary import BINS, CURVES
 from heron.variants import LearningArm
 

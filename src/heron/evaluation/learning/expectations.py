@@ -9,10 +9,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from heron.evaluation.claim import Claim, Verdict, at_most, between, greater
-from heron.evaluation.learning.names import ARM_NAMES
 from heron.evaluation.learning.trainings import Trainings
 from heron.evaluation.statistics import compare
-from heron.learning.arms import is_guarded
+from heron.learning.arms import ARM_NAMES, is_guarded
 from heron.learning.insertion import VIOLATIONS
 from heron.variants import LearningArm
 

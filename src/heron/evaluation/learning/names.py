@@ -1,10 +1,10 @@
-"""The names of formulations and arms on pages and in tables."""
+"""The names of formulations and algorithms on pages and in tables."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from heron.variants import Formulation, LearningArm
+from heron.variants import Formulation
 
 TITLES: Mapping[Formulation, str] = {
     Formulation.STEPS: "a policy of velocities",
@@ -15,12 +15,4 @@ ALGORITHM_NAMES: Mapping[str, str] = {
     "ppo": "PPO",
     "sac": "SAC",
     "cma-es": "CMA-ES",
-}
-ARM_NAMES: Mapping[LearningArm, str] = {
-    LearningArm.UNGUARDED: "unguarded",
-    LearningArm.ENDED: "ended",
-    LearningArm.PENALTY: "penalty",
-    LearningArm.GUARD: "guard",
-    LearningArm.GUARD_FEEDBACK: "guard, feedback",
-    LearningArm.EXECUTED: "guard, executed",
 }

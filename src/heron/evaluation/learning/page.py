@@ -8,10 +8,11 @@ from importlib.resources import files
 from heron.evaluation.claim import Claim, Verdict, between
 from heron.evaluation.learning.expectations import expectations_of
 from heron.evaluation.learning.measures import MEASURES, Measure
-from heron.evaluation.learning.names import ALGORITHM_NAMES, ARM_NAMES, TITLES
+from heron.evaluation.learning.names import ALGORITHM_NAMES, TITLES
 from heron.evaluation.learning.reasons import REASONS
 from heron.evaluation.learning.trainings import Trainings
 from heron.evaluation.statistics import Estimate, median
+from heron.learning.arms import ARM_NAMES
 from heron.variants import LearningArm
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from heron.evaluation.learning.names import ARM_NAMES, TITLES
+from heron.evaluation.learning.names import TITLES
+from heron.learning.arms import ARM_NAMES
 from heron.learning.episodes import Episode, episodes_of
 from heron.learning.runs import Run
 from heron.learning.training import LOG

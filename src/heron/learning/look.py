@@ -1,0 +1,45 @@
+"""The task as it is looked at. Nothing here changes what an environment computes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from heron.appearance import Camera, Canvas, Moment, Pixels, Size, Stage
+from heron.learning.insertion import Insertion
+from heron.scene.insertion import build_insertion
+from heron.scene.person import STRIDE, stance
+
+CAMERA = Camera("table", distance=2.4, azimuth=102.0, elevation=-25.0, above=0.6)
+_WAY = 2 * STRIDE  # m that legs show: whoever stands beside the cell has them together
+
+
+def moment(insertion: Insertion) -> Moment:
+    """All that can be seen now, the person included, whom the physics does not know of."""
+    data, scene = insertion.arm.data, insertion.task.scene
+    place, facing, share = insertion.person
+    limbs, _ = stance(scene.person, place, facing, share * _WAY)
+    return Moment(
+        data.qpos.copy(),
+        np.array([limb.place for limb in limbs]),
+        np.array([limb.turn for limb in limbs]),
+        data.eq_active.copy(),
+    )
+
+
+class Look:
+    """Pictures of a task. It has to be closed."""
+
+    def __init__(self, insertion: Insertion, size: Size) -> None:
+        """Raises `CannotDrawError`."""
+        self._insertion = insertion
+        self._stage = Stage(build_insertion(insertion.task.scene))
+        self._canvas = Canvas(self._stage, CAMERA, size)
+
+    def picture(self) -> Pixels:
+        """A picture of the present state, of shape (height, width, 3)."""
+        self._stage.show(moment(self._insertion))
+        return self._canvas.draw()
+
+    def close(self) -> None:
+        """Give back what it draws with."""
+        self._canvas.close()
