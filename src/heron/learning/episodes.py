@@ -13,7 +13,7 @@ from heron.learning.insertion import VIOLATIONS, Outcome
 
 
 class Episode(NamedTuple):
-    """An episode of a training: `steps` of all environments before its end, and the time since the
+    """An episode of a training: `steps` of all environments before its end, and the processor time since the
     training began (s); `proposed_outside` are its steps whose proposed command the rules would not
     let pass as it is, and `executed_outside` those in which such a command was executed. Forces are
     in N, speeds in m/s.

@@ -39,9 +39,9 @@ class StepTraining:
 
     def episodes(self) -> Iterator[Episode]:
         """Learn until all environments together have taken the steps of the budget, and tell of
-        each episode. Times are those since this call.
+        each episode. Times are processor times since this call.
         """
-        began = time.monotonic()
+        began = time.process_time()
         seen = np.array([env.reset(seed=self._seed(i))[0] for i, env in enumerate(self._envs)])
         going = [Tally() for _ in self._envs]
         while self.steps < self._run.budget:
@@ -61,7 +61,7 @@ class StepTraining:
             for i, info in enumerate(infos):
                 going[i].count(float(rewards[i]), info["guard"])
                 if ended[i]:
-                    yield going[i].episode(self.steps, time.monotonic() - began, info["outcome"])
+                    yield going[i].episode(self.steps, time.process_time() - began, info["outcome"])
                     going[i] = Tally()
                     seen[i] = self._envs[i].reset()[0]
 
@@ -99,10 +99,10 @@ def environment(formulation: Formulation, arm: LearningArm) -> gymnasium.Env[Any
 
 def episode(env: gymnasium.Env[Any, Any], policy: Policy, seed: int) -> Episode:
     """Run an episode with a policy."""
-    began, tally = time.monotonic(), Tally()
+    began, tally = time.process_time(), Tally()
     seen, _ = env.reset(seed=seed)
     while True:
         seen, reward, terminated, truncated, info = env.step(policy(seen))
         tally.count(float(reward), info["guard"])
         if terminated or truncated:
-            return tally.episode(tally.length, time.monotonic() - began, info["outcome"])
+            return tally.episode(tally.length, time.process_time() - began, info["outcome"])

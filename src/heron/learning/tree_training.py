@@ -44,9 +44,9 @@ class TreeTraining:
 
     def episodes(self) -> Iterator[Episode]:
         """Try generations until they have taken the steps of the budget, and tell of each episode.
-        Times are those since this call.
+        Times are processor times since this call.
         """
-        began = time.monotonic()
+        began = time.process_time()
         while self.steps < self._run.budget:
             candidates, scores, steps = self._candidates(), [], self.steps
             for candidate in candidates:
@@ -55,7 +55,7 @@ class TreeTraining:
                 )
                 steps += tally.length
                 scores.append(tally.reward)
-                yield tally.episode(steps, time.monotonic() - began, outcome)
+                yield tally.episode(steps, time.process_time() - began, outcome)
             self._tell(candidates, scores)
             self.steps = steps
 

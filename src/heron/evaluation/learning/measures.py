@@ -33,5 +33,5 @@ MEASURES = (
         "inserted_unguarded", "after training, without the guard: insertions (%)", 0, is_share=True
     ),
     Measure("violating_unguarded", "and episodes with a violation (%)", 0, is_share=True),
-    Measure("seconds", "time of training (s)"),
+    Measure("seconds", "processor time of training (s)"),
 )
