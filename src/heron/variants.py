@@ -104,3 +104,12 @@ BUDGETS: Mapping[Formulation, int] = {
     Formulation.TREE: 80_000,
 }
 """The usual number of steps of a training, of all of its environments."""
+
+LEAST_BUDGETS: Mapping[Formulation, int] = {
+    Formulation.STEPS: 9_600,
+    Formulation.MOVES: 9_600,
+    Formulation.TREE: 1,
+}
+"""After so many steps there is an episode that has ended: 32 environments learn side by side, and
+an episode has 300 steps at most.
+"""

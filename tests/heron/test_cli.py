@@ -124,6 +124,7 @@ def test_without_a_guard_there_is_nothing_to_link() -> None:
             ["tree", "--arm", "executed"],
             "tree has no arm executed; there are unguarded, ended, penalty, guard, guard_feedback",
         ),
+        (["steps", "--steps", "9000"], "so steps needs 9600 at least"),
         (["tree", "--ray", "here"], "--ray needs HOST:PORT, not `here`"),
     ],
 )

@@ -152,6 +152,18 @@ def learning_arms_of(
     return list(dict.fromkeys(wanted or known))
 
 
+def budget_of(formulation: Formulation, steps: int | None) -> int:
+    """The steps of a training, of which there are enough; else the usual number."""
+    least = LEAST_BUDGETS[formulation]
+    if steps is not None and steps < least:
+        output.fail(
+            f"--steps {steps} is too few: 32 environments of 300 steps learn side by side, "
+            f"so {formulation.value} needs {least} at least",
+            exit_code=2,
+        )
+    return steps or BUDGETS[formulation]
+
+
 def require_learning(algorithms: Sequence[str]) -> None:
     """End the run with the reason if a learner is not installed."""
     wanted = dict.fromkeys(_LEARNERS.get(name, _SKRL) for name in algorithms)

@@ -18,6 +18,7 @@ import typer
 from heron.cli.choices import (
     TRAINING_LIMIT_S,
     algorithms_of,
+    budget_of,
     draw_without_display,
     known,
     learning_arms_of,
@@ -32,7 +33,6 @@ from heron.cli.choices import (
     workers_of,
 )
 from heron.variants import (
-    BUDGETS,
     VARIANTS,
     Arm,
     Encounter,
@@ -284,6 +284,7 @@ def learn(
     """
     algorithms = algorithms_of(formulation, algorithm)
     arms = learning_arms_of(formulation, arm)
+    budget = budget_of(formulation, steps)
     output.try_folder(out)
     require_simulation()
     require_learning(algorithms)
@@ -291,7 +292,6 @@ def learn(
     from heron.cli.learning import learn as run_all
     from heron.learning.runs import runs_of
 
-    budget = steps or BUDGETS[formulation]
     run_all(output, list(runs_of(formulation, algorithms, arms, budget, seeds)), out, workers)
 
 
