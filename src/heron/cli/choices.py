@@ -16,7 +16,17 @@ from typing import TYPE_CHECKING
 
 from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
-from heron.variants import ALGORITHMS, ARMS, LEARNING_ARMS, VARIANTS, Arm, Formulation, LearningArm
+from heron.variants import (
+    ALGORITHMS,
+    ARMS,
+    BUDGETS,
+    LEARNING_ARMS,
+    LEAST_BUDGETS,
+    VARIANTS,
+    Arm,
+    Formulation,
+    LearningArm,
+)
 
 if TYPE_CHECKING:  # needs MuJoCo
     from campaign import Workers

@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from heron.appearance import Pixels, Size
 from heron.films.clip import ACTIVE, DONE, MUTED, NO_WORDS, Caption, time_words, with_caption
 from heron.films.film import Film
-from heron.learning.arms import ARM_NAMES, guarded, is_guarded
+from heron.learning.arms import ARM_NAMES, is_guarded
 from heron.learning.environment import PegInHole
 from heron.learning.insertion import FIELDS, PERIOD_NS, Outcome
 from heron.learning.look import CAMERA, moment
+from heron.learning.runs import environment
 from heron.scene.insertion import build_insertion
-from heron.variants import LearningArm
+from heron.variants import Formulation, LearningArm
 
 Floats = NDArray[np.float64]
 Policy = Callable[[Floats], Any]
@@ -84,12 +85,15 @@ class InsertionClip:
         return Caption(title, timed, measured, signal, would, MUTED)
 
 
-def film_of_insertion(policy: Policy, arm: LearningArm, seed: int) -> InsertionClip:
-    """Run an episode of `heron/PegInHole-v1` in an arm of the study, and keep what there is to see.
-    `write_movie` makes a film of one clip, or of some side by side.
+def film_of_insertion(
+    policy: Policy, arm: LearningArm, seed: int, formulation: Formulation = Formulation.STEPS
+) -> InsertionClip:
+    """Run an episode in an arm of the study, and keep what there is to see. `write_movie` makes a
+    film of one clip, or of some side by side.
     """
-    task = PegInHole()
-    env = guarded(task, arm)
+    env = environment(formulation, arm)
+    task = env.unwrapped
+    assert isinstance(task, PegInHole)
     names = env.get_wrapper_attr("rules")
     film, insertion = Film(PERIOD_NS), task.insertion
     film.begin(build_insertion(insertion.task.scene))

@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import time
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import gymnasium
 import numpy as np
+from numpy.typing import NDArray
 
 from heron.learning.insertion import VIOLATIONS, Outcome
 
 
 class Episode(NamedTuple):
-    """An episode of a training: `steps` of all environments before its end, and the processor time since the
-    training began (s); `proposed_outside` are its steps whose proposed command the rules would not
-    let pass as it is, and `executed_outside` those in which such a command was executed. Forces are
-    in N, speeds in m/s.
+    """An episode of a training: `steps` of all environments before its end, and the processor
+    time since the training began (s). `proposed_outside` are its steps whose proposed command the
+    rules would not let pass as it is, and `executed_outside` those in which such a command was
+    executed. Forces are in N, speeds in m/s.
     """
 
     steps: int
@@ -74,6 +77,20 @@ class Tally:
             fastest_near_person=outcome.fastest_near_person,
             **found,
         )
+
+
+def episode(
+    env: gymnasium.Env[Any, Any], act: Callable[[NDArray[np.float64]], Any], seed: int
+) -> Episode:
+    """Run an episode. `act` gives an action for each observation."""
+    began, tally = time.process_time(), Tally()
+    seen, _ = env.reset(seed=seed)
+    while True:
+        seen, reward, terminated, truncated, info = env.step(act(seen))
+        tally.count(float(reward), info["guard"])
+        if terminated or truncated:
+            elapsed = time.process_time() - began
+            return tally.episode(tally.length, elapsed, info["outcome"])
 
 
 class EpisodeLog:

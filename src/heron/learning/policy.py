@@ -18,6 +18,8 @@ from heron.scene.insertion import InsertionParameters
 Floats = NDArray[np.float64]
 _SIZES = {"place": 0.3, "velocity": 0.3, "force": 10.0, "person": 2.0, "left": LONGEST_S}
 _SIZE = np.array([_SIZES[field.partition(".")[0]] for field in FIELDS])
+POLICY = "policy.npz"
+"""The name of a file that holds one."""
 INPUTS = len(FIELDS) + 3
 _NEAR = 0.02
 _MIDDLE = np.append(np.array(InsertionParameters().hole), np.zeros(len(FIELDS) - 3))

@@ -1,11 +1,23 @@
-"""The trainings of the study, by keys such as `steps/ppo/guard/200000/3`."""
+"""The trainings of the study, by keys such as `steps/ppo/guard/150000/3`, and what they are of."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any
 
+import gymnasium
+
+import heron.learning  # noqa: F401  # registers the environments
+from heron.learning.arms import guarded
 from heron.variants import Formulation, LearningArm
+
+ENVIRONMENTS: Mapping[Formulation, str] = {
+    Formulation.STEPS: "heron/PegInHole-v1",
+    Formulation.MOVES: "heron/PegInHoleMoves-v1",
+    Formulation.TREE: "heron/PegInHole-v1",
+}
+"""The environment of each formulation."""
 
 
 @dataclass(frozen=True)
@@ -48,3 +60,8 @@ def runs_of(
     for seed in range(seeds):
         for algorithm, arm in kinds:
             yield Run(formulation, algorithm, arm, budget, seed)
+
+
+def environment(formulation: Formulation, arm: LearningArm) -> gymnasium.Env[Any, Any]:
+    """A new environment of a formulation, in an arm of the study."""
+    return guarded(gymnasium.make(ENVIRONMENTS[formulation], disable_env_checker=True), arm)

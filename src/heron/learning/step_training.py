@@ -3,26 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import gymnasium
 import numpy as np
 
-import heron.learning  # noqa: F401  # registers the environments
-from heron.learning.arms import guarded
-from heron.learning.episodes import Episode, Tally
-from heron.learning.policy import Policy, scaled
-from heron.learning.runs import Run
+from heron.learning.episodes import Episode, Tally, episode
+from heron.learning.policy import POLICY, scaled
+from heron.learning.runs import Run, environment
 from heron.learning.step_learners import SkrlLearner
-from heron.variants import Formulation, LearningArm
+from heron.variants import LearningArm
 
-ENVIRONMENTS: Mapping[Formulation, str] = {
-    Formulation.STEPS: "heron/PegInHole-v1",
-    Formulation.MOVES: "heron/PegInHoleMoves-v1",
-    Formulation.TREE: "heron/PegInHole-v1",
-}
-"""The environment of each formulation."""
 COUNT = 32
 """Environments that learn at once."""
 
@@ -79,7 +71,7 @@ class StepTraining:
 
     def result(self) -> tuple[str, bytes]:
         """Name and content of a file with what was learned."""
-        return "policy.npz", self._learner.policy().file()
+        return POLICY, self._learner.policy().file()
 
     def _seed(self, number: int) -> int:
         """Of an environment; another one after a training went on from steps that were kept."""
@@ -90,19 +82,3 @@ class StepTraining:
         if self._run.arm is not LearningArm.EXECUTED:
             return proposed
         return np.array([info["guard"]["executed"] for info in infos])
-
-
-def environment(formulation: Formulation, arm: LearningArm) -> gymnasium.Env[Any, Any]:
-    """A new environment of a formulation, in an arm of the study."""
-    return guarded(gymnasium.make(ENVIRONMENTS[formulation], disable_env_checker=True), arm)
-
-
-def episode(env: gymnasium.Env[Any, Any], policy: Policy, seed: int) -> Episode:
-    """Run an episode with a policy."""
-    began, tally = time.process_time(), Tally()
-    seen, _ = env.reset(seed=seed)
-    while True:
-        seen, reward, terminated, truncated, info = env.step(policy(seen))
-        tally.count(float(reward), info["guard"])
-        if terminated or truncated:
-            return tally.episode(tally.length, time.process_time() - began, info["outcome"])

@@ -13,7 +13,7 @@ import gymnasium
 from campaign import Value
 from dslkit.writing import write_whole
 from heron.learning.episodes import Episode, EpisodeLog
-from heron.learning.runs import Run, run_of
+from heron.learning.runs import Run, environment, run_of
 from heron.learning.summary import row_of
 from heron.variants import Formulation, LearningArm
 
@@ -85,8 +85,6 @@ def _new(run: Run) -> Training:
 
 
 def _finals(run: Run, training: Training) -> Mapping[LearningArm, list[Episode]]:
-    from heron.learning.step_training import environment
-
     found = {}
     for arm in (LearningArm.GUARD, LearningArm.UNGUARDED):
         env = environment(run.formulation, arm)

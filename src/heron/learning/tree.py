@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import Any
 
-import gymnasium
 import numpy as np
+from numpy.typing import NDArray
 
 from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.task import Task
 from ezskiros.runner import Ready, prepare
 from heron.learning.environment import GREATEST, LEAST
-from heron.learning.episodes import Tally
-from heron.learning.insertion import LONGEST_S, Outcome
+from heron.learning.insertion import LONGEST_S
 from heron.learning.skills import hand
 from heron.scene.insertion import InsertionParameters
 
@@ -30,8 +29,11 @@ RANGES: Mapping[str, tuple[float, float]] = {
     "Speed": (0.005, 0.1),
 }
 """The numbers that are learned, with their least and greatest values (m, N, m/s)."""
+NUMBERS = "numbers.json"
+"""The name of a file that holds those that were learned."""
 _FOLDER = Path(__file__).parent / "skills"
 _HOLE = InsertionParameters().hole
+Floats = NDArray[Any]
 
 
 class InsertionTree:
@@ -42,33 +44,27 @@ class InsertionTree:
         texts = [f"{name}={least}" for name, (least, _) in RANGES.items()]
         self._ready: Ready = prepare("Insert", [_FOLDER], None, texts)
 
-    def episode(
-        self, env: gymnasium.Env[Any, Any], numbers: Mapping[str, float], seed: int | None = None
-    ) -> tuple[Outcome, Tally]:
-        """Run an episode with these numbers."""
-        ready, tally = self._ready, Tally()
-        reached = hand.Hand()
-        call = replace(ready.call, arguments=MappingProxyType(dict(numbers)))
+    def policy(self, numbers: Mapping[str, float]) -> Callable[[Floats], Floats]:
+        """A run of the tree with these numbers, for one episode: from each observation to the
+        action of the skill that runs.
+        """
+        ready, reached = self._ready, hand.Hand()
         setting = Setting(
             ready.library,
             ready.world,
             clock=lambda: reached.seconds,
             expansions=Expansions(ready.trees),
         )
-        task = Task(call, setting)
-        seen, _ = env.reset(seed=seed)
-        token = hand.HAND.set(reached)
-        try:
-            while True:
-                x, y, z = (seen[:3] - _HOLE).tolist()
-                reached.place, reached.seconds = (x, y, z), LONGEST_S - float(seen[-1])
+        task = Task(replace(ready.call, arguments=MappingProxyType(dict(numbers))), setting)
+
+        def act(seen: Floats) -> Floats:
+            x, y, z = (seen[:3] - _HOLE).tolist()
+            reached.place, reached.seconds = (x, y, z), LONGEST_S - float(seen[-1])
+            token = hand.HAND.set(reached)
+            try:
                 task.tick()
-                action = np.array([*reached.velocity, reached.push], np.float32)
-                seen, reward, terminated, truncated, info = env.step(
-                    np.clip(action, LEAST, GREATEST)
-                )
-                tally.count(float(reward), info["guard"])
-                if terminated or truncated:
-                    return info["outcome"], tally
-        finally:
-            hand.HAND.reset(token)
+            finally:
+                hand.HAND.reset(token)
+            return np.clip([*reached.velocity, reached.push], LEAST, GREATEST).astype(np.float32)
+
+        return act

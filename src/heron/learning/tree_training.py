@@ -5,17 +5,16 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
 
 import cmaes
 import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-import heron.learning  # noqa: F401  # registers the environments
-from heron.learning.episodes import Episode
-from heron.learning.runs import Run
-from heron.learning.step_training import environment
-from heron.learning.tree import RANGES, InsertionTree
+from heron.learning.episodes import Episode, episode
+from heron.learning.runs import Run, environment
+from heron.learning.tree import NUMBERS, RANGES, InsertionTree
 
 _CANDIDATES = 9
 """Sets of numbers in a generation; each is tried in one episode."""
@@ -50,12 +49,11 @@ class TreeTraining:
         while self.steps < self._run.budget:
             candidates, scores, steps = self._candidates(), [], self.steps
             for candidate in candidates:
-                outcome, tally = self._tree.episode(
-                    self._env, numbers_of(candidate), self._run.seed * 10**9 + steps
-                )
-                steps += tally.length
-                scores.append(tally.reward)
-                yield tally.episode(steps, time.process_time() - began, outcome)
+                act = self._tree.policy(numbers_of(candidate))
+                found = episode(self._env, act, self._run.seed * 10**9 + steps)
+                steps += found.length
+                scores.append(found.reward)
+                yield found._replace(steps=steps, seconds=time.process_time() - began)
             self._tell(candidates, scores)
             self.steps = steps
 
@@ -80,14 +78,13 @@ class TreeTraining:
         """The numbers in the middle of what is tried now."""
         return numbers_of(np.clip(self._optimizer.mean, 0.0, 1.0))
 
-    def final_episode(self, env: gymnasium.Env[object, object], seed: int) -> Episode:
+    def final_episode(self, env: gymnasium.Env[Any, Any], seed: int) -> Episode:
         """An episode with the best numbers."""
-        outcome, tally = self._tree.episode(env, self.best(), seed)
-        return tally.episode(tally.length, 0.0, outcome)
+        return episode(env, self._tree.policy(self.best()), seed)
 
     def result(self) -> tuple[str, bytes]:
         """Name and content of a file with what was learned."""
-        return "numbers.json", json.dumps(dict(self.best()), indent=2).encode()
+        return NUMBERS, json.dumps(dict(self.best()), indent=2).encode()
 
     def _candidates(self) -> list[Floats]:
         return [self._optimizer.ask() for _ in range(_CANDIDATES)]
