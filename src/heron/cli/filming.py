@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -14,6 +14,7 @@ from dslkit.command_line import CommandLine
 from heron.cli.episodes import print_episode
 from heron.experiments import EXPERIMENTS
 from heron.films import CannotDrawError, film_of
+from heron.films.clip import Clip
 from heron.films.gallery import write_gallery
 from heron.films.movie import write_movie
 from heron.variants import Arm
@@ -41,9 +42,14 @@ def film(
     """Run an episode, print it, and write its film."""
     clip = film_of(EXPERIMENTS[name], variant, arm, seed)
     print_episode(clip.experiment, clip.episode)
+    write_film(output, [clip], out)
+
+
+def write_film(output: CommandLine, clips: Sequence[Clip], out: Path) -> None:
+    """Write clips side by side."""
     with output.writing(out), _drawing(output):
         out.parent.mkdir(parents=True, exist_ok=True)
-        write_movie(out, [clip], _SIZE)
+        write_movie(out, clips, _SIZE)
     typer.echo(f"the film:  {out}")
 
 

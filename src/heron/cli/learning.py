@@ -25,14 +25,21 @@ from dslkit.command_line import INTERRUPTED, CommandLine
 from dslkit.writing import reason
 from heron.evaluation import sources
 from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
+from heron.learning.learned import learned
 from heron.learning.runs import Run
 from heron.learning.training import train
 
+_FILMED = 3
+"""The seed of an episode in which the person comes near."""
 _KEPT = "what is done is kept, and the same command goes on from there"
 
 
-def learn(output: CommandLine, runs: Sequence[Run], out: Path, workers: Workers) -> None:
-    """Run what is not in the journal, and write the page."""
+def learn(
+    output: CommandLine, runs: Sequence[Run], out: Path, workers: Workers, film: Path | None
+) -> None:
+    """Run what is not in the journal, and write the page; and a film of what the arms have learned
+    from the first seed, if one is wanted.
+    """
     folder = LearningFolder(out)
     try:
         found = _campaign(runs, folder, workers)
@@ -52,21 +59,44 @@ def learn(output: CommandLine, runs: Sequence[Run], out: Path, workers: Workers)
     if found.failures:
         names = ", ".join(failure.key for failure in found.failures)
         output.fail(f"not finished, and tried again by the same command: {names}", exit_code=1)
+    if film is not None:
+        _write_film(output, runs, folder, film)
+
+
+def _write_film(
+    output: CommandLine, runs: Sequence[Run], folder: LearningFolder, out: Path
+) -> None:
+    from heron.cli.filming import write_film
+    from heron.films.insertion import film_of_insertion
+
+    first = [one for one in runs if (one.seed, one.algorithm) == (0, runs[0].algorithm)]
+    clips = []
+    for one in first:
+        try:
+            act = learned(folder.trainings, one)
+        except FileNotFoundError:
+            output.fail(f"no film: {folder.trainings / one.folder} was removed", exit_code=2)
+        except ValueError as error:
+            output.fail(f"no film: {error}", exit_code=2)
+        clips.append(film_of_insertion(act, one.arm, _FILMED, one.formulation))
+    write_film(output, clips, out)
 
 
 def _campaign(runs: Sequence[Run], folder: LearningFolder, workers: Workers) -> Campaign:
     keys = [one.key for one in runs]
     work = partial(train, folder.trainings)
-    with Journal(folder.journal, sources()) as journal, _Progress(folder, runs) as progress:
-        return run(keys, work, journal, workers, progress)
+    with Journal(folder.journal, sources()) as journal:
+        watch = Watch(folder.trainings, runs, journal.values)
+        with _Progress(watch) as progress:
+            return run(keys, work, journal, workers, progress)
 
 
 class _Progress:
     """A table for each algorithm, its arms side by side, which looks into the logs of trainings."""
 
-    def __init__(self, folder: LearningFolder, runs: Sequence[Run]) -> None:
+    def __init__(self, watch: Watch) -> None:
         self._console = Console(stderr=True, highlight=False)
-        self._watch = Watch(folder.trainings, runs)
+        self._watch = watch
         self._live = Live(
             get_renderable=self._watch_now, console=self._console, refresh_per_second=2
         )

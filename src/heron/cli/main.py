@@ -275,6 +275,14 @@ def learn(
     out: Annotated[
         Path, typer.Option(help="Folder of the page; what is done already is there, too.")
     ] = Path("build"),
+    film: Annotated[
+        Path | None,
+        typer.Option(
+            "--film",
+            metavar="FILE",
+            help="Write a film of what the arms have learned, side by side: .mp4 or .gif.",
+        ),
+    ] = None,
     jobs: Jobs = None,
     ray: Ray = None,
 ) -> None:
@@ -286,13 +294,17 @@ def learn(
     arms = learning_arms_of(formulation, arm)
     budget = budget_of(formulation, steps)
     output.try_folder(out)
+    if film is not None:
+        require_film(film)
+        require_drawing()
     require_simulation()
     require_learning(algorithms)
     workers = workers_of(jobs, ray, TRAINING_LIMIT_S)
     from heron.cli.learning import learn as run_all
     from heron.learning.runs import runs_of
 
-    run_all(output, list(runs_of(formulation, algorithms, arms, budget, seeds)), out, workers)
+    runs = list(runs_of(formulation, algorithms, arms, budget, seeds))
+    run_all(output, runs, out, workers, film)
 
 
 @app.command()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -52,8 +52,11 @@ class _Log:
 class Watch:
     """The logs of trainings."""
 
-    def __init__(self, folder: Path, runs: Sequence[Run]) -> None:
-        self._logs = {run.key: _Log(folder / run.folder / LOG, run) for run in runs}
+    def __init__(self, folder: Path, runs: Sequence[Run], over: Container[str] = ()) -> None:
+        """`over` are the keys of trainings that are over."""
+        self._logs = {
+            run.key: _Log(folder / run.folder / LOG, run, has_ended=run.key in over) for run in runs
+        }
 
     def note_end(self, key: str) -> None:
         """Hear that a training is over."""
