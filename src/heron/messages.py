@@ -20,15 +20,19 @@ from rossmarie.types.definitions import own_texts
 
 __all__ = [
     "Bool",
+    "Float64",
     "Imu",
     "JointState",
     "LaserScan",
     "Message",
     "Odometry",
+    "Point",
     "PoseWithCovarianceStamped",
     "Quaternion",
     "Time",
     "Twist",
+    "Vector3",
+    "Wrench",
     "WrenchStamped",
     "full_name",
     "header",
@@ -62,6 +66,7 @@ Imu = ros1_noetic.sensor_msgs__msg__Imu
 JointState = ros1_noetic.sensor_msgs__msg__JointState
 LaserScan = ros1_noetic.sensor_msgs__msg__LaserScan
 Bool = ros1_noetic.std_msgs__msg__Bool
+Float64 = ros1_noetic.std_msgs__msg__Float64
 Header = ros1_noetic.std_msgs__msg__Header
 Wrench = ros1_noetic.geometry_msgs__msg__Wrench
 WrenchStamped = ros1_noetic.geometry_msgs__msg__WrenchStamped

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -28,10 +28,14 @@ class Recorder:
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
         """Listen to all topics; nothing has to be asked for."""
+        self.listen(carrier, lambda: physics.elapsed_ns)
+        return []
+
+    def listen(self, carrier: InProcess, clock: Callable[[], int]) -> None:
+        """Listen to all topics that a carrier has by now. `clock` gives the stamps, in ns."""
         self._topics |= dict.fromkeys(carrier.topics)
         for topic in carrier.topics:
-            carrier.subscribe(topic, partial(self._keep, physics, topic))
-        return []
+            carrier.subscribe(topic, partial(self._keep, clock, topic))
 
     def write(self, path: Path) -> None:
         """All of it, into a new file. Raises `OSError`."""
@@ -41,10 +45,10 @@ class Recorder:
             (written,) = Path(folder).glob("bag/*.mcap")
             written.rename(path)
 
-    def _keep(self, physics: Physics, topic: Topic, message: Message) -> None:
+    def _keep(self, clock: Callable[[], int], topic: Topic, message: Message) -> None:
         # At once: who publishes it may go on with the same message.
         data = self._ros1.serialize_ros1(message, _full(topic))
-        self._heard.append((topic.name, physics.elapsed_ns, bytes(data)))
+        self._heard.append((topic.name, clock(), bytes(data)))
 
     def _write_bag(self, folder: Path) -> None:
         with Writer(folder, version=9, storage_plugin=StoragePlugin.MCAP) as writer:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
@@ -59,6 +59,7 @@ def message_by_message() -> Iterator[None]:
         patch.setattr(BagChunks, "batches", lambda chunks, rows: packed(chunks._by_rosbags(rows)))
         patch.setattr(BagRecording, "_read", _each_update)
         patch.setattr(csv_table, "batched", lambda _, updates: updates)
+        patch.setattr(replaying, "begun_together", lambda _, updates: _begun_together(updates))
         patch.setattr(replaying, "_told", lambda updates, *_: updates)
         patch.setattr(replaying, "taking", _OneByOne)
         yield
@@ -79,6 +80,28 @@ def _each_update(
     for topic, reading in readings.items():
         reading.unreadable.report(collector)
         recording._report_unfit(topic, reading, collector)
+
+
+def _begun_together(updates: Iterable[Update]) -> Iterator[Update]:
+    """The messages of the first instant as one update, up to the second one on any channel."""
+    begin: Update | None = None
+    is_beginning = True
+    for update in updates:
+        if begin is None:
+            begin = update
+        elif (
+            is_beginning
+            and update.at_ns == begin.at_ns
+            and not begin.channels.keys() & update.channels.keys()
+        ):
+            begin = Update(begin.at_ns, {**begin.channels, **update.channels})
+        else:
+            if is_beginning:
+                yield begin
+            is_beginning = False
+            yield update
+    if begin is not None and is_beginning:
+        yield begin
 
 
 class _OneByOne:

@@ -2,7 +2,8 @@
 """Plays a recording with simulated time: `ros1_play.py RECORDING [START SECONDS]`.
 
 Time goes on only when the generated node, of which there has to be one, has heard what was said
-before: so its verdicts do not depend on how busy the machine is.
+before: so its verdicts do not depend on how busy the machine is. Each message comes at the instant
+of its stamp.
 """
 
 import sys
@@ -64,13 +65,13 @@ def play(bag, begin, end):
     # Loggers are seen to by the thread that hears /clock, and all else by that of the node.
     time_is_heard = Exchange(node + "/set_logger_level", "ros.player", "info")
     all_is_heard = Exchange(node + "/why")
-    now = begin
+    now = begin - TICK
     for topic, message, at in bag.read_messages(list(topics), begin, end):
-        while now <= at:
+        while now < at:
+            now = min(now + TICK, at)
             clock.publish(now)
             time_is_heard.wait()
             all_is_heard.wait()
-            now += TICK
         topics[topic].publish(message)
         all_is_heard.wait()  # the thread that hears /clock could be faster
 

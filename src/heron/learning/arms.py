@@ -60,8 +60,9 @@ def guarded(env: gymnasium.Env[Any, Any], arm: LearningArm) -> gymnasium.Env[Any
         with_feedback=arm in _WITH_FEEDBACK,
         substeps=READINGS,
         enforce=is_guarded(arm),
+        one_by_one=True,
     )
-    task.on_reading = found.observe_substep
+    task.on_reading.append(found.observe_substep)
     return EndedAtViolation(found, task) if arm is LearningArm.ENDED else found
 
 

@@ -67,7 +67,7 @@ class PegInHole(gymnasium.Env[Any, Any]):
         highest = np.full(len(FIELDS), np.inf)
         self.observation_space = spaces.Box(-highest, highest, dtype=np.float64)
         self.action_space: spaces.Space[Any] = spaces.Box(LEAST, GREATEST)
-        self.on_reading: Callable[[Any], object] = lambda _: None
+        self.on_reading: list[Callable[[Any], object]] = []
         """Called with each observation within a step."""
 
     def reset(
@@ -84,11 +84,7 @@ class PegInHole(gymnasium.Env[Any, Any]):
         for numbers that are not finite.
         """
         insertion = self.insertion
-        if not np.isfinite(action).all():
-            raise ValueError(f"an action has four finite numbers, not {action}")
-        x, y, z, push = np.clip(np.asarray(action, np.float64), LEAST, GREATEST).tolist()
-        command = Command((x, y, z), push)
-        insertion.step(command, lambda: self.on_reading(insertion.observation()))
+        insertion.step(self.command(action), self._tell)
         before, self._far = self._far, self._distance()
         inserted = insertion.outcome.inserted
         reward = 10.0 * (before - self._far) - 0.01 + 10.0 * inserted
@@ -112,6 +108,18 @@ class PegInHole(gymnasium.Env[Any, Any]):
             self._look.close()
             self._look = None
 
+    def command(self, action: Any) -> Command:
+        """The command that an action stands for. Raises `ValueError` as `step` does."""
+        if not np.isfinite(action).all():
+            raise ValueError(f"an action has four finite numbers, not {action}")
+        x, y, z, push = np.clip(np.asarray(action, np.float64), LEAST, GREATEST).tolist()
+        return Command((x, y, z), min(push, 0.0))
+
+    def _tell(self) -> None:
+        observation = self.insertion.observation()
+        for each in self.on_reading:
+            each(observation)
+
     def _distance(self) -> float:
         """The way from the peg to its goal: above the hole first, then down (m)."""
         offset = self.insertion.arm.place - self.insertion.goal
@@ -126,6 +134,6 @@ class PegInHoleMoves(PegInHole):
         super().__init__(**parameters)
         self.action_space = spaces.Discrete(len(MOVES))
 
-    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
-        """Make a move for 40 ms."""
-        return super().step(MOVES[action])
+    def command(self, action: Any) -> Command:
+        """The command that a move stands for."""
+        return super().command(MOVES[action])

@@ -95,7 +95,8 @@ class Insertion:
         self.task = task
         self.arm = PegArm(task.scene)
         self.outcome = Outcome()
-        self._elapsed_ns = 0
+        self.elapsed_ns = 0
+        """The time in the episode."""
         self._visit = Visit(math.inf, 1.0, 0.0)
         self._offset = np.zeros(3)
 
@@ -108,7 +109,7 @@ class Insertion:
     @property
     def elapsed_s(self) -> float:
         """The time in the episode."""
-        return self._elapsed_ns * 1e-9
+        return self.elapsed_ns * 1e-9
 
     @property
     def is_over(self) -> bool:
@@ -123,7 +124,7 @@ class Insertion:
     def begin(self, chance: np.random.Generator) -> None:
         """Begin an episode at one of the five places."""
         self.outcome = Outcome()
-        self._elapsed_ns = 0
+        self.elapsed_ns = 0
         self._visit = visit(chance, LONGEST_S)
         self._offset = np.append(chance.normal(0.0, self.task.error, 2), 0.0)
         start = np.array(STARTS[chance.integers(len(STARTS))]) + chance.normal(0.0, 0.01, 3)
@@ -134,7 +135,7 @@ class Insertion:
         """Take a step, and let `see` see each reading but the last."""
         for number in range(READINGS):
             self.arm.follow(command)
-            self._elapsed_ns += READING_NS
+            self.elapsed_ns += READING_NS
             self._note()
             if number < READINGS - 1:
                 see()

@@ -12,7 +12,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.sources import hashed_files, hashed_sources
 from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.ir import Machine, Verdict
-from rossmarie.recordings import Update, open_recording, updates_in
+from rossmarie.recordings import Update, begun_together, open_recording, updates_in
 from rossmarie.report.safety import EvidenceKind, evidence_text
 from rossmarie.report.safety.exercised import coverage_results
 from rossmarie.report.spare import spares
@@ -119,7 +119,7 @@ def trace_of(
     with open_recording(path, message_folders) as recording:
         collector.extend(recording.findings)
         batches = recording.batches(machine, collector, topic_map)
-        updates = tuple(updates_in(machine, batches))
+        updates = tuple(updates_in(machine, begun_together(machine, batches)))
         last_ns = updates[-1].at_ns if updates else recording.end_ns
         return Trace(updates, max(recording.end_ns, last_ns))
 

@@ -11,7 +11,7 @@ from rossmarie.driver.sampler import Sampler
 from rossmarie.driver.taking import taking
 from rossmarie.engines import MonitorEngine, Started, start_monitor
 from rossmarie.ir import Batch, Category, Event
-from rossmarie.recordings import Recording, open_recording
+from rossmarie.recordings import Recording, begun_together, open_recording
 from rossmarie.report import Replay, rehearse
 
 Progress = Callable[[float], None]
@@ -38,7 +38,7 @@ def replay_file(
     collector = Collector()
     with open_recording(recording_path, compiled.message_folders) as recording:
         collector.extend(recording.findings)
-        batches = recording.batches(machine, collector, topic_map)
+        batches = begun_together(machine, recording.batches(machine, collector, topic_map))
         sampler = Sampler(machine)
         started = start_monitor(machine)
         take = taking(machine, started.engine, sampler.signals)

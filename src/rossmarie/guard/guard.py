@@ -5,7 +5,7 @@ comes out (thesis, section 6.4, figure 5: the safety interface).
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from operator import index as as_index
@@ -29,31 +29,16 @@ from rossmarie.guard.decision import (
 )
 from rossmarie.guard.feedback import FeedbackMeter, rules_with_margin
 from rossmarie.guard.mapping import ArrayMapping, Declared, MappingError
+from rossmarie.guard.requests import requests_of
 from rossmarie.guard.state import GuardState, Sizes
 from rossmarie.ir import (
     Change,
     Event,
     Machine,
-    Order,
     Verdict,
     machine_to_json,
     near_name,
     require_instant,
-)
-from rossmarie.ir.reactions import (
-    Call,
-    CancelGoal,
-    Diagnose,
-    Hook,
-    Limit,
-    Log,
-    Publish,
-    Reset,
-    Retrace,
-    Scale,
-    SendGoal,
-    SetParameter,
-    SwitchControllers,
 )
 from rossmarie.native import CHANGED, TOLD, StepCall
 from rossmarie.targets import c99
@@ -81,18 +66,18 @@ class Guard:
         self._declared = observe, act
         self._mapping = ArrayMapping(machine, observe, act)
         self._lock = RLock()
-        self._rules = {
-            task: rule for rule, plan in enumerate(machine.reactions.plans) for task in plan.tasks
-        }
         started: Started[GuardEngine] = start_guard(machine)
         self.kind = started.kind
         self.reason = started.reason
         self._engine = started.engine
+        self.on_event: Callable[[Event], object] = _unheard
+        """Called with each verdict, in the order of verdicts: for a log of them."""
         self._begin()
 
     def _begin(self) -> None:
         self._reasons: Reasons  # connected by the first step
         self._step: StepCall = self._first_step
+        self._topic_steps: Sequence[StepCall] = ()
         self._at_ns: int | None = None
         self._before: Before = None
         self._latest: Before = None
@@ -130,22 +115,29 @@ class Guard:
             self._see(at_ns, note)
             return self._decision(at_ns, executed, note, action)
 
-    def observe(self, at_ns: int, observation: Array) -> NDArray[np.bool_]:
+    def observe(
+        self, at_ns: int, observation: Array, *, one_by_one: bool = False
+    ) -> NDArray[np.bool_]:
         """Let an observation arrive, for `decide`; gives which rules are active, of shape (rules,).
         Several may come before a decision: those of the substeps of a simulation, each at its
-        instant.
+        instant. With `one_by_one` the topics of an observation arrive one after the other, in the
+        order in which the rules name them, as they do at a node; those of the first one arrive
+        together, as a node waits for all.
 
         Raises what `step` raises.
         """
         if not isinstance(observation, np.ndarray):
             refuse("observation", observation)
         with self._lock:
-            note = self._step(at_ns, observation, None)
+            arrive = self._arrive_by_topic if one_by_one and self._latest else self._arrive
+            note = arrive(at_ns, observation)
             if note is None:
                 self._require_fit(at_ns, observation, None)
-                note = self._step(as_index(at_ns), np.ascontiguousarray(observation), None)
+                note = arrive(as_index(at_ns), np.ascontiguousarray(observation))
                 assert note is not None, "it fits now"
             self._see(at_ns, note)
+            if note[0] & TOLD:
+                self._note(self._engine.take_events())
         return active_in(note, len(self.rules))
 
     def decide(self, action: Array) -> Decision:
@@ -176,6 +168,24 @@ class Guard:
             if len(actions):
                 self._require_fit(at_ns, None, actions[0])
             return self._allow(np.ascontiguousarray(actions, np.float64))
+
+    def _arrive(self, at_ns: int, observation: Array) -> bytes | None:
+        return self._step(at_ns, observation, None)
+
+    def _arrive_by_topic(self, at_ns: int, observation: Array) -> bytes | None:
+        if not self._topic_steps:
+            assert self._sizes is not None, "it was observed"
+            wiring = self._mapping.wiring(*self._sizes)
+            self._topic_steps = [
+                self._engine.step_call(replace(wiring, arriving=frozenset({channel})))
+                for channel in sorted(wiring.arriving)
+            ] or [self._step]
+        note: bytes | None = None
+        for step in self._topic_steps:
+            note = step(at_ns, observation, None)
+            if note is None:  # of the first topic: then nothing has happened
+                return None
+        return note
 
     def _decision(self, at_ns: int, executed: Array, note: bytes, wanted: Array) -> Decision:
         self._is_decided = True
@@ -273,6 +283,7 @@ class Guard:
     def __copy__(self) -> Guard:
         state, another = self.state(), object.__new__(type(self))
         another.__dict__ |= self.__dict__ | {"_engine": self._engine.fresh(), "_lock": RLock()}
+        another.on_event = _unheard
         another._begin()
         another.restore(state)
         return another
@@ -322,6 +333,7 @@ class Guard:
         self._reasons = Reasons(self.machine, self._meter, self._mapping, wiring, causes)
         self._acted = {each.command for each in wiring.commands}
         self._step = self._engine.step_call(wiring)
+        self._topic_steps = ()
         self._allow = self._engine.allow_call(wiring)
 
     def _step_in_order(self, at_ns: int, observation: Array, action: Array) -> Decision:
@@ -357,7 +369,7 @@ class Guard:
         """Take note of what was told."""
         told = self._engine.take()
         self._note(told.events)
-        return tuple(self._requests(told.orders))
+        return tuple(requests_of(self.machine, told.orders, self._acted))
 
     def _note(self, events: list[Event]) -> None:
         causes = dict(self._reasons.causes)
@@ -367,24 +379,12 @@ class Guard:
             elif isinstance(event, Verdict):
                 causes[event.rule] = event
         self._reasons = replace(self._reasons, causes=causes)
+        for event in events:
+            self.on_event(event)
 
-    def _requests(self, orders: list[Order]) -> Iterator[Request]:
-        """The orders that are not for the guard itself."""
-        reactions = self.machine.reactions
-        for order in orders:
-            task = reactions.tasks[order.task]
-            match task.effect:
-                case Limit() | Scale() | Reset():
-                    continue
-                case Publish(command=int() as command) if command in self._acted:
-                    continue
-                case (
-                    Publish() | Retrace() | Call() | SetParameter() | SwitchControllers()
-                    | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
-                ):  # fmt: skip
-                    rule = self.machine.rules[self._rules[order.task]].name
-                    action = reactions.actions[task.action].name
-                    yield Request(order.kind, rule, action, task.effect, order.task, order.pose)
+
+def _unheard(_: Event) -> None:
+    """Nobody keeps a log."""
 
 
 def _again(machine: Machine, observe: Declared, act: Declared, state: GuardState) -> Guard:

@@ -45,6 +45,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         with_feedback: bool = False,
         substeps: int = 1,
         enforce: bool = True,
+        one_by_one: bool = False,
     ) -> None:
         """`observe` and `act` are the declarations of `Monitor.guard`; in a dictionary of
         observations a place stands behind its key, and for choices `act` has a list with the number
@@ -53,7 +54,9 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         say where the robot is. `with_feedback` takes the feedback of all rules from the reward.
         `substeps` is how often the environment computes its physics in a step; then it may tell the
         guard what there is to see after each, by `observe_substep`. Without `enforce` actions are
-        executed as proposed, and the guard only tells what it would do. The rules are a file, or a
+        executed as proposed, and the guard only tells what it would do. With `one_by_one` the
+        topics of an observation arrive one after the other, as at a node of ROS: then verdicts are
+        those of a node, also of rules that look at several topics. The rules are a file, or a
         monitor of it.
 
         Raises `RulesError` for rules with errors, and `MappingError` for declarations that do not
@@ -62,7 +65,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         RecordConstructorArgs.__init__(
             self, _disable_deepcopy=True, rules=rules, period_ns=period_ns, observe=observe,
             act=act, latched=latched, targets=targets, with_feedback=with_feedback,
-            substeps=substeps, enforce=enforce,
+            substeps=substeps, enforce=enforce, one_by_one=one_by_one,
         )  # fmt: skip
         super().__init__(env)
         declared = Declarations(rules, period_ns, observe, act, latched, targets or {}, enforce)
@@ -71,6 +74,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         self.decision: Decision | None = None
         """The decision of the last step: its reasons, and what rules want done beside it."""
         self._with_feedback = with_feedback
+        self._one_by_one = one_by_one
         self._substeps = self._interface.require_substeps(substeps)
         self._begin()
 
@@ -155,7 +159,8 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
 
     def _observe(self, at_ns: int, observation: Any) -> None:
         """Let the guard see what there is at an instant of a step."""
-        active = self.guard.observe(at_ns, self._interface.observations.row(observation))
+        row = self._interface.observations.row(observation)
+        active = self.guard.observe(at_ns, row, one_by_one=self._one_by_one)
         elapsed_ns = at_ns - self._at_ns
         self._feedback += self._interface.feedback.between(self._active, active, elapsed_ns)
         self._was_active |= bool(active.any())

@@ -4,7 +4,7 @@
 to a machine, in the order of time, and `updates_in` the updates in that.
 """
 
-from rossmarie.recordings.batches import updates_in
+from rossmarie.recordings.batches import begun_together, updates_in
 from rossmarie.recordings.errors import ALL, RecordingError
 from rossmarie.recordings.model import Recording, Topic, Update
 from rossmarie.recordings.opening import open_recording
@@ -16,6 +16,7 @@ __all__ = [
     "RecordingError",
     "Topic",
     "Update",
+    "begun_together",
     "open_recording",
     "updates_in",
     "write_model",

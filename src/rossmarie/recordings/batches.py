@@ -94,6 +94,36 @@ def batched(machine: Machine, updates: Iterable[Update]) -> Iterator[Batch]:
         yield assembly.batch()
 
 
+def begun_together(machine: Machine, batches: Iterable[Batch]) -> Iterator[Batch]:
+    """The same batches, but that the messages of the first instant are one update: a node, too,
+    begins with the first messages of all topics together. Where a topic has another message at that
+    instant, that one and those after it are updates of their own.
+    """
+    remaining = iter(batches)
+    begun, times_ns = list[Batch](), list[int]()
+    for batch in remaining:
+        begun.append(batch)
+        times_ns += batch.times_ns.tolist()
+        if times_ns and times_ns[-1] != times_ns[0]:
+            break
+    if len(times_ns) > 1 and times_ns[0] == times_ns[1]:
+        yield from batched(machine, _merged(list(updates_in(machine, begun))))
+    else:
+        yield from begun
+    yield from remaining
+
+
+def _merged(updates: Sequence[Update]) -> list[Update]:
+    """The same updates, with the first ones as one."""
+    together = dict(updates[0].channels)
+    for count, update in enumerate(updates):
+        is_new = count == 0 or together.keys().isdisjoint(update.channels)
+        if update.at_ns != updates[0].at_ns or not is_new:
+            return [Update(updates[0].at_ns, together), *updates[count:]]
+        together |= update.channels
+    return [Update(updates[0].at_ns, together)]
+
+
 def updates_in(machine: Machine, batches: Iterable[Batch]) -> Iterator[Update]:
     """The updates of batches, one by one."""
     for batch in batches:

@@ -6,7 +6,7 @@ Beside it, in `wiring`, how the node of a rules file is connected.
 
 from rossmarie.report.axis import Axis
 from rossmarie.report.envelope import share, thinned
-from rossmarie.report.jsonl import verdict_lines
+from rossmarie.report.jsonl import event_lines, verdict_lines
 from rossmarie.report.model import Plot, Replay, Threshold
 from rossmarie.report.plots import PlotPlan, plan_plots
 from rossmarie.report.rehearsal import Rehearsed, rehearse
@@ -24,6 +24,7 @@ __all__ = [
     "Summary",
     "Threshold",
     "active_spans",
+    "event_lines",
     "plan_plots",
     "rehearse",
     "render_timeline",

@@ -9,15 +9,17 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import groupby
 
 from rossmarie.ir import (
     Cause,
     Change,
+    Event,
     Explanation,
     InputState,
     LostInput,
+    Machine,
     Reading,
     Rule,
     TruthValue,
@@ -26,7 +28,7 @@ from rossmarie.ir import (
 )
 from rossmarie.report.axis import PlacedEvent, place
 from rossmarie.report.model import Replay
-from rossmarie.report.rehearsal import Rehearsed, task_words
+from rossmarie.report.rehearsal import Rehearsed, rehearse, task_words
 
 SCHEMA = 1
 
@@ -47,12 +49,27 @@ STATES = {InputState.NEVER: "never", InputState.FRESH: "unusable", InputState.EX
 def verdict_lines(replay: Replay) -> Iterator[str]:
     """The lines of the file, each without its line ending."""
     yield _line(_header(replay))
-    following = groupby(replay.rehearsed, key=lambda each: each.after)
+    yield from _event_lines(replay.machine, replay.events, replay.start_ns, replay.rehearsed)
+
+
+def event_lines(
+    machine: Machine, events: Sequence[Event], start_ns: int, end_ns: int
+) -> Iterator[str]:
+    """The lines after the header for the events of any monitor or guard between two instants, each
+    without its line ending.
+    """
+    return _event_lines(machine, events, start_ns, rehearse(machine, events, end_ns))
+
+
+def _event_lines(
+    machine: Machine, events: Sequence[Event], start_ns: int, rehearsed: Sequence[Rehearsed]
+) -> Iterator[str]:
+    following = groupby(rehearsed, key=lambda each: each.after)
     orders = {after: list(those) for after, those in following}
-    for index, placed in enumerate(place(replay.events, replay.start_ns)):
-        yield _line(_event(replay, placed))
+    for index, placed in enumerate(place(events, start_ns)):
+        yield _line(_event(machine, placed))
         for each in orders.get(index, ()):
-            yield _line(_order(replay, each, placed))
+            yield _line(_order(machine, each, placed))
 
 
 def _line(fields: dict[str, object]) -> str:
@@ -76,10 +93,10 @@ def _header(replay: Replay) -> dict[str, object]:
     }
 
 
-def _event(replay: Replay, placed: PlacedEvent) -> dict[str, object]:
+def _event(machine: Machine, placed: PlacedEvent) -> dict[str, object]:
     event = placed.event
     if isinstance(event, Verdict):
-        return _verdict(replay, event, placed)
+        return _verdict(machine, event, placed)
     return {
         "type": "time_jump",
         "from_ns": event.from_ns,
@@ -88,8 +105,8 @@ def _event(replay: Replay, placed: PlacedEvent) -> dict[str, object]:
     }
 
 
-def _verdict(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> dict[str, object]:
-    rule = replay.machine.rules[verdict.rule]
+def _verdict(machine: Machine, verdict: Verdict, placed: PlacedEvent) -> dict[str, object]:
+    rule = machine.rules[verdict.rule]
     return {
         "type": "verdict",
         "rule": rule.name,
@@ -101,7 +118,7 @@ def _verdict(replay: Replay, verdict: Verdict, placed: PlacedEvent) -> dict[str,
         "actions": list(rule.actions),
         "clears": rule.contract,
         "exempts": _exemption(rule),
-        "cause": cause_data(explain(replay.machine, verdict), placed.origin_ns),
+        "cause": cause_data(explain(machine, verdict), placed.origin_ns),
     }
 
 
@@ -113,8 +130,8 @@ def _exemption(rule: Rule) -> dict[str, object] | None:
     return {"rule": exempts.rule, "doing": exempts.doing, "permits": list(exempts.permits)}
 
 
-def _order(replay: Replay, each: Rehearsed, placed: PlacedEvent) -> dict[str, object]:
-    machine, order = replay.machine, each.order
+def _order(machine: Machine, each: Rehearsed, placed: PlacedEvent) -> dict[str, object]:
+    order = each.order
     action, effect = task_words(machine, order.task)
     return {
         "type": "order",

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from itertools import count
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
 from support.c_compiler import needs_c
 from support.parts import MUJOCO, require
@@ -23,9 +22,7 @@ from heron.learning.arms import guarded, is_guarded
 from heron.learning.environment import MOVES, PegInHole
 from heron.learning.insertion import Outcome
 from heron.variants import LearningArm
-
-Floats = NDArray[np.float64]
-Policy = Callable[[Floats, int], Any]
+from support.insertions import Floats, Policy, into_the_fragile_part, wandering
 
 NAMES = ("heron/PegInHole-v1", "heron/PegInHoleMoves-v1")
 HOLE = np.array([-0.6, 0.0, 0.7])
@@ -51,11 +48,6 @@ def inserting(seen: Floats, step: int) -> Floats:
     return np.array([*(speed + 0.02 * np.array([np.cos(turn), np.sin(turn)])), 0.0, -8.0])
 
 
-def into_the_fragile_part(seen: Floats, step: int) -> Floats:
-    """A policy that goes for what must not be touched."""
-    return np.array([*(-3.0 * (seen[:3] - np.array([-0.5, 0.3, 0.75]))), -5.0])
-
-
 def episode(env: Any, policy: Policy, seed: int) -> Iterator[tuple[Floats, Any]]:
     """The place of the peg after each step, and what the step told."""
     seen, _ = env.reset(seed=seed)
@@ -73,18 +65,6 @@ def outcome(env: Any, policy: Policy, seed: int) -> Outcome:
     *_, (_, info) = episode(env, policy, seed)
     found: Outcome = info["outcome"]
     return found
-
-
-def wandering(seed: int) -> Policy:
-    """A policy by chance, whose actions change slowly."""
-    chance = np.random.default_rng(seed)
-    action = np.zeros(4)
-
-    def act(_seen: Floats, _step: int) -> Floats:
-        action[:] = 0.95 * action + chance.normal(0.0, 0.3, 4) * np.array([0.3, 0.3, 0.3, 5.0])
-        return action
-
-    return act
 
 
 def is_inside(place: Floats, box: tuple[tuple[float, float], ...]) -> bool:

@@ -12,7 +12,7 @@ from hypothesis import given
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues
-from rossmarie.report import Replay, verdict_lines
+from rossmarie.report import Replay, event_lines, rehearse, verdict_lines
 from support.docking import docking
 from support.drafts import SECOND, Draft
 from support.golden import assert_golden
@@ -23,6 +23,14 @@ GOLDEN = Path(__file__).parent / "golden"
 
 def lines(replay: Replay) -> list[dict[str, Any]]:
     return [json.loads(line) for line in verdict_lines(replay)]
+
+
+def test_events_have_the_same_lines_without_a_recording() -> None:
+    replay = small()
+    machine, events = replay.machine, replay.events
+    whole = replace(replay, rehearsed=rehearse(machine, events, replay.end_ns))
+    _, *wanted = verdict_lines(whole)
+    assert list(event_lines(machine, events, replay.start_ns, replay.end_ns)) == wanted
 
 
 def small() -> Replay:

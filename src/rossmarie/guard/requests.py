@@ -1,0 +1,45 @@
+"""The orders of a reactor that whoever has a guard performs."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+
+from rossmarie.guard.decision import Request
+from rossmarie.ir import Machine, Order
+from rossmarie.ir.reactions import (
+    Call,
+    CancelGoal,
+    Diagnose,
+    Hook,
+    Limit,
+    Log,
+    Publish,
+    Reset,
+    Retrace,
+    Scale,
+    SendGoal,
+    SetParameter,
+    SwitchControllers,
+)
+
+
+def requests_of(
+    machine: Machine, orders: Sequence[Order], acted: Collection[int]
+) -> Iterator[Request]:
+    """The orders that are not for the guard itself, where actions have the commands `acted`."""
+    reactions = machine.reactions
+    rules = {task: rule for rule, plan in enumerate(reactions.plans) for task in plan.tasks}
+    for order in orders:
+        task = reactions.tasks[order.task]
+        match task.effect:
+            case Limit() | Scale() | Reset():
+                continue
+            case Publish(command=int() as command) if command in acted:
+                continue
+            case (
+                Publish() | Retrace() | Call() | SetParameter() | SwitchControllers()
+                | SendGoal() | CancelGoal() | Log() | Diagnose() | Hook()
+            ):  # fmt: skip
+                rule = machine.rules[rules[order.task]].name
+                action = reactions.actions[task.action].name
+                yield Request(order.kind, rule, action, task.effect, order.task, order.pose)
