@@ -9,12 +9,14 @@ HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 # Python keeps what it has compiled: tests start hundreds of programs, and each worker reads all tests.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help demo evaluate test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
+.PHONY: help demo evaluate study test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
 
 help:
-	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot"
+	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot,"
+	@echo "             and how it learns with rules and without them"
 	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was;"
 	@echo "               and films of them -> docs/gallery.md"
+	@echo "make study   all trainings on 10 seeds -> docs/learning.md; goes on where it was; some hours"
 	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
@@ -70,16 +72,24 @@ endif
 		--scene examples/pick_place/lab.turtle --save build/demo/lab_after.turtle \
 		Object=starter Gripper=gripper PlacingLocation=shelf
 	$(RUN)/heron demo --out build/demo/heron.html || [ $$? -eq 2 ]
+	$(RUN)/heron learn tree --arm unguarded --arm guard --steps 40000 --out build/demo || [ $$? -eq 2 ]
 	@echo "mistakes that are planted, in rules and in skills:"
 	@$(RUN)/rossmarie check examples/thesis/arm_as_printed.ross || true
 	@$(RUN)/ezskiros check examples/pick_place/planted || true
 	@echo "the tree:        open $(CURDIR)/build/demo/tree.svg in a browser"
 	@echo "the timeline:    open $(CURDIR)/build/demo/report/timeline.html in a browser"
 	@[ ! -e build/demo/heron.html ] || echo "the robot:       open $(CURDIR)/build/demo/heron.html in a browser"
+	@[ ! -e build/demo/learning.md ] || echo "the learning:    open $(CURDIR)/build/demo/learning/tree-cma-es-40000.svg in a browser"
 
 evaluate: $(READY) compiler drawing
 	$(RUN)/heron evaluate --out docs
 	$(RUN)/heron gallery --out docs
+
+study: $(READY) compiler
+	$(RUN)/heron learn steps --seeds 10 --out docs
+	$(RUN)/heron learn tree --seeds 10 --out docs
+	$(RUN)/heron learn moves --arm unguarded --arm guard --arm guard_feedback --seeds 10 --out docs
+	$(RUN)/heron learn steps --algorithm sac --arm unguarded --arm guard --seeds 10 --out docs
 
 # Live tests mostly wait, so there are more workers than processors. A worker takes whole files, in
 # the order of tests/support/order.py.
