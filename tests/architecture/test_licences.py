@@ -33,6 +33,7 @@ ADVICE = (
     "docs/decisions/0035-licences-are-checked.md says why"
 )
 WORDS = {
+    "3-Clause BSD License": {"BSD-3-Clause"},
     "Apache 2.0": {"Apache-2.0"},
     "Apache License Version 2.0, January 2004": {"Apache-2.0"},
     "Apache Software License": {"Apache-2.0"},

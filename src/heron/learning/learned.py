@@ -1,4 +1,4 @@
-"""What trainings have learned, to be used without them."""
+"""The policies and trees that trainings have learned, to be used without them."""
 
 from __future__ import annotations
 

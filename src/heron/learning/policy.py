@@ -1,4 +1,4 @@
-"""What a step learner has learned, for use without it: a network in NumPy."""
+"""The policy that a step learner has learned, for use without it: a network in NumPy."""
 
 from __future__ import annotations
 

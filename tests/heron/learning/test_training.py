@@ -5,7 +5,7 @@ from __future__ import annotations
 import shutil
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -145,7 +145,8 @@ def test_a_learner_knows_what_it_has_learned(
     assert second.steps == first.training.steps
     assert second.result() == first.training.result()
     known, again = (msgpack_restore(each.save()) for each in (first.training, second))
-    assert jax.tree.all(jax.tree.map(np.array_equal, known, again))
+    same = partial(np.array_equal, equal_nan=True)  # the memory has places that are free yet
+    assert jax.tree.all(jax.tree.map(same, known, again))
 
 
 def test_numbers_of_a_tree_go_on_as_if_nothing_had_been() -> None:
