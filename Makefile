@@ -119,6 +119,7 @@ bench: $(READY) compiler ros1 prover
 	PATH=$(PROGRAMS):$$PATH $(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
 	$(RUN)/python benchmarks/guarding.py --out docs/reference/performance-guard.md
 	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md
+	$(RUN)/python benchmarks/learning.py --out docs/reference/performance-learning.md
 	$(RUN)/python benchmarks/ezskiros_run.py --out docs/reference/performance-ezskiros.md
 
 fmt: $(READY)

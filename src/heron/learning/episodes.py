@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -111,16 +111,27 @@ class EpisodeLog:
 
 
 def read_log(path: Path) -> list[Episode]:
-    """The episodes of a log; none if there is no log."""
+    """The episodes of a log; none if there is no log. A last line in which a program was
+    interrupted counts for nothing. Raises `OSError`, and `ValueError` if another line is none.
+    """
     if not path.exists():
         return []
-    return episodes_of(path.read_text(encoding="utf-8").splitlines()[1:])
+    text = path.read_text(encoding="utf-8", errors="replace")
+    try:
+        return episodes_of(text[: text.rfind("\n") + 1].splitlines()[1:])
+    except ValueError:
+        raise ValueError(f"{path} is no log of episodes; remove its folder") from None
 
 
-def episodes_of(lines: Sequence[str]) -> list[Episode]:
-    """The episodes of lines of a log. One in which a program was interrupted counts for nothing."""
-    found = [line.split(",") for line in lines]
-    return [Episode._make(map(_number, one)) for one in found if len(one) == len(Episode._fields)]
+def episodes_of(lines: Iterable[str]) -> list[Episode]:
+    """The episodes of lines of a log. Raises `ValueError` if a line is none."""
+    return [_episode(line.split(",")) for line in lines]
+
+
+def _episode(texts: Sequence[str]) -> Episode:
+    if len(texts) != len(Episode._fields):
+        raise ValueError("this is no episode")
+    return Episode._make(map(_number, texts))
 
 
 def _number(text: str) -> float:

@@ -48,7 +48,7 @@ class Training(Protocol):
 
 def train(folder: Path, key: str) -> Value:
     """Run the training of a key, or go on with it, and give its row. Raises `OSError`, and
-    `ValueError` if its checkpoint is of something else.
+    `ValueError` if its checkpoint or its log is something else.
     """
     run = run_of(key)
     place = folder / run.folder

@@ -21,7 +21,7 @@ require(LEARNERS)
 import jax
 from flax.serialization import msgpack_restore
 
-from heron.learning import step_training, training
+from heron.learning import insertion, step_training, training
 from heron.learning.environment import GREATEST, LEAST
 from heron.learning.episodes import Episode, EpisodeLog, read_log
 from heron.learning.insertion import FIELDS
@@ -55,11 +55,14 @@ class Trained(NamedTuple):
 @cache
 def trained(formulation: Formulation, algorithm: str) -> Trained:
     """One for each learner: JAX compiles for longer than such a training takes."""
-    run = runs(formulation, algorithm, 300 if formulation is Formulation.TREE else 1400)
+    is_tree = formulation is Formulation.TREE
+    run = runs(formulation, algorithm, 300 if is_tree else 400)
     folder = Path(tempfile.mkdtemp())
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(training, "FINAL", 1)
         patch.setattr(step_training, "COUNT", 4)
+        if not is_tree:
+            patch.setattr(insertion, "LONGEST_S", 3.0)
         made = training._new(run)
         patch.setattr(training, "_new", lambda _: made)
         return Trained(run, folder / run.folder, made, train(folder, run.key))
@@ -271,6 +274,16 @@ def test_a_log_holds_what_was_written(
     assert read_log(path) == episodes
     least = min((one.steps for one in episodes), default=0)
     assert EpisodeLog(path, least).episodes == [one for one in episodes if one.steps <= least]
+
+
+@pytest.mark.parametrize("line", ["1,2,3", "a" + ",1" * 13, "1" + ",1" * 14, "\udcff"])
+def test_a_log_of_something_else_is_refused(line: str, tmp_path: Path) -> None:
+    path = tmp_path / LOG
+    EpisodeLog(path, 0).append(NOTHING)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text + line + "\n", encoding="utf-8", errors="surrogateescape")
+    with pytest.raises(ValueError, match=r"is no log of episodes; remove its folder"):
+        EpisodeLog(path, 0)
 
 
 def test_nine_of_ten_of_the_last_fifty() -> None:

@@ -40,7 +40,10 @@ class _Log:
             return
         whole = text[: text.rfind(b"\n") + 1]
         lines = whole.decode(errors="replace").splitlines()
-        new = episodes_of(lines[1:] if self.offset == 0 else lines)
+        try:
+            new = episodes_of(lines[1:] if self.offset == 0 else lines)
+        except ValueError:  # the training itself will tell
+            new = []
         self.offset += len(whole)
         self.count += len(new)
         self.violating += sum(one.is_violating for one in new)
