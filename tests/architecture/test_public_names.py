@@ -16,7 +16,7 @@ from support.parts import MUJOCO, needs
 # What imports MuJoCo.
 SIMULATION = {
     *("heron.demo", "heron.evaluation", "heron.experiments"),
-    *("heron.robot", "heron.ros1", "heron.scene"),
+    *("heron.operation", "heron.robot", "heron.ros1", "heron.scene"),
 }
 
 PACKAGES = [

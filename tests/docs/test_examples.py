@@ -11,7 +11,9 @@ import re
 import shutil
 import subprocess
 import sys
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -20,17 +22,27 @@ from rossmarie.driver import check_file
 from support import expectations, transcript
 from support.checking import compare_file
 from support.markdown import Block, blocks
+from support.parts import LEARNERS, needs
 from support.rule_skills import put_skills
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
+NEEDS = {"docs/how-to/learn-behind-rules.md": LEARNERS}
+"""Parts of a machine that pages need."""
 
 
 def name(page: Path) -> str:
     return page.relative_to(ROOT).as_posix()
 
 
-@pytest.mark.parametrize("page", PAGES, ids=name)
+def examples() -> Iterator[Any]:
+    """The pages, each with the part that it needs."""
+    for page in PAGES:
+        part = NEEDS.get(name(page))
+        yield pytest.param(page, id=name(page), marks=[needs(part)] if part else [])
+
+
+@pytest.mark.parametrize("page", list(examples()))
 def test_the_examples_of_a_page_work(page: Path, tmp_path: Path) -> None:
     text = page.read_text(encoding="utf-8")
     folder = tmp_path / "project"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import sys
+from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
@@ -48,6 +50,8 @@ def test_somebody_comes_into_the_room() -> None:
         ["evaluate"],
         ["record", "nav", "--out", "a.mcap"],
         ["learn", "tree"],
+        ["run", "insertion", "--ros1"],
+        ["policy", "numbers.json"],
     ],
 )
 def test_without_mujoco_it_says_what_to_install(
@@ -114,6 +118,55 @@ def test_without_a_guard_there_is_nothing_to_link() -> None:
     found = CliRunner().invoke(app, ["run", "nav", "--ros1", "--arm", "none"])
     assert found.exit_code == 2
     assert "--arm none has none" in found.stderr
+
+
+NO_POLICY = ["run", "insertion", "--policy", "policy.npz"]
+
+
+@pytest.mark.parametrize(
+    ("command", "told"),
+    [
+        (["run", "insertion"], "an episode needs --policy FILE"),
+        (["run", "insertion", "--arm", "ended"], "insertion has no arm ended; there are"),
+        ([*NO_POLICY, "--ros1"], "leave out --policy, and run `heron policy policy.npz`"),
+        (["run", "insertion", "--ros1", "--arm", "unguarded"], "--arm unguarded has none"),
+        (["run", "insertion", "--ros1", "--film", "a.gif"], "leave out --ros1"),
+        ([*NO_POLICY, "--film", "a.txt"], "has to end in .mp4 or .gif"),
+    ],
+)
+def test_an_insertion_that_there_is_not_is_refused(command: list[str], told: str) -> None:
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 2
+    assert told in found.stderr
+
+
+@needs(MUJOCO)
+@pytest.mark.parametrize("command", [NO_POLICY, ["policy", "policy.npz"]])
+def test_a_policy_that_is_not_there_is_told(
+    command: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 2
+    assert "cannot read policy.npz: no such file" in found.stderr
+    (tmp_path / "policy.npz").write_bytes(b"PK")
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 2
+    assert "policy.npz is no policy of this task" in found.stderr
+
+
+@needs(MUJOCO)
+@pytest.mark.parametrize("command", [["run", "insertion", "--ros1"], ["policy", "numbers.json"]])
+def test_without_a_master_nothing_is_in_operation(
+    command: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("ROS_MASTER_URI", "http://127.0.0.1:1")
+    numbers = {"Height": 0.05, "AsideX": 0, "AsideY": 0, "Force": 5, "Growth": 0.004, "Speed": 0.05}
+    (tmp_path / "numbers.json").write_text(json.dumps(numbers), encoding="utf-8")
+    found = CliRunner().invoke(app, command)
+    assert found.exit_code == 1
+    assert "no ROS master at http://127.0.0.1:1" in found.stderr
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,7 @@ from pathlib import Path
 from support import command_line
 
 _PROGRAMS = ("rossmarie", "ezskiros", "crosscheck")
-_RUN = (*(f"{program} " for program in _PROGRAMS), "python ", "cat ", "echo $?")
+_RUN = (*(f"{program} " for program in _PROGRAMS), "heron ", "python ", "cat ", "echo $?")
 # Of words and quotations in which nothing has a meaning of its own.
 _PLAIN = re.compile(r"""(?:[\w@%+=:,./ -]|'[^']*'|"[^"$`\\]*")+""")
 

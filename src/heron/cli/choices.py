@@ -187,6 +187,14 @@ def require_learning(algorithms: Sequence[str]) -> None:
     output.fail(f"{reason}: pip install 'rossmarie[learning]'", exit_code=2)
 
 
+def require_gymnasium() -> None:
+    """End the run if there can be no environments."""
+    if find_spec("gymnasium") is None:
+        output.fail(
+            "what was learned needs Gymnasium: pip install 'rossmarie[gym,heron]'", exit_code=2
+        )
+
+
 def require_simulation() -> None:
     """End the run with the reason if a part of the simulation is not installed, or cannot draw as
     the environment says.

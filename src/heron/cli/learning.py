@@ -107,6 +107,8 @@ class _Progress:
 
     def __exit__(self, *_: object) -> None:
         self._live.stop()
+        if not self._console.is_terminal:  # where Rich does not end the last line of a table
+            self._console.line()
 
     def begin(self, count: int, done: int) -> None:
         """Of `count` trainings, `done` were in the journal."""

@@ -1,4 +1,4 @@
-"""Experiment I with a node of ROS 1 on guard."""
+"""Experiment I with a node of ROS 1 on guard, and new nodes."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from heron.cli.episodes import print_episode
 from heron.experiments import Observer, run_navigation
 from heron.experiments.table import NAVIGATION
 from heron.ros1 import Ros1Error, Ros1Link
+from heron.ros1.node import Node
 from heron.variants import Arm, Terrain
 
 _MASTER = "http://localhost:11311"
@@ -19,12 +20,22 @@ _MASTER = "http://localhost:11311"
 def run_live(
     output: CommandLine, arm: Arm, terrain: Terrain, seed: int, observers: Sequence[Observer]
 ) -> None:
-    """Master and address of this machine are where ROS has them: in the environment."""
-    master = os.environ.get("ROS_MASTER_URI") or _MASTER
-    host = os.environ.get("ROS_IP") or os.environ.get("ROS_HOSTNAME") or "localhost"
+    """The guard is a node of its own."""
     try:
-        with closing(Ros1Link(master, host)) as link:
+        with closing(Ros1Link(*_place())) as link:
             episode = run_navigation(arm, terrain, seed, observers, link=link)
     except Ros1Error as error:
         output.fail(str(error), exit_code=1)
     print_episode(NAVIGATION, episode)
+
+
+def node_of(name: str) -> Node:
+    """A new node. Raises `Ros1Error` if there is no master."""
+    return Node(name, *_place())
+
+
+def _place() -> tuple[str, str]:
+    """Master and address of this machine are where ROS has them: in the environment."""
+    master = os.environ.get("ROS_MASTER_URI") or _MASTER
+    host = os.environ.get("ROS_IP") or os.environ.get("ROS_HOSTNAME") or "localhost"
+    return master, host

@@ -32,6 +32,8 @@ from heron.cli.choices import (
     variant_of,
     workers_of,
 )
+from heron.cli.operating import insertion, policy
+from heron.cli.options import Filming, Guarding, Jobs, Ray, Seed, View
 from heron.variants import (
     VARIANTS,
     Arm,
@@ -63,22 +65,6 @@ app.add_typer(runs, name="run")
 @app.callback()
 def heron(version: Annotated[bool, output.version_option()] = False) -> None:
     """The experiments of the thesis, in physics."""
-
-
-Guarding = Annotated[Arm, typer.Option("--arm", help="What guards the robot.")]
-View = Annotated[bool, typer.Option("--view", help="Show it in a window, in real time.")]
-Filming = Annotated[
-    Path | None,
-    typer.Option("--film", metavar="FILE", help="Write a film of it: FILE ends in .mp4 or .gif."),
-]
-Seed = Annotated[int, typer.Option("--seed", min=0, help="Random seed.")]
-Jobs = Annotated[
-    int | None, typer.Option(min=1, help="Processes at a time; one for each core if not given.")
-]
-Ray = Annotated[
-    str | None,
-    typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port instead."),
-]
 
 
 @runs.command()
@@ -149,6 +135,9 @@ def contact(
     or the box gets jammed.
     """
     _run("contact", arm, encounter, seed, view, film)
+
+
+runs.command()(insertion)
 
 
 def _run(
@@ -305,6 +294,9 @@ def learn(
 
     runs = list(runs_of(formulation, algorithms, arms, budget, seeds))
     run_all(output, runs, out, workers, film)
+
+
+app.command()(policy)
 
 
 @app.command()

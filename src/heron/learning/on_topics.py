@@ -18,6 +18,23 @@ VELOCITY = Topic("/arm/velocity", type_name(messages.Twist))
 PUSH = Topic("/arm/push", type_name(messages.Wrench))
 
 
+class Readings:
+    """Readings as messages on the topics that the rules hear."""
+
+    def __init__(self, carrier: Carrier) -> None:
+        self._place = carrier.publisher(PLACE)
+        self._force = carrier.publisher(WRENCH)
+        self._person = carrier.publisher(PERSON)
+
+    def publish(self, observation: Any, at_ns: int) -> None:
+        """Publish an observation, in the order in which the rules name the topics."""
+        read = dict(zip(FIELDS, observation.tolist(), strict=True))
+        self._place(messages.Point(*(read[f"place.{axis}"] for axis in "xyz")))
+        x, y, z = (read[f"force.{axis}"] for axis in "xyz")
+        self._force(messages.wrench(at_ns, (x, y, z)))
+        self._person(messages.Float64(read["person"]))
+
+
 class OnTopics(gymnasium.Wrapper[Any, Any, Any, Any]):
     """Publishes each reading of an environment of this package, and each command that is executed.
 
@@ -30,9 +47,7 @@ class OnTopics(gymnasium.Wrapper[Any, Any, Any, Any]):
         assert isinstance(task, PegInHole)
         self._task = task
         task.on_reading.append(self._tell)
-        self._place = carrier.publisher(PLACE)
-        self._force = carrier.publisher(WRENCH)
-        self._person = carrier.publisher(PERSON)
+        self._readings = Readings(carrier)
         self._velocity = carrier.publisher(VELOCITY)
         self._push = carrier.publisher(PUSH)
 
@@ -58,9 +73,4 @@ class OnTopics(gymnasium.Wrapper[Any, Any, Any, Any]):
         return stepped
 
     def _tell(self, observation: Any) -> None:
-        """Publish a reading, in the order in which the rules name the topics."""
-        read = dict(zip(FIELDS, observation.tolist(), strict=True))
-        self._place(messages.Point(*(read[f"place.{axis}"] for axis in "xyz")))
-        x, y, z = (read[f"force.{axis}"] for axis in "xyz")
-        self._force(messages.wrench(self.now_ns(), (x, y, z)))
-        self._person(messages.Float64(read["person"]))
+        self._readings.publish(observation, self.now_ns())

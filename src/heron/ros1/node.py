@@ -42,8 +42,11 @@ class _Published:
 
 @dataclass
 class _Heard:
-    """A topic that this node hears: from whom, by their addresses, and of which type."""
+    """A topic that this node hears: of which type, from whom by their addresses, and as what they
+    describe it.
+    """
 
+    kind: str
     receive: Callable[[Message], None]
     publishers: list[str] = field(default_factory=list)
     connections: dict[str, tuple[Connection, str]] = field(default_factory=dict)
@@ -119,11 +122,15 @@ class Node:
         """Say whether another node is connected to a topic of this one."""
         return topic in self._published and by in self._published[topic].listeners.values()
 
+    def has_listeners(self, topic: str) -> bool:
+        """Say whether anybody is connected to a topic of this one."""
+        return topic in self._published and bool(self._published[topic].listeners)
+
     # --- what comes in -----------------------------------------------------------------------
 
     def subscribe(self, topic: str, kind: str, receive: Callable[[Message], None]) -> None:
         """`receive` gets what others publish, in `deliver`. The kind may be `*`."""
-        heard = self._heard[topic] = _Heard(receive)
+        heard = self._heard[topic] = _Heard(kind, receive)
         found = self._ask_master("registerSubscriber", topic, kind, self._address)
         heard.publishers = heard.publishers or list(found)
 
@@ -162,7 +169,12 @@ class Node:
                 "tcp_nodelay": "1",
             }
         )
-        return connection, _learned(connection.header())
+        header = connection.header()
+        if self._heard[topic].kind not in (_ANY, header["type"]):
+            connection.close()
+            wanted, told = self._heard[topic].kind, header["type"]
+            raise Ros1Error(f"{header['callerid']} publishes {topic} as {told}, not {wanted}")
+        return connection, _learned(header)
 
     # --- services ----------------------------------------------------------------------------
 

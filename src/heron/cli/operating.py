@@ -1,0 +1,94 @@
+"""The commands of the insertion in operation."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from heron.cli.choices import (
+    output,
+    require_drawing,
+    require_film,
+    require_gymnasium,
+    require_simulation,
+)
+from heron.cli.options import Filming, Seed
+from heron.variants import LearningArm
+
+
+def insertion(
+    policy: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="policy.npz or numbers.json, as `heron learn` writes them."
+        ),
+    ] = None,
+    arm: Annotated[
+        LearningArm, typer.Option(help="guard, or unguarded; the others are about learning.")
+    ] = LearningArm.GUARD,
+    seed: Seed = 0,
+    film: Filming = None,
+    ros1: Annotated[
+        bool,
+        typer.Option(
+            "--ros1", help="Run the arm alone, commanded in real time, by ROS_MASTER_URI."
+        ),
+    ] = False,
+) -> None:
+    """Figure 4: insert a peg beside a fragile part and a person, as it was learned."""
+    if arm not in (LearningArm.GUARD, LearningArm.UNGUARDED):
+        output.fail(f"insertion has no arm {arm.value}; there are unguarded, guard", exit_code=2)
+    if ros1:
+        _insert_live(policy, arm, seed, film)
+        return
+    if policy is None:
+        output.fail("an episode needs --policy FILE: `heron learn` writes such files", exit_code=2)
+    if film is not None:
+        require_film(film)
+        require_drawing()
+    require_simulation()
+    require_gymnasium()
+    from heron.cli.inserting import insert
+
+    insert(output, policy, arm, seed, film)
+
+
+def _insert_live(policy: Path | None, arm: LearningArm, seed: int, film: Path | None) -> None:
+    if policy is not None:
+        output.fail(
+            "--ros1 runs the arm, and the policy is a node of its own: leave out --policy, and "
+            f"run `heron policy {policy}`",
+            exit_code=2,
+        )
+    if arm is LearningArm.UNGUARDED:
+        output.fail(
+            f"--ros1 is about the node on guard, and --arm {arm.value} has none", exit_code=2
+        )
+    if film is not None:
+        output.fail("--film needs an episode in this process: leave out --ros1", exit_code=2)
+    require_simulation()
+    require_gymnasium()
+    from heron.cli.inserting import insert_live
+
+    insert_live(output, seed)
+
+
+def policy(
+    learned: Annotated[
+        Path,
+        typer.Argument(
+            metavar="FILE", help="policy.npz or numbers.json, as `heron learn` writes them."
+        ),
+    ],
+) -> None:
+    """Command the arm of the insertion by ROS 1, as it was learned, for one episode.
+
+    A node of its own, in front of the node on guard that is built from the same rules.
+    """
+    require_simulation()
+    require_gymnasium()
+    from heron.cli.inserting import command
+
+    command(output, learned)
