@@ -169,5 +169,5 @@ class Insertion:
     def _is_inserted(self) -> bool:
         x, y, z = self.task.scene.hole
         place: Any = self.arm.place
-        is_inside = max(abs(place[0] - x), abs(place[1] - y)) < self.task.scene.clearance
+        is_inside = bool(max(abs(place[0] - x), abs(place[1] - y)) < self.task.scene.clearance)
         return is_inside and bool(place[2] <= z - INSERTED)
