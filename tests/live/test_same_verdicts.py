@@ -8,8 +8,7 @@ ROS 2 a thread of its own hears the clock, and may be late by a step of it.
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import ExitStack
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -25,7 +24,8 @@ from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.ir import Machine, Verdict
 from support.insertions import Policy, into_the_fragile_part, messages_of, recorded, scraping
-from support.live import LIMIT, Process, Ros, Wanted, until
+from support.live import Ros, Wanted
+from support.live_replay import verdicts_of
 from support.recordings import Reading, store_of, write_kind
 
 BEGIN_NS = 1_000_000_000
@@ -65,14 +65,14 @@ def test_a_node_says_what_the_training_said(
         for event in replay.events
         if isinstance(event, Verdict)
     ] == said
-    told = says(ros, programs[0], tmp_path / "latched", lambda: ros.play(played), len(said))
+    told = verdicts_of(ros, programs[0], tmp_path / "latched", lambda: ros.play(played), len(said))
     assert "\n".join(map(of_message, told)) == "\n".join(each for _, each in said)
     instants = [round(each["at"] * 1e9) - BEGIN_NS for each in told]
     assert instants == [pytest.approx(at_ns, rel=0, abs=NEAR_NS[ros.name]) for at_ns, _ in said]
 
 
 def readings(machine: Machine, episode: Path, kind: str) -> Iterator[Reading]:
-    """What rules read of the first seconds of an episode, with stamps from `BEGIN_NS` on."""
+    """The messages of the first seconds of an episode, with stamps from `BEGIN_NS` on."""
     store, topics = store_of(kind), {channel.topic for channel in machine.channels}
     for topic, at_ns, message in messages_of(episode):
         if topic.name in topics and at_ns + BEGIN_NS <= END_NS:
@@ -89,27 +89,6 @@ def of_store(store: Any, message: Any) -> Any:
     return store.types[kind](
         **{name: of_store(store, getattr(message, name, 0)) for name in fields}
     )
-
-
-def says(
-    ros: Ros, program: Path, latched: Path, play: Callable[[], Process], count: int
-) -> list[Any]:
-    """The verdicts of a node about what is played: `count`, or more."""
-    package = program.parent.name
-    verdicts = f"/{package}/verdicts"
-    with ExitStack() as started:
-        parameters = {"state_file": str(latched), "clock_timeout": LIMIT}
-        node = ros.begin(program, parameters, use_sim_time=True)
-        started.callback(node.end)
-        ears = ros.ears(verdicts, ros.ros_type(f"{package}/Verdict"))
-        started.callback(ears.end)
-        ears.connected(verdicts)
-        player = play()
-        started.callback(player.end)
-        player.running.wait(600.0)
-        assert player.running.poll() == 0, player.said()
-        until(lambda: ears.count(verdicts) >= count, f"{count} verdicts")
-        return ears.heard(verdicts)
 
 
 def of_message(told: Any) -> str:

@@ -83,7 +83,7 @@ def messages_of(recording: Path) -> Iterator[Heard]:
 
 
 def in_process(machine: Machine, heard: Sequence[Heard]) -> list[Event]:
-    """What Heron's guard says of the messages, which come one by one."""
+    """The verdicts of Heron's guard about the messages, which come one by one."""
     carrier, now_ns = InProcess(), [0]
     guard = InProcessGuard(machine, carrier, lambda: now_ns[0])
     publish = {topic: carrier.publisher(topic) for topic, _, _ in heard}

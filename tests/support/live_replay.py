@@ -13,6 +13,7 @@ from rossmarie.driver.replay import replay_file
 from rossmarie.ir import Verdict
 from support.live import LIMIT, Process, Ros, until
 
+_LONGEST_S = 600.0
 Changes = list[tuple[str, int, Any]]
 """Rules, how they changed, and when, in s of the recording's clock."""
 
@@ -41,7 +42,15 @@ def replayed(
 def says(
     ros: Ros, program: Path, latched: Path, play: Callable[[], Process], count: int
 ) -> Changes:
-    """What a node says of what is played, `count` verdicts or more."""
+    """The changes of rules that a node tells of what is played, `count` or more."""
+    heard = verdicts_of(ros, program, latched, play, count)
+    return [(told["rule"], told["change"], told["at"]) for told in heard]
+
+
+def verdicts_of(
+    ros: Ros, program: Path, latched: Path, play: Callable[[], Process], count: int
+) -> list[Any]:
+    """The verdicts of a node about what is played, `count` or more, as it publishes them."""
     package = program.parent.name
     verdicts = f"/{package}/verdicts"
     with ExitStack() as started:
@@ -54,7 +63,7 @@ def says(
         ears.connected(verdicts)
         player = play()
         started.callback(player.end)
-        until(lambda: player.running.poll() is not None, "all is played")
+        player.running.wait(_LONGEST_S)
         assert player.running.poll() == 0, player.said()
         until(lambda: ears.count(verdicts) >= count, f"{count} verdicts")
-        return [(told["rule"], told["change"], told["at"]) for told in ears.heard(verdicts)]
+        return ears.heard(verdicts)

@@ -6,23 +6,13 @@ from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
-import typer
 from rich.console import Console
 from rich.live import Live
 from rich.table import Table
 
-from campaign import (
-    BusyError,
-    Campaign,
-    ForeignError,
-    Journal,
-    Result,
-    UnreachableError,
-    Workers,
-    run,
-)
-from dslkit.command_line import INTERRUPTED, CommandLine
-from dslkit.writing import reason
+from campaign import Campaign, Journal, Result, Workers, run
+from dslkit.command_line import CommandLine
+from heron.cli.campaigns import carry_out
 from heron.evaluation import sources
 from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
 from heron.learning.learned import learned
@@ -31,7 +21,6 @@ from heron.learning.training import train
 
 _FILMED = 3
 """The seed of an episode in which the person comes near."""
-_KEPT = "what is done is kept, and the same command goes on from there"
 
 
 def learn(
@@ -41,24 +30,9 @@ def learn(
     from the first seed, if one is wanted.
     """
     folder = LearningFolder(out)
-    try:
-        found = _campaign(runs, folder, workers)
-    except KeyboardInterrupt:
-        output.fail(f"interrupted; {_KEPT}", exit_code=INTERRUPTED)
-    except BusyError as error:
-        output.fail(str(error), exit_code=2)
-    except UnreachableError as error:
-        output.fail(f"{error}; {_KEPT}", exit_code=2)
-    except ForeignError as error:
-        output.fail(f"{error}; remove it, or choose another folder by --out", exit_code=2)
-    except OSError as error:
-        output.fail(f"cannot write to {out}: {reason(error)}; {_KEPT}", exit_code=2)
-    if found.values:
-        with output.writing_to(out):
-            typer.echo(f"the page:  {write_learning_page(folder, found.values)}")
-    if found.failures:
-        names = ", ".join(failure.key for failure in found.failures)
-        output.fail(f"not finished, and tried again by the same command: {names}", exit_code=1)
+    carry_out(
+        output, out, lambda: _campaign(runs, folder, workers), partial(write_learning_page, folder)
+    )
     if film is not None:
         _write_film(output, runs, folder, film)
 
@@ -111,7 +85,7 @@ class _Progress:
             self._console.line()
 
     def begin(self, count: int, done: int) -> None:
-        """Of `count` trainings, `done` were in the journal."""
+        """Hear that the journal has `done` of `count` trainings."""
         if done:
             self._console.print(f"{done} of {count} are done already")
 

@@ -8,13 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 
-from heron.evaluation.claim import Claim, Verdict, between
+from heron.evaluation.claim import between
 from heron.evaluation.claims import claims_of
 from heron.evaluation.reasons import REASONS
 from heron.evaluation.rows import Row, StudyRow
 from heron.evaluation.sample import Sample, samples_of
 from heron.evaluation.statistics import median, share
 from heron.evaluation.study_section import section_of
+from heron.evaluation.summary import Told, summary_of, table_of
 from heron.experiments import EXPERIMENTS, STUDIES, Experiment, Measure
 from heron.experiments.experiment import ARM_NAMES, COMPLETED
 from heron.variants import Arm
@@ -71,7 +72,8 @@ def page_of(results: Results, plots: str) -> str:
     samples = {
         name: samples_of(EXPERIMENTS[name], rows) for name, rows in results.experiments.items()
     }
-    lines = [_HEAD, *_summary([one for found in samples.values() for one in found]), _changes()]
+    told = [each for found in samples.values() for sample in found for each in _told(sample)]
+    lines = [_HEAD, *summary_of(told), _changes()]
     if results.studies:
         lines += ["## How much depends on our choices", ""]
     for name, rows in results.studies.items():
@@ -88,28 +90,10 @@ def page_of(results: Results, plots: str) -> str:
 # --- what came out ---------------------------------------------------------------------------
 
 
-def _summary(samples: Sequence[Sample]) -> Iterator[str]:
-    found = [(sample, claim) for sample in samples for claim in claims_of(sample)]
-    counts = {verdict: sum(claim.verdict is verdict for _, claim in found) for verdict in Verdict}
-    yield "## What came out"
-    yield ""
-    yield f"Of {len(found)} expectations:"
-    yield ""
-    yield from (f"- {count} came out {verdict.value}" for verdict, count in counts.items() if count)
-    yield ""
-    for verdict in (Verdict.FAILS, Verdict.OPEN):
-        chosen = [(sample, claim) for sample, claim in found if claim.verdict is verdict]
-        if chosen:
-            yield f"{verdict.value.capitalize()}:"
-            yield ""
-            yield from (_told(sample, claim) for sample, claim in chosen)
-            yield ""
-
-
-def _told(sample: Sample, claim: Claim) -> str:
-    reason = REASONS.get((sample.experiment.name, sample.variant, claim.key))
-    why = f" {reason}" if reason and claim.verdict is Verdict.FAILS else ""
-    return f"- *{_place(sample)}*, {claim.expected}: {claim.found}.{why}"
+def _told(sample: Sample) -> Iterator[Told]:
+    for claim in claims_of(sample):
+        reason = REASONS.get((sample.experiment.name, sample.variant, claim.key))
+        yield Told(_place(sample), claim, reason)
 
 
 def _place(sample: Sample) -> str:
@@ -129,11 +113,7 @@ def _section(sample: Sample) -> Iterator[str]:
             cells = " | ".join(_cell(sample, arm, measure) for arm in sample.arms)
             yield f"| {_label(measure)} | {cells} |"
     yield ""
-    yield "| expected | found | |"
-    yield "|---|---|---|"
-    for claim in claims_of(sample):
-        yield f"| {claim.expected} | {claim.found} | {claim.verdict.value} |"
-    yield ""
+    yield from table_of(claims_of(sample))
 
 
 def _label(measure: Measure) -> str:

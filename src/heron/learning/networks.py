@@ -11,7 +11,7 @@ from skrl.models.jax import CategoricalMixin, DeterministicMixin, GaussianMixin,
 _HIDDEN = 64
 _SMALL = nn.initializers.variance_scaling(0.01, "fan_in", "normal")
 _LOG_STD = -1.2
-"""Of the first actions, which are scaled to [-1, 1]."""
+"""The spread of the first actions, which are scaled to [-1, 1], as its logarithm."""
 
 
 class Gaussian(GaussianMixin, Model):  # type: ignore[misc]

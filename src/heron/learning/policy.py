@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import io
+import struct
+import tokenize
 import zipfile
-from collections.abc import Sequence
+import zlib
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -12,6 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from heron.learning.environment import LEAST, MOVES
 from heron.learning.insertion import FIELDS, LONGEST_S
 from heron.scene.insertion import InsertionParameters
 
@@ -23,6 +27,27 @@ POLICY = "policy.npz"
 INPUTS = len(FIELDS) + 3
 _NEAR = 0.02
 _MIDDLE = np.append(np.array(InsertionParameters().hole), np.zeros(len(FIELDS) - 3))
+_LARGEST_FILE = 2**24  # bytes
+_GREATEST = 1e6  # of the numbers of a network: what it computes stays finite
+
+_OF_DAMAGE = (
+    ArithmeticError,
+    AttributeError,
+    EOFError,
+    LookupError,
+    MemoryError,
+    RuntimeError,
+    SyntaxError,
+    TypeError,
+    ValueError,
+    struct.error,
+    tokenize.TokenError,
+    zipfile.BadZipFile,
+    zlib.error,
+)
+"""The errors that NumPy and zipfile raise for damaged files."""
+_OUTPUTS = {(2, LEAST.size): LEAST.size, (2, 0): len(MOVES)}
+"""The number of outputs of a network, by the shape of its bounds."""
 
 
 def scaled(observations: Floats) -> Floats:
@@ -73,21 +98,53 @@ class Policy:
 
 def load_policy(path: Path) -> Policy:
     """Read a policy from a file. Raises `OSError`, and `ValueError` if it is none."""
+    require_small(path)
     try:
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as found:
-            count = sum(name.startswith("weights") for name in found.files)
-            layers = [(found[f"weights{i}"], found[f"bias{i}"]) for i in range(count)]
+        found = _arrays(path)
+        if _are_of_a_policy(found):
+            count = (len(found) - 2) // 2
+            layers = [
+                (found[f"weights{number}"], found[f"bias{number}"]) for number in range(count)
+            ]
             least, greatest = found["bounds"].tolist()
-            policy = Policy(layers, (least, greatest), bool(found["is_squashed"]))
-            policy(np.zeros(len(FIELDS)))
-    except (
-        KeyError,
-        IndexError,
-        TypeError,
-        AttributeError,
-        ValueError,
-        EOFError,
-        zipfile.BadZipFile,
-    ):
-        raise ValueError(f"{path} is no policy of this task") from None
-    return policy
+            return Policy(layers, (least, greatest), bool(found["is_squashed"]))
+    except _OF_DAMAGE:
+        pass
+    raise ValueError(f"{path} is no policy of this task")
+
+
+def require_small(path: Path) -> None:
+    """Raise `ValueError` if a path is no file, or one that is too large to be of a training, and
+    `OSError` if there is none.
+    """
+    if path.stat() and not path.is_file():
+        raise ValueError(f"{path} is no file")
+    if path.stat().st_size > _LARGEST_FILE:
+        raise ValueError(f"{path} is larger than {_LARGEST_FILE // 2**20} MiB")
+
+
+def _arrays(path: Path) -> Mapping[str, Floats]:
+    """The arrays of a file, which may say before that it is no small one."""
+    with path.open("rb") as file:
+        with zipfile.ZipFile(file) as parts:
+            if sum(part.file_size for part in parts.infolist()) > _LARGEST_FILE:
+                return {}
+        file.seek(0)
+        with np.load(file, allow_pickle=False) as found:
+            return {name: found[name] for name in found.files}
+
+
+def _are_of_a_policy(arrays: Mapping[str, Floats]) -> bool:
+    """Say whether arrays are those of a network whose outputs are finite, and as many as an
+    environment needs.
+    """
+    shapes = {name: array.shape for name, array in arrays.items()}
+    bounds = shapes["bounds"]
+    before, expected = INPUTS, {"bounds": bounds, "is_squashed": ()}
+    for number in range((len(arrays) - 2) // 2):
+        after = arrays[f"bias{number}"].size
+        expected |= {f"weights{number}": (before, after), f"bias{number}": (after,)}
+        before = after
+    are_numbers = all(each.dtype.kind in "bif" for each in arrays.values())
+    is_small = are_numbers and all((abs(each) <= _GREATEST).all() for each in arrays.values())
+    return is_small and shapes == expected and _OUTPUTS.get(bounds) == before

@@ -74,7 +74,7 @@ class StepTraining:
         return POLICY, self._learner.policy().file()
 
     def _seed(self, number: int) -> int:
-        """Of an environment; another one after a training went on from steps that were kept."""
+        """The seed of an environment. A training that goes on from a checkpoint has others."""
         return (self._run.seed * 1_000_003 + self.steps) * COUNT + number
 
     def _own(self, proposed: Any, infos: Sequence[Any]) -> Any:

@@ -130,7 +130,8 @@ def test_trainings_are_watched_by_their_logs(tmp_path: Path) -> None:
     run = Run(Formulation.STEPS, "ppo", LearningArm.GUARD, 1000, 0)
     other = Run(Formulation.STEPS, "ppo", LearningArm.UNGUARDED, 1000, 0)
     watch = Watch(tmp_path, [other, run])
-    assert all(not cell or cell[0] == "0" for _, _, rows in watch.look() for _, cell in [rows[1]])
+    ((_, _, found),) = watch.look()
+    assert dict(found)["episodes"] == ["0", "0"]
     (tmp_path / run.folder).mkdir()
     log = EpisodeLog(tmp_path / run.folder / LOG, 0)
     log.append(ONE._replace(steps=100, inserted=1))

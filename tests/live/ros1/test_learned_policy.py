@@ -47,7 +47,7 @@ GOOD = {
 }
 """Numbers of the tree as a training behind the rules finds them."""
 SEED = 5
-"""Of an episode in which nobody comes."""
+"""The seed of an episode in which nobody comes."""
 
 
 def needs(_generation: str) -> Sequence[Wanted]:

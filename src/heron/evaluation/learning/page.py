@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from importlib.resources import files
 
-from heron.evaluation.claim import Claim, Verdict, between
+from heron.evaluation.claim import between
 from heron.evaluation.learning.expectations import expectations_of
 from heron.evaluation.learning.measures import MEASURES, Measure
 from heron.evaluation.learning.names import ALGORITHM_NAMES, TITLES
 from heron.evaluation.learning.reasons import REASONS
 from heron.evaluation.learning.trainings import Trainings
 from heron.evaluation.statistics import Estimate, median
+from heron.evaluation.summary import Told, summary_of, table_of
 from heron.learning.arms import ARM_NAMES
 from heron.variants import LearningArm
 
@@ -19,7 +20,8 @@ from heron.variants import LearningArm
 def page_of(all_trainings: Sequence[Trainings], plots: str) -> str:
     """The whole page. `plots` is the folder of the pictures as seen from the page."""
     head = files("heron.evaluation").joinpath("assets/learning.md").read_text("utf-8")
-    lines = [head, *_summary(all_trainings)]
+    told = [each for found in all_trainings for each in _told(found)]
+    lines = [head, *summary_of(told)]
     for found in all_trainings:
         lines += _section(found, plots)
     return "\n".join(lines)
@@ -34,30 +36,10 @@ def _title(found: Trainings) -> str:
     return f"{TITLES[found.formulation]}, by {ALGORITHM_NAMES[found.algorithm]}"
 
 
-def _summary(all_trainings: Sequence[Trainings]) -> Iterator[str]:
-    told = [(found, claim) for found in all_trainings for claim in expectations_of(found)]
-    yield "## What came out"
-    yield ""
-    yield f"Of {len(told)} expectations:"
-    yield ""
-    for verdict in Verdict:
-        count = sum(claim.verdict is verdict for _, claim in told)
-        if count:
-            yield f"- {count} came out {verdict.value}"
-    yield ""
-    for verdict in (Verdict.FAILS, Verdict.OPEN):
-        chosen = [(found, claim) for found, claim in told if claim.verdict is verdict]
-        if chosen:
-            yield f"{verdict.value.capitalize()}:"
-            yield ""
-            yield from (_told(found, claim) for found, claim in chosen)
-            yield ""
-
-
-def _told(found: Trainings, claim: Claim) -> str:
-    reason = REASONS.get((found.formulation.value, found.algorithm, claim.key))
-    why = f" {reason}" if reason and claim.verdict is Verdict.FAILS else ""
-    return f"- *{_title(found)}*, {claim.expected}: {claim.found}.{why}"
+def _told(found: Trainings) -> Iterator[Told]:
+    for claim in expectations_of(found):
+        reason = REASONS.get((found.formulation.value, found.algorithm, claim.key))
+        yield Told(_title(found), claim, reason)
 
 
 def _section(found: Trainings, plots: str) -> Iterator[str]:
@@ -77,11 +59,7 @@ def _section(found: Trainings, plots: str) -> Iterator[str]:
         cells = " | ".join(_cell(found, arm, measure) for arm in found.arms)
         yield f"| {measure.label} | {cells} |"
     yield ""
-    yield "| expected | found | |"
-    yield "|---|---|---|"
-    for claim in expectations_of(found):
-        yield f"| {claim.expected} | {claim.found} | {claim.verdict.value} |"
-    yield ""
+    yield from table_of(expectations_of(found))
 
 
 def _cell(found: Trainings, arm: LearningArm, measure: Measure) -> str:

@@ -7,7 +7,7 @@ from heron.learning.skills.hand import HAND
 
 NEAR = 0.004
 INSIDE = -0.029
-"""From which height on the peg is in the hole (m)."""
+"""A peg that is lower is in the hole (m)."""
 
 
 class Approach(SkillDescription):
