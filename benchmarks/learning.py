@@ -68,10 +68,11 @@ def learned(run: Run) -> tuple[int | None, float]:
     kind = TreeTraining if run.formulation is Formulation.TREE else StepTraining
     found: list[Episode] = []
     for episode in kind(run).episodes():
-        found.append(episode)
-        if steps_to_good(found) is not None:
+        is_whole = bool(found) and episode.steps > found[-1].steps  # of the instant before
+        if is_whole and steps_to_good(run.formulation, found) is not None:
             break
-    return steps_to_good(found), time.monotonic() - began
+        found.append(episode)
+    return steps_to_good(run.formulation, found), time.monotonic() - began
 
 
 def row(formulation: Formulation, algorithm: str, arm: LearningArm) -> str:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from itertools import accumulate
 
 from campaign import Value
 from heron.learning.episodes import Episode
 from heron.learning.insertion import VIOLATIONS
 from heron.learning.runs import Run
-from heron.variants import LearningArm
+from heron.variants import LEAST_BUDGETS, Formulation, LearningArm
 
-BINS = 20
-"""Parts of a training, by steps, in which its curves have a value each."""
+BINS = 15
+"""The most parts of a training, by steps, in which its curves have a value each."""
 CURVES: Mapping[str, Callable[[Sequence[Episode]], float]] = {
     "inserted": lambda found: share(one.inserted for one in found),
     "violating": lambda found: share(one.is_violating for one in found),
@@ -19,6 +21,7 @@ CURVES: Mapping[str, Callable[[Sequence[Episode]], float]] = {
 }
 """Shares of episodes, and of steps."""
 _LATELY = 50
+"""Episodes, at least, of which a share is told."""
 _GOOD = 0.9
 
 
@@ -46,7 +49,7 @@ def row_of(
         "seed": run.seed,
         "episodes": len(episodes),
         "seconds": episodes[-1].seconds,
-        "steps_to_good": steps_to_good(episodes),
+        "steps_to_good": steps_to_good(run.formulation, episodes),
         "violating": share(one.is_violating for one in episodes),
         "violating_late": share(one.is_violating for one in late) if late else None,
         **{name: sum(getattr(one, name) for one in episodes) for name in VIOLATIONS},
@@ -60,19 +63,42 @@ def row_of(
     for arm, found in finals.items():
         row[f"inserted_{arm.value}"] = share(one.inserted for one in found)
         row[f"violating_{arm.value}"] = share(one.is_violating for one in found)
+    count = bins_of(run.formulation, run.budget)
     for place in range(BINS):
-        part = _part(episodes, run.budget, place, BINS)
+        part = _part(episodes, run.budget, place, count)
         for name, of in CURVES.items():
             row[f"{name}_{place:02}"] = of(part) if part else None
     return row
 
 
-def steps_to_good(episodes: Sequence[Episode]) -> int | None:
-    """The steps after which nine of ten of the last 50 episodes were insertions."""
-    done = 0
-    for place, one in enumerate(episodes):
-        done += one.inserted - (episodes[place - _LATELY].inserted if place >= _LATELY else 0)
-        if place + 1 >= _LATELY and done >= _GOOD * _LATELY:
+def bins_of(formulation: Formulation, budget: int) -> int:
+    """The parts of a training of so many steps. In each part every environment ends an episode:
+    environments begin together, and so those that run out of time end together. Shares between
+    these instants would be of the short episodes only.
+    """
+    return max(1, min(BINS, budget // LEAST_BUDGETS[formulation]))
+
+
+def lately(formulation: Formulation, episodes: Sequence[Episode]) -> Sequence[Episode]:
+    """The last episodes: 50, and as many more as end while each environment ends one."""
+    if not episodes:
+        return episodes
+    since = episodes[-1].steps - LEAST_BUDGETS[formulation]
+    first = bisect_right(episodes, since, key=lambda one: one.steps)
+    return episodes[min(first, max(0, len(episodes) - _LATELY)) :]
+
+
+def steps_to_good(formulation: Formulation, episodes: Sequence[Episode]) -> int | None:
+    """The steps after which nine of ten of the last episodes were insertions."""
+    done = list(accumulate((one.inserted for one in episodes), initial=0))
+    least, first = LEAST_BUDGETS[formulation], 0
+    for last, one in enumerate(episodes, 1):
+        while episodes[first].steps <= one.steps - least:
+            first += 1
+        begin = min(first, last - _LATELY)
+        is_whole = last == len(episodes) or episodes[last].steps > one.steps  # of this instant
+        is_known = is_whole and begin >= 0 and one.steps >= least
+        if is_known and done[last] - done[begin] >= _GOOD * (last - begin):
             return one.steps
     return None
 

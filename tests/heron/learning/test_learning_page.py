@@ -97,6 +97,12 @@ def test_learning_from_executed_actions_may_take_longer() -> None:
     assert verdicts(slow)["executed as soon"] is Verdict.FAILS
 
 
+def test_what_happens_in_no_arm_tells_nothing() -> None:
+    found = verdicts(rows(range(10), touched=0.0, steps_to_good=None))
+    assert found["unguarded touched > guard touched"] is Verdict.OPEN
+    assert found["unguarded steps_to_good > guard steps_to_good"] is Verdict.OPEN
+
+
 def test_a_single_seed_tells_little() -> None:
     assert Verdict.OPEN in verdicts(rows([0])).values()
 
@@ -140,7 +146,7 @@ def test_trainings_are_watched_by_their_logs(tmp_path: Path) -> None:
         assert title == "a policy of velocities, ppo"
         assert arms == ["unguarded", "guard"]
         assert dict(found)["episodes"] == ["0", "1"]
-        assert dict(found)["inserted, of the last 50"] == ["", "100 %"]
+        assert dict(found)["inserted, of the last episodes"] == ["", "100 %"]
     log.append(ONE._replace(steps=2000, broken=1, touched=1, proposed_outside=50))
     watch.note_end(run.key)
     ((_, _, found),) = watch.look()
@@ -148,7 +154,7 @@ def test_trainings_are_watched_by_their_logs(tmp_path: Path) -> None:
         "trainings over": "1 of 1",
         "steps": "2,000",
         "episodes": "2",
-        "inserted, of the last 50": "50 %",
+        "inserted, of the last episodes": "50 %",
         "steps outside of the rules, proposed": "25 %",
         "episodes with a violation": "1",
         "fragile parts broken": "1",

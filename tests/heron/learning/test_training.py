@@ -29,7 +29,7 @@ from heron.learning.policy import Policy, load_policy, scaled
 from heron.learning.runs import Run, run_of, runs_of
 from heron.learning.step_learners import SkrlLearner
 from heron.learning.step_training import StepTraining
-from heron.learning.summary import BINS, row_of, steps_to_good
+from heron.learning.summary import BINS, bins_of, lately, row_of, share, steps_to_good
 from heron.learning.training import CHECKPOINT, LOG, train
 from heron.learning.tree_training import TreeTraining
 from heron.variants import ALGORITHMS, BUDGETS, LEARNING_ARMS, Formulation, LearningArm
@@ -291,7 +291,7 @@ def test_nine_of_ten_of_the_last_fifty() -> None:
         found = [
             NOTHING._replace(inserted=each, steps=place) for place, each in enumerate(inserted, 1)
         ]
-        return steps_to_good(found)
+        return steps_to_good(Formulation.TREE, found)
 
     assert steps(*[1] * 49) is None
     assert steps(*[1] * 50) == 50
@@ -301,8 +301,43 @@ def test_nine_of_ten_of_the_last_fifty() -> None:
     assert steps(*[1] * 45, *[0] * 50) == 50
 
 
+def side_by_side(failing: int, cycles: int) -> list[Episode]:
+    """Of 32 environments, some always run out of time, at one instant. The others always insert,
+    in a third of the time.
+    """
+    good = [NOTHING._replace(inserted=1)] * (32 - failing)
+    bad = [NOTHING] * failing
+    return [
+        one._replace(steps=3200 * third)
+        for third in range(1, 3 * cycles + 1)
+        for one in (good if third % 3 else [*good, *bad])
+    ]
+
+
+@pytest.mark.parametrize(("failing", "is_good"), [(16, False), (12, False), (8, True), (0, True)])
+def test_episodes_that_run_out_of_time_count_as_well(failing: int, is_good: bool) -> None:
+    found = side_by_side(failing, 5)
+    assert (steps_to_good(Formulation.STEPS, found) is not None) == is_good
+    expected = 3 * (32 - failing) / (3 * (32 - failing) + failing)
+    for third in range(9_600, 48_001, 3_200):
+        last = lately(Formulation.STEPS, [one for one in found if one.steps <= third])
+        assert share(one.inserted for one in last) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("budget", [9_600, 48_000, 150_000, 10**6])
+def test_each_part_of_a_curve_has_an_end_of_each_environment(budget: int) -> None:
+    count = bins_of(Formulation.STEPS, budget)
+    assert 1 <= count <= BINS
+    assert budget / count >= 9_600
+    assert bins_of(Formulation.TREE, budget) == BINS
+    row = row_of(
+        runs(Formulation.STEPS, "ppo", 48_000), side_by_side(16, 5), {LearningArm.GUARD: [NOTHING]}
+    )
+    assert [row[f"inserted_{place:02}"] for place in range(6)] == [*[0.75] * 5, None]
+
+
 def test_a_row_has_the_shares_of_its_episodes() -> None:
-    run = runs(Formulation.STEPS, "ppo", 200)
+    run = runs(Formulation.TREE, "cma-es", 200)
     one = NOTHING._replace(length=10, proposed_outside=4)
     episodes = [
         one._replace(steps=10, touched=1, broken=1),
@@ -319,7 +354,7 @@ def test_a_row_has_the_shares_of_its_episodes() -> None:
     assert (row["intervened_early"], row["intervened_late"]) == (0.7, 0.05)
     assert (row["violating_guard"], row["violating_unguarded"]) == (0.0, 0.5)
     assert row["seconds"] == 7.5
-    assert [row[f"inserted_{place:02}"] for place in (0, 1, 2, 18, 19)] == [0, 0, None, 1, 1]
+    assert [row[f"inserted_{place:02}"] for place in (0, 1, 2, 14)] == [0, 0, None, 1]
     assert f"inserted_{BINS:02}" not in row
 
 

@@ -12,7 +12,7 @@ from campaign import Value
 from heron.evaluation.learning.trainings import Trainings, number
 from heron.evaluation.plots import drawn
 from heron.learning.arms import ARM_NAMES
-from heron.learning.summary import BINS, CURVES
+from heron.learning.summary import CURVES, bins_of
 from heron.variants import LearningArm
 
 _COLORS: Mapping[LearningArm, str] = {
@@ -47,8 +47,9 @@ def curves_of(found: Trainings) -> bytes:
 
 
 def _add(axes: Axes, found: Trainings, arm: LearningArm, name: str) -> None:
-    places = (np.arange(BINS) + 0.5) / BINS * found.budget / 1000
-    values = _binned(found.of(arm), name)
+    count = bins_of(found.formulation, found.budget)
+    places = (np.arange(count) + 0.5) / count * found.budget / 1000
+    values = _binned(found.of(arm), name, count)
     known = ~np.isnan(values).all(axis=0)
     low, middle, high = np.nanpercentile(values[:, known], (25, 50, 75), axis=0)
     axes.plot(places[known], middle, color=_COLORS[arm], label=ARM_NAMES[arm], linewidth=1.4)
@@ -56,7 +57,7 @@ def _add(axes: Axes, found: Trainings, arm: LearningArm, name: str) -> None:
         axes.fill_between(places[known], low, high, color=_COLORS[arm], alpha=0.15, linewidth=0)
 
 
-def _binned(rows: Sequence[Value], name: str) -> Any:
+def _binned(rows: Sequence[Value], name: str, count: int) -> Any:
     """In percent, one row for each training; NaN where no episode ended."""
-    cells = [[number(row[f"{name}_{place:02}"]) for place in range(BINS)] for row in rows]
+    cells = [[number(row[f"{name}_{place:02}"]) for place in range(count)] for row in rows]
     return 100 * np.array([[np.nan if one is None else one for one in row] for row in cells])

@@ -67,7 +67,7 @@ def _none(found: Trainings, arm: LearningArm, name: str, words: str) -> Claim:
     return Claim(
         f"none {arm.value} {name}",
         f"{words}: none with {ARM_NAMES[arm]}",
-        f"{sum(values):g} in {len(values)} trainings",
+        f"{sum(values):g}" if any(values) else "none",
         Verdict.HOLDS if not any(values) else Verdict.FAILS,
     )
 
@@ -94,8 +94,11 @@ def _differ(
     compared = found.compared(more, lesser, unknown)
     if compared is None:
         return None
+    key = f"{more[0].value} {more[1]} > {lesser[0].value} {lesser[1]}"
+    if found.by_seed(*more, unknown) == found.by_seed(*lesser, unknown):
+        return Claim(key, expected, "they are the same with each seed", Verdict.OPEN)
     return Claim(
-        f"{more[0].value} {more[1]} > {lesser[0].value} {lesser[1]}",
+        key,
         expected,
         f"by {between(compared.difference, digits)}, p = {compared.chance:.2g}",
         greater(compared.difference.value, compared.chance),

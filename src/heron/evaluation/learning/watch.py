@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 from heron.evaluation.learning.names import TITLES
 from heron.learning.arms import ARM_NAMES
 from heron.learning.episodes import Episode, episodes_of
 from heron.learning.runs import Run
+from heron.learning.summary import lately
 from heron.learning.training import LOG
 
-_LATELY = 50
 Rows = Sequence[tuple[str, Sequence[str]]]
 
 
@@ -27,7 +27,7 @@ class _Log:
     count: int = 0
     violating: int = 0
     broken: int = 0
-    last: list[Episode] = field(default_factory=list)
+    last: Sequence[Episode] = ()
     has_ended: bool = False
 
     def read(self) -> None:
@@ -48,7 +48,7 @@ class _Log:
         self.count += len(new)
         self.violating += sum(one.is_violating for one in new)
         self.broken += sum(one.broken for one in new)
-        self.last = [*self.last, *new][-_LATELY:]
+        self.last = lately(self.run.formulation, [*self.last, *new])
         self.steps = self.last[-1].steps if self.last else 0
 
 
@@ -90,7 +90,7 @@ _LABELS = (
     "trainings over",
     "steps",
     "episodes",
-    f"inserted, of the last {_LATELY}",
+    "inserted, of the last episodes",
     "steps outside of the rules, proposed",
     "episodes with a violation",
     "fragile parts broken",
