@@ -162,16 +162,11 @@ def test_threads_of_a_row_wait_for_each_other(
 
 @needs_c
 def test_environments_in_processes(rules: str) -> None:
-    made = partial(guarded, rules)
+    given: dict[str, Any] = {"period_ns": PERIOD_NS, "observe": OBSERVE, "act": ACT}
+    made = partial(GuardedEnv, Cart(), rules, **given)
     for envs in (
-        AsyncVectorEnv([made] * 2, context="fork"),
-        GuardedVectorEnv(
-            AsyncVectorEnv([Cart] * 2, context="fork"),
-            rules,
-            period_ns=PERIOD_NS,
-            observe=OBSERVE,
-            act=ACT,
-        ),
+        AsyncVectorEnv([made] * 2, context="spawn"),
+        GuardedVectorEnv(AsyncVectorEnv([Cart] * 2, context="spawn"), rules, **given),
     ):
         envs.reset()
         for _ in range(6):
