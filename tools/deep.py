@@ -64,13 +64,19 @@ def parts(soak: int, fuzz: int) -> tuple[Part, ...]:
     """All parts; `soak` and `fuzz` are seconds."""
     deep = f"--deep --soak={soak} --durations=10"
     folders = ("tests/rossmarie", "tests/property")
+    proved = "tests/rossmarie/verification"
     rest = " ".join(f"--ignore={folder}" for folder in (*folders, "tests/live"))
     proofs = ("benchmarks/proofs.py", "--out", "docs/reference/performance-proofs.md")
     examples = runpy.run_path(str(PROVED))["EXAMPLES"]
     return (
         Part(
-            "Tests of ROSSMarie, deep ones among them, each property with many examples",
-            ("make", "test", f"OPTIONS={deep} tests/rossmarie"),
+            "Tests of proofs, deep ones among them: each fault is refuted",
+            ("make", "test", f"OPTIONS={deep} {proved}"),
+            KEPT,
+        ),
+        Part(
+            "All other tests of ROSSMarie, deep ones among them, each property with many examples",
+            ("make", "test", f"OPTIONS={deep} --ignore={proved} tests/rossmarie"),
             KEPT,
         ),
         Part(
