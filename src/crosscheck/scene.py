@@ -14,13 +14,13 @@ from crosscheck.errors import NoOntologyForScene
 from crosscheck.robot import Robot
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
-from ezskiros.check.scenes import place_in, spelled_in
 from ezskiros.context.snapshot import Snapshots
 from ezskiros.engine.world import World
 from ezskiros.export.vocabulary import name_in
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.load import core_relations
 from ezskiros.ontology.read import Document, read
+from ezskiros.ontology.scene_text import place_in, spelled_in
 from ezskiros.planning.scene import read_scene
 
 _MODULE = ".py"
@@ -64,7 +64,7 @@ class Scene:
 
     def place(self, thing: str) -> Span:
         """The place where a thing is described; the start of the scene for one of the ontology."""
-        return place_in(self.document, thing, self.world.ontology.model)
+        return place_in(self.document, self.world.ontology.model, thing)
 
 
 @dataclass(frozen=True)

@@ -23,8 +23,10 @@ from ezskiros.contracts import Missing, check_contracts, missing_pre_conditions
 from ezskiros.engine.depth import deep
 from ezskiros.export import export_skills
 from ezskiros.hosts.owl_files import owl_files
-from ezskiros.ontology import load
+from ezskiros.locations import Location, find_locations
+from ezskiros.ontology import Ontology, load
 from ezskiros.ontology.load import VARIABLE
+from ezskiros.ontology.read import read
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.skills.load import load_skills, module_files, roots
 from ezskiros.skills.load_errors import NoFile, NoSkills
@@ -159,8 +161,19 @@ def export_paths(paths: Iterable[Path], out: Path, collector: Collector) -> str 
         deep(),
     ):
         loaded = _user_modules(known, beginnings)
-        text = export_skills(checked.library, checked.trees, [*files, *loaded], out.parent)
+        scene = [
+            found for each in checked.files if each.suffix == SCENE for found in _located(each)
+        ]
+        text = export_skills(checked.library, checked.trees, scene, [*files, *loaded], out.parent)
     return None if _has_errors(collector) else text
+
+
+def _located(path: Path) -> Iterable[tuple[Ontology, Location]]:
+    """The locations of a scene that was checked, with the ontology that knows their classes."""
+    ontology = load()
+    document, _ = read(path)
+    assert document is not None, "the scene was read before"
+    return [(ontology, each) for each in find_locations(document, ontology.model).locations]
 
 
 def _user_modules(known: Set[str], beginnings: tuple[str, ...]) -> Iterator[Path]:

@@ -82,6 +82,7 @@ EZSKIROS = Tool(
         "engine": {8},
         "export": {8},
         "hosts": {8},
+        "locations": {6},
         "planning": {8},
         "catalog": {9},
     },

@@ -19,7 +19,7 @@ finally:
 """
 FOR_OTHER_COMMANDS = {
     *("apsw", "cffi", "jinja2", "libcst", "lz4", "matplotlib", "mujoco", "numpy", "py_trees"),
-    *("pydantic", "rich", "rosbags", "ruamel"),
+    *("pydantic", "rich", "rosbags", "ruamel", "shapely"),
 }
 CHECKS = {
     "rossmarie": (

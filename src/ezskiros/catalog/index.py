@@ -13,6 +13,7 @@ from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
 from ezskiros.export import errors as export_errors
 from ezskiros.hosts import owl_errors, skiros2_errors
+from ezskiros.locations import errors as location_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.migrate import implementation_errors
 from ezskiros.ontology import condition_errors
@@ -38,6 +39,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *contract_errors.ALL,
     *check_errors.ALL,
     *scene_errors.ALL,
+    *location_errors.ALL,
     *migrate_errors.ALL,
     *implementation_errors.ALL,
     *drawing_errors.ALL,

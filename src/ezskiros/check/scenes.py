@@ -12,13 +12,15 @@ from pathlib import Path
 import pyoxigraph
 
 from dslkit.diagnostics import DeclaredHere, Diagnostic, Remark
-from dslkit.source import SourceFile, Span
+from dslkit.source import Span
 from ezskiros.check import scene_errors as errors
 from ezskiros.check.values import is_value_of, spelled_types
+from ezskiros.locations import find_locations
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.iris import OWL, RDF, RDFS, RESERVED, XSD, split
-from ezskiros.ontology.model import Model, ObjectProperty, Union
+from ezskiros.ontology.iris import AS_WKT, OWL, RDF, RDFS, RESERVED, XSD, split
+from ezskiros.ontology.model import ObjectProperty, Union
 from ezskiros.ontology.read import Document, read
+from ezskiros.ontology.scene_text import place_in, spelled_in
 
 _TYPE = RDF + "type"
 _CLASSES = {OWL + "Class", OWL + "class", RDFS + "Class"}
@@ -63,6 +65,7 @@ class _Scene:
             yield from self._missing(thing)
         yield from self._numbers()
         yield from self._functional()
+        yield from find_locations(self._document, self._model).diagnostics
 
     # --- one thing
 
@@ -139,7 +142,7 @@ class _Scene:
 
     def _values(self, thing: _Thing) -> Iterator[Diagnostic]:
         for iri, value in thing.values:
-            if iri.startswith(RESERVED):
+            if iri.startswith(RESERVED) or iri == AS_WKT:
                 continue
             place = self._place(thing.iri, iri)
             if iri in self._model.relations:
@@ -244,24 +247,7 @@ class _Scene:
         return errors.Near(near=self._spelled(names[near[0]])) if near else None
 
     def _place(self, subject: str, *parts: str) -> Span:
-        """Where a subject is described, or where another name stands in its description."""
-        found = place_in(self._document, subject, self._model)
-        for part in parts:
-            found = _find(self._document.file, self._spelled(part), found.end) or found
-        return found
-
-
-def spelled_in(document: Document, iri: str, model: Model) -> str:
-    """`skiros:Location-3`, by the prefixes of a scene."""
-    for prefix, start in document.prefixes.items():
-        if start and iri.startswith(start):
-            return f"{prefix}:{iri[len(start) :]}"
-    return model.short(iri)
-
-
-def place_in(document: Document, thing: str, model: Model) -> Span:
-    """The place where a scene describes a thing; its beginning if it does not."""
-    return _find(document.file, spelled_in(document, thing, model), 0, at_line_start=True)
+        return place_in(self._document, self._model, subject, *parts)
 
 
 def _things(document: Document) -> dict[str, _Thing]:
@@ -310,11 +296,3 @@ def _is_of(value: pyoxigraph.Literal, names: frozenset[str]) -> bool:
     if kind == "boolean":
         return is_value_of(value.value == "true", names)
     return is_value_of(value.value, names)
-
-
-def _find(file: SourceFile, name: str, start: int, *, at_line_start: bool = False) -> Span:
-    """A name as a whole; from `start` on, else anywhere; the beginning of the file if nowhere."""
-    before = r"(?m)^\s*" if at_line_start else r"(?<![\w:-])"
-    pattern = re.compile(rf"{before}({re.escape(name)})(?![\w-])")
-    found = pattern.search(file.text, start) or pattern.search(file.text)
-    return Span(file, *found.span(1)) if found else Span(file, start, start)

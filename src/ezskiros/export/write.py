@@ -14,7 +14,8 @@ from ezskiros.export import errors
 from ezskiros.export.places import Places
 from ezskiros.export.sources import FORMAT, VERSION, digest_of, sources_of
 from ezskiros.export.trees import tree_of
-from ezskiros.export.vocabulary import Vocabulary, name_of
+from ezskiros.export.vocabulary import Vocabulary, name_in, name_of
+from ezskiros.locations import Location
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.things import ThingClass
 from ezskiros.skills.calls import SkillClass
@@ -33,19 +34,29 @@ _KINDS = {Kind.REQUIRED: "given", Kind.INFERRED: "inferred", Kind.OPTIONAL: "opt
 
 
 def export_skills(
-    library: Library, trees: Sequence[Tree], files: Iterable[Path], folder: Path
+    library: Library,
+    trees: Sequence[Tree],
+    scene: Sequence[tuple[Ontology, Location]],
+    files: Iterable[Path],
+    folder: Path,
 ) -> str:
-    """The text of a file in `folder` with all skills that a library knows, and the trees of those
-    that were checked. `files` are sources besides those that skills and ontologies are written in.
-    What is wrong is reported; then the text is of no use. Raises `OSError` for a source that cannot
-    be read.
+    """The text of a file in `folder` with all skills that a library knows, the trees of those that
+    were checked, and the locations of a scene. `files` are sources besides those that skills,
+    ontologies and scenes are written in. What is wrong is reported; then the text is of no use.
+    Raises `OSError` for a source that cannot be read.
     """
-    return _Writer(library, trees, folder).text(files)
+    return _Writer(library, trees, scene, folder).text(files)
 
 
 class _Writer:
-    def __init__(self, library: Library, trees: Sequence[Tree], folder: Path) -> None:
-        self._library, self._folder = library, folder
+    def __init__(
+        self,
+        library: Library,
+        trees: Sequence[Tree],
+        scene: Sequence[tuple[Ontology, Location]],
+        folder: Path,
+    ) -> None:
+        self._library, self._scene, self._folder = library, scene, folder
         self._places = Places(folder)
         self._trees: dict[str, list[Tree]] = defaultdict(list)
         for tree in trees:
@@ -57,6 +68,7 @@ class _Writer:
         vocabularies = self._vocabularies(skill for _, skill in described)
         classes = _by_name("classes", (one for each in vocabularies for one in each.classes()))
         properties = [one for each in vocabularies for one in each.properties()]
+        locations = [self._location(*each) for each in sorted(self._scene, key=_by_iri)]
         known = [*files, *self._places.files, *self._ontology_files]
         sources = sources_of(known, self._folder)
         return _text(
@@ -69,6 +81,7 @@ class _Writer:
                 "classes": classes,
                 "properties": _by_name("data properties", properties),
                 "skills": skills,
+                "locations": locations,
             }
         )
 
@@ -90,6 +103,8 @@ class _Writer:
         for each in (one for skill in skills for one in _classes_in(skill)):
             if isinstance(each.vocabulary, Ontology):
                 named[each.vocabulary].add(each.iri)
+        for ontology, location in self._scene:
+            named[ontology].update(location.types)
         self._ontology_files = [file for ontology in named for file in ontology.files()]
         return [Vocabulary(each, iris, self._places) for each, iris in named.items()]
 
@@ -149,6 +164,20 @@ class _Writer:
             "type": found.type,
             "place": self._places.of(found.span),
         }
+
+    def _location(self, ontology: Ontology, found: Location) -> dict[str, Any]:
+        return {
+            "iri": found.iri,
+            "label": found.label,
+            "classes": sorted(name_in(ontology, each) for each in found.types),
+            "frame": found.frame,
+            "corners": found.corners,
+            "place": self._places.of(found.span),
+        }
+
+
+def _by_iri(found: tuple[Ontology, Location]) -> str:
+    return found[1].iri
 
 
 def _classes_in(skill: SkillInterface) -> Iterator[ThingClass]:

@@ -1,4 +1,4 @@
-"""IRIs of RDF, RDF Schema, OWL and XML Schema, and what the parts of an IRI are."""
+"""IRIs of RDF, RDF Schema, OWL, XML Schema and GeoSPARQL, and what the parts of an IRI are."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ OWL = "http://www.w3.org/2002/07/owl#"
 XSD = "http://www.w3.org/2001/XMLSchema#"
 THING = OWL + "Thing"
 NOTHING = OWL + "Nothing"
+AS_WKT = "http://www.opengis.net/ont/geosparql#asWKT"
+"""The geometry of a thing as well-known text."""
 
 RESERVED = (RDF, RDFS, OWL, XSD, "http://www.w3.org/XML/1998/namespace")
 """Namespaces of the language itself: nothing of theirs is a thing of the world."""

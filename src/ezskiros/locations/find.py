@@ -1,0 +1,204 @@
+"""Where the things of a scene are, in the terms of SkiROS2 and of GeoSPARQL.
+
+A polygon is the value of `geo:asWKT`. A box has the position, the orientation and the size that
+SkiROS2's ontology has for things, and a thing with a position alone is a point. Frames are those of
+`skiros:BaseFrameId`.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import pyoxigraph
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.source import Span
+from ezskiros.locations import errors
+from ezskiros.locations.location import FARTHEST, Location, NoPolygonError, Point
+from ezskiros.ontology.iris import AS_WKT, OWL, RDF, RDFS, RESERVED
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.read import Document
+from ezskiros.ontology.scene_text import place_in, spelled_in
+
+_SKIROS = "http://rvmi.aau.dk/ontologies/skiros.owl#"
+_LOCATION = _SKIROS + "Location"
+_FRAME = _SKIROS + "BaseFrameId"
+_POSITION = tuple(f"{_SKIROS}Position{axis}" for axis in "XY")
+_ORIENTATION = tuple(f"{_SKIROS}Orientation{axis}" for axis in "XYZW")
+_SIZE = tuple(f"{_SKIROS}Size{axis}" for axis in "XYZ")
+_UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+
+_Values = Mapping[str, Sequence[str]]
+"""The texts of the values of a thing, by the IRIs of properties."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """The locations of a scene in the order of the file, and what is wrong with it."""
+
+    locations: Sequence[Location]
+    diagnostics: Sequence[Diagnostic]
+
+
+def find_locations(document: Document, model: Model) -> Found:
+    """The things of a scene that are somewhere, and those that should be: the ones of the class
+    `skiros:Location`, and those of which a part of the place is missing. These have no corners.
+    """
+    finder = _Finder(document, model)
+    return Found([*finder.find()], finder.wrong)
+
+
+class _WrongError(Exception):
+    """Something that is wrong with a thing: the diagnostic."""
+
+    def __init__(self, found: Diagnostic) -> None:
+        super().__init__(found.title)
+        self.found = found
+
+
+@dataclass
+class _Thing:
+    """A thing of a scene with its values."""
+
+    iri: str
+    types: Sequence[str]
+    values: _Values
+
+
+class _Finder:
+    def __init__(self, document: Document, model: Model) -> None:
+        self._document, self._model = document, model
+        self.wrong: list[Diagnostic] = []
+
+    def find(self) -> Iterator[Location]:
+        for thing in _things(self._document):
+            is_location = any(self._model.is_a(each, _LOCATION) for each in thing.types)
+            corners: tuple[Point, ...] = ()
+            try:
+                corners = self._corners(thing)
+                if corners and not self._one(thing, _FRAME):
+                    stated = AS_WKT if AS_WKT in thing.values else _POSITION[0]
+                    raise self._half(thing, stated, _FRAME)
+            except _WrongError as problem:
+                self.wrong.append(problem.found)
+                is_location, corners = True, ()
+            if corners or is_location:
+                yield self._location(thing, corners)
+
+    def _location(self, thing: _Thing, corners: tuple[Point, ...]) -> Location:
+        label = next(iter(thing.values.get(RDFS + "label", ())), "")
+        frame = next(iter(thing.values.get(_FRAME, ())), "") if corners else ""
+        types = tuple(sorted(each for each in thing.types if not each.startswith(RESERVED)))
+        return Location(thing.iri, label, types, frame, corners, self._place(thing.iri))
+
+    def _corners(self, thing: _Thing) -> tuple[Point, ...]:
+        """The corners of a thing; none if the scene does not say where it is."""
+        text = self._one(thing, AS_WKT)
+        if text is not None:
+            # Shapely takes as long as the check of a file, and few scenes have polygons.
+            from ezskiros.locations.polygon import corners_of
+
+            try:
+                return corners_of(text)
+            except NoPolygonError as problem:
+                wrong = errors.WrongPolygon(thing=self._spelled(thing.iri), reason=str(problem))
+                raise _WrongError(wrong.at(self._place(thing.iri, AS_WKT))) from None
+        position = self._numbers(thing, _POSITION)
+        if position is None:
+            return ()
+        x, y = position
+        size = self._numbers(thing, _SIZE[:2])
+        return ((x, y),) if size is None else self._box(thing, (x, y), size)
+
+    def _box(self, thing: _Thing, position: Point, size: Sequence[float]) -> tuple[Point, ...]:
+        from ezskiros.locations.box import footprint
+
+        height = self._number(thing, _SIZE[2])
+        edges = (*size, 0.0 if height is None else height)
+        for edge, iri in zip(edges, _SIZE, strict=True):
+            if edge < 0 or (edge == 0 and iri != _SIZE[2]):
+                raise self._odd(thing, iri, f"is {edge:g}; a size is more than 0 m")
+        found = self._numbers(thing, _ORIENTATION) or _UPRIGHT
+        x, y, z, w = found
+        if not math.hypot(x, y, z, w) > 0.5:
+            raise self._odd(thing, _ORIENTATION[3], "belongs to no quaternion of length 1")
+        try:
+            return footprint(position, (x, y, z, w), edges)
+        except NoPolygonError as problem:
+            raise self._odd(thing, _SIZE[0], f"makes a box whose footprint {problem}") from None
+
+    # --- values -----------------------------------------------------------------------------------
+
+    def _numbers(self, thing: _Thing, iris: Sequence[str]) -> Sequence[float] | None:
+        """The values of some properties that go together; None if there is none of them."""
+        found = [self._number(thing, iri) for iri in iris]
+        known = [each for each in found if each is not None]
+        if not known:
+            return None
+        if len(known) < len(found):
+            missing = iris[found.index(None)]
+            there = next(iri for iri, each in zip(iris, found, strict=True) if each is not None)
+            raise self._half(thing, there, missing)
+        return known
+
+    def _number(self, thing: _Thing, iri: str) -> float | None:
+        text = self._one(thing, iri)
+        if text is None:
+            return None
+        try:
+            number = float(text)
+        except ValueError:
+            number = math.nan
+        if not abs(number) <= FARTHEST:
+            raise self._odd(thing, iri, f"is {text}, and no number up to {FARTHEST:.0f}")
+        return number
+
+    def _one(self, thing: _Thing, iri: str) -> str | None:
+        found = thing.values.get(iri, ())
+        if len(found) > 1:
+            raise self._odd(thing, iri, "has several values")
+        return found[0] if found else None
+
+    # --- findings and words ---------------------------------------------------------------------
+
+    def _half(self, thing: _Thing, found: str, missing: str) -> _WrongError:
+        return _WrongError(
+            errors.HalfKnown(
+                thing=self._spelled(thing.iri),
+                found=self._spelled(found),
+                missing=self._spelled(missing),
+            ).at(self._place(thing.iri, found))
+        )
+
+    def _odd(self, thing: _Thing, iri: str, reason: str) -> _WrongError:
+        wrong = errors.WrongPlace(
+            thing=self._spelled(thing.iri), property=self._spelled(iri), reason=reason
+        )
+        return _WrongError(wrong.at(self._place(thing.iri, iri)))
+
+    def _spelled(self, iri: str) -> str:
+        return spelled_in(self._document, iri, self._model)
+
+    def _place(self, thing: str, *parts: str) -> Span:
+        return place_in(self._document, self._model, thing, *parts)
+
+
+def _things(document: Document) -> Iterator[_Thing]:
+    """The things that a scene describes, in the order of the file, without its classes."""
+    types: dict[str, list[str]] = defaultdict(list)
+    values: dict[str, dict[str, list[str]]] = {}
+    for triple in document.triples:
+        if not isinstance(triple.subject, pyoxigraph.NamedNode):
+            continue
+        iri, said = triple.subject.value, triple.predicate.value
+        of_thing = values.setdefault(iri, defaultdict(list))
+        if isinstance(triple.object, pyoxigraph.Literal):
+            of_thing[said].append(triple.object.value)
+        elif isinstance(triple.object, pyoxigraph.NamedNode) and said == RDF + "type":
+            types[iri].append(triple.object.value)
+    for iri, found in values.items():
+        if not {OWL + "Class", RDFS + "Class"} & set(types[iri]):
+            yield _Thing(iri, types[iri], found)

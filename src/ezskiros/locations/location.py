@@ -1,0 +1,34 @@
+"""A location: a thing of a scene that has a place in the plane of a frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from dslkit.source import Span
+
+Point = tuple[float, float]
+"""x and y in m."""
+
+FARTHEST = 1e6
+"""The greatest coordinate in m: an ulp of it is a ten-millionth of a millimetre."""
+
+
+class NoPolygonError(ValueError):
+    """A polygon that no location has; the message goes on behind `the polygon of X`."""
+
+
+@dataclass(frozen=True)
+class Location:
+    """A thing that stands at a point, or that covers a polygon.
+
+    `types` are the IRIs of its classes, sorted. `corners` are in m, in the x-y plane of `frame`
+    (REP 105: such as `map`): one corner is a point, three or more go around a polygon
+    anticlockwise, and the last one is not the first again.
+    """
+
+    iri: str
+    label: str
+    types: tuple[str, ...]
+    frame: str
+    corners: tuple[Point, ...]
+    span: Span

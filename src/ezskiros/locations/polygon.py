@@ -1,0 +1,63 @@
+"""Polygons of scenes: well-known text in, corners out.
+
+The text is that of GeoSPARQL's `geo:asWKT` (OGC 22-047r1). Shapely reads it and finds edges that
+cross each other.
+"""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import shapely
+
+from ezskiros.locations.location import FARTHEST, NoPolygonError, Point
+
+MOST_CORNERS = 1000
+
+_CROSSING = re.compile(r"(?:Ring )?Self-intersection\[(\S+) (\S+)\]")
+
+
+def corners_of(text: str) -> tuple[Point, ...]:
+    """The corners of a polygon, anticlockwise. Raises `NoPolygonError`."""
+    if text.lstrip().startswith("<"):
+        raise NoPolygonError("names a coordinate system; it has to be in the frame of the thing")
+    try:
+        with np.errstate(all="ignore"):  # NaN is refused below
+            found = shapely.from_wkt(text)
+    except shapely.errors.ShapelyError as problem:
+        raise NoPolygonError(f"is no well-known text: {_said(problem)}") from None
+    if not isinstance(found, shapely.Polygon):
+        raise NoPolygonError(f"is a {found.geom_type}")
+    if found.is_empty:
+        raise NoPolygonError("is empty")
+    if found.has_z:
+        raise NoPolygonError("has heights; it has to lie in the plane")
+    if len(found.interiors) > 0:
+        raise NoPolygonError("has a hole; make two polygons of it, each a thing of its own")
+    return around(found)
+
+
+def around(found: shapely.Polygon) -> tuple[Point, ...]:
+    """The corners of a polygon without holes, anticlockwise. Raises `NoPolygonError`."""
+    corners = list(found.exterior.coords)[:-1]
+    if len(corners) > MOST_CORNERS:
+        raise NoPolygonError(f"has {len(corners)} corners; at most {MOST_CORNERS} are allowed")
+    if not all(abs(number) <= FARTHEST for corner in corners for number in corner):
+        raise NoPolygonError(f"has a coordinate that is no number up to {FARTHEST:.0f} m")
+    if not found.is_valid:
+        raise NoPolygonError(_fault(found))
+    ordered = shapely.geometry.polygon.orient(found).exterior.coords[:-1]
+    return tuple((float(x), float(y)) for x, y in ordered)
+
+
+def _fault(found: shapely.Polygon) -> str:
+    said = str(shapely.is_valid_reason(found))
+    crossing = _CROSSING.fullmatch(said)
+    if crossing is None:
+        return f"is not valid: {said}"
+    return f"crosses or touches itself at ({crossing[1]}, {crossing[2]})"
+
+
+def _said(problem: Exception) -> str:
+    return str(problem).partition(": ")[2] or str(problem)

@@ -1,0 +1,36 @@
+"""The text of a scene: how it spells things, and where it describes them."""
+
+from __future__ import annotations
+
+import re
+
+from dslkit.source import SourceFile, Span
+from ezskiros.ontology.model import Model
+from ezskiros.ontology.read import Document
+
+
+def spelled_in(document: Document, iri: str, model: Model) -> str:
+    """`skiros:Location-3`, by the prefixes of a scene."""
+    for prefix, start in document.prefixes.items():
+        if start and iri.startswith(start):
+            return f"{prefix}:{iri[len(start) :]}"
+    return model.short(iri)
+
+
+def place_in(document: Document, model: Model, thing: str, *parts: str) -> Span:
+    """The place where a scene describes a thing, or where another name stands in its description;
+    the beginning of the scene if it does not describe the thing.
+    """
+    spelled = spelled_in(document, thing, model)
+    found = _find(document.file, spelled, 0, at_line_start=True)
+    for part in parts:
+        found = _find(document.file, spelled_in(document, part, model), found.end)
+    return found
+
+
+def _find(file: SourceFile, name: str, start: int, *, at_line_start: bool = False) -> Span:
+    """A name as a whole; from `start` on, else anywhere; the beginning of the file if nowhere."""
+    before = r"(?m)^\s*" if at_line_start else r"(?<![\w:-])"
+    pattern = re.compile(rf"{before}({re.escape(name)})(?![\w-])")
+    found = pattern.search(file.text, start) or pattern.search(file.text)
+    return Span(file, *found.span(1)) if found else Span(file, start, start)
