@@ -15,6 +15,7 @@ from ezskiros.locations.location import FARTHEST, NoPolygonError, Point
 
 MOST_CORNERS = 1000
 
+_KIND = re.compile(r"\s*([A-Za-z]+)")
 _CROSSING = re.compile(r"(?:Ring )?Self-intersection\[(\S+) (\S+)\]")
 
 
@@ -22,13 +23,17 @@ def corners_of(text: str) -> tuple[Point, ...]:
     """The corners of a polygon, anticlockwise. Raises `NoPolygonError`."""
     if text.lstrip().startswith("<"):
         raise NoPolygonError("names a coordinate system; it has to be in the frame of the thing")
+    kind = _KIND.match(text)
+    if (
+        kind is None or kind[1].upper() != "POLYGON"
+    ):  # others lie in each other, as deep as one likes
+        raise NoPolygonError("does not begin with POLYGON")
     try:
         with np.errstate(all="ignore"):  # NaN is refused below
             found = shapely.from_wkt(text)
     except shapely.errors.ShapelyError as problem:
         raise NoPolygonError(f"is no well-known text: {_said(problem)}") from None
-    if not isinstance(found, shapely.Polygon):
-        raise NoPolygonError(f"is a {found.geom_type}")
+    assert isinstance(found, shapely.Polygon), "so its text begins"
     if found.is_empty:
         raise NoPolygonError("is empty")
     if found.has_z:
