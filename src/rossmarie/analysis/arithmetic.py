@@ -16,7 +16,7 @@ import z3
 
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.terms import Number, constant
-from rossmarie.core import Function, Row, defined, row
+from rossmarie.core import AnyFunction, Row, defined, row
 from rossmarie.core.expressions import Operand, Primitive
 
 _LARGEST = constant(sys.float_info.max)
@@ -25,7 +25,7 @@ _ABSOLUTE = Fraction(1, 2**200)
 
 
 def apply(
-    function: Function,
+    function: AnyFunction,
     operands: Sequence[Number],
     facts: list[z3.BoolRef],
     *,

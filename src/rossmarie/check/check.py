@@ -270,6 +270,7 @@ def _program(
         gaps=gaps,
         skills=context.skills,
         doing=context.doing,
+        regions=context.regions,
         tests=tests,
         priorities=found.priorities,
     )

@@ -13,6 +13,7 @@ from pathlib import Path as FilePath
 
 from dslkit.source import SourceFile, Span
 from rossmarie.check.effects import CheckedEffect
+from rossmarie.core import Region
 from rossmarie.ir import Path, Quantity
 from rossmarie.ir.filing import Category, LeftOut
 from rossmarie.ir.reactions import CommandTopic
@@ -153,7 +154,8 @@ class CheckedProgram:
     topics whose rate is declared; `feedback` and `categories` are
     those of each rule, `left_out` what a selection does not hold. `read_files` are the definitions
     of messages that were read, those that come with this program left out, and the file of skills.
-    `doing` holds what each question to the skills asks.
+    `doing` holds what each question to the skills asks, `regions` the places that the name of each
+    class stands for.
     """
 
     name: str
@@ -170,6 +172,7 @@ class CheckedProgram:
     gaps: Mapping[str, Gaps]
     skills: CheckedSkills | None
     doing: NodeMap[CheckedDoing]
+    regions: NodeMap[Region]
     feedback: tuple[CheckedFeedback, ...] = ()
     categories: tuple[tuple[Category, ...], ...] = ()
     left_out: LeftOut | None = None

@@ -25,6 +25,16 @@ from rossmarie.core.expressions import (
     choose,
     square_root,
 )
+from rossmarie.core.regions import (
+    OPERANDS,
+    RULES,
+    Measure,
+    RegionFunction,
+    bounds,
+    define,
+    phrase,
+    range_of,
+)
 
 
 class Function(enum.Enum):
@@ -78,9 +88,27 @@ class Row:
         return self.phrase.format(*operands, all=listed, vector=vector or f"({listed})")
 
 
-def row(function: Function) -> Row:
+AnyFunction = Function | RegionFunction
+"""A function of all machines, or one of a region of a machine."""
+
+
+def row(function: AnyFunction) -> Row:
     """Find the row of a function."""
-    return FUNCTIONS[function]
+    return _row_of(function) if isinstance(function, RegionFunction) else FUNCTIONS[function]
+
+
+@cache
+def _row_of(function: RegionFunction) -> Row:
+    is_measured = function.measure is Measure.DISTANCE
+    return Row(
+        RULES[function.measure],
+        OPERANDS,
+        OPERANDS,
+        lambda *operands: define(function, operands),
+        phrase(function),
+        range_of(function),
+        (lambda result, operands: bounds(function, result, operands)) if is_measured else None,
+    )
 
 
 def parameters(count: int) -> tuple[str, ...]:
@@ -90,7 +118,7 @@ def parameters(count: int) -> tuple[str, ...]:
 
 
 @cache
-def defined(function: Function, count: int) -> Expression:
+def defined(function: AnyFunction, count: int) -> Expression:
     """The expression of a function of `count` operands, before S4."""
     return row(function).define(*map(Operand, range(count)))
 

@@ -1,6 +1,6 @@
 """The monitor machine: its model, what it says, and the questions that every target asks of it."""
 
-from rossmarie.core import Function, Sampling
+from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
@@ -135,6 +135,7 @@ __all__ = [
     "TASKS",
     "AgeReaches",
     "And",
+    "AnyFunction",
     "Apply",
     "Array",
     "Batch",

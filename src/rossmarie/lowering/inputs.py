@@ -21,6 +21,7 @@ from rossmarie.types import (
     Message,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -158,7 +159,7 @@ def _kind(type_: Type) -> ir.Kind:
             return ir.Kind.TEXT
         case (
             Quantity() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
-            | Entry() | Unsupported() | Unknown()
+            | Region() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return ir.Kind.REAL
 
@@ -178,7 +179,7 @@ def _limits(type_: Type) -> tuple[float, float] | None:
             return limits
         case (
             Text() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
-            | Entry() | Unsupported() | Unknown()
+            | Region() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None
 

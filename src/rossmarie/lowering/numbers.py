@@ -12,9 +12,11 @@ from dataclasses import replace
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, Value
-from rossmarie.check.names.parts import part_at
+from rossmarie.check.names.parts import Part, part_at
+from rossmarie.check.names.regions import FRAME_OF_HEADER
 from rossmarie.check.operations.lists import counts_all
-from rossmarie.core import sampling_row
+from rossmarie.check.scopes.trees import stripped
+from rossmarie.core import Measure, RegionFunction, sampling_row
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
@@ -31,6 +33,7 @@ from rossmarie.types import (
     Point,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -175,8 +178,8 @@ class Numbers:
                 array = self._inputs.array(place, type_)
                 return (self._nodes.signal(ir.Element(array), shown),)
             case (
-                Boolean() | Text() | Quantity() | List() | Interval() | Box() | Entry()
-                | Unsupported() | Unknown()
+                Boolean() | Text() | Quantity() | List() | Interval() | Box() | Region()
+                | Entry() | Unsupported() | Unknown()
             ):  # fmt: skip
                 return (self._read_scalar(place, type_, shown),)
 
@@ -296,7 +299,30 @@ class Numbers:
             first = self._nodes.apply(function, (first, other), shown)
         return first
 
+    def of_region(
+        self, measure: Measure, position: ast.Expression, container: ast.Expression, shown: Shown
+    ) -> int:
+        """The signal of a function that a region has, of a position or a pose (S63, S64)."""
+        region, type_ = self._program.regions[stripped(container)], self.type_of(container)
+        place, seen = self.place(position), self.type_of(position)
+        assert place is not None, "checked: the frame of the position is known"
+        assert isinstance(type_, Region), "checked: it is a region"
+        if isinstance(seen, Message):
+            seen = seen.fields["position"]
+            place = place.field("position", seen)
+        assert isinstance(seen, Vector), "checked: it is a position"
+        words_of_it = self.shown(position)
+        x, y = (self._read_part(place, axis, seen.element, words_of_it) for axis in "xy")
+        header = Place(place.input, Part(FRAME_OF_HEADER))
+        frame = self._read_scalar(header, Text(), replace(words_of_it, text="frame", unit=None))
+        wanted = float(self._inputs.text(type_.frame))
+        operands = (x, y, frame, self._nodes.constant(wanted, Shown(type_.frame, container.span)))
+        return self._nodes.apply(RegionFunction(measure, region), operands, shown)
+
     def _distance(self, node: ast.Call, shown: Shown) -> int:
+        if stripped(node.arguments[1]) in self._program.regions:
+            position, container = node.arguments
+            return self.of_region(Measure.DISTANCE, position, container, shown)
         left, right = (self.components(argument) for argument in node.arguments)
         pairs = zip(left, right, strict=True)
         gaps = tuple(self._nodes.apply(ir.Function.SUBTRACT, pair, shown) for pair in pairs)
@@ -330,7 +356,7 @@ def _unit_of(type_: Type) -> Unit | None:
         ):
             return element.unit
         case (
-            Boolean() | Text() | Quaternion() | Array() | List() | Message() | Entry()
-            | Unsupported() | Unknown()
+            Boolean() | Text() | Quaternion() | Array() | List() | Region() | Message()
+            | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None

@@ -12,6 +12,7 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedProgram, ConditionKey, Value
 from rossmarie.check.operations.operands import is_age, is_edge_count
 from rossmarie.check.scopes.trees import stripped
+from rossmarie.core import Measure
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
@@ -264,8 +265,13 @@ class Truths:
         return self._nodes.disjunction(parts, _shown(node))
 
     def _membership(self, node: ast.Membership) -> int:
-        container = self._program.values[node.container]
         inside = Shown(f"{words(node.value.span)} in {words(node.container.span)}", node.span)
+        if stripped(node.container) in self._program.regions:
+            sides = (node.value, node.container)
+            signal = self._numbers.of_region(Measure.INSIDE, *sides, inside)
+            index = self._nodes.leaf(ir.Flag(signal), inside)
+            return self._nodes.negation(index, _shown(node)) if node.is_negated else index
+        container = self._program.values[node.container]
         values = self._numbers.components(node.value)
         parts = tuple(
             self._between(value, container, axis, node, inside) for axis, value in enumerate(values)

@@ -26,7 +26,7 @@ from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
 from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
-from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_row
+from rossmarie.core import AnyFunction, Function, Sampling, defined, rounds, row, sampling_row
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir.path import extent
 from rossmarie.testing.goals import Edge, edges, signals_of
@@ -193,7 +193,7 @@ class World:
                 return self._applied(index, function, operands, part)
 
     def _applied(
-        self, index: int, function: Function, operands: tuple[int, ...], part: int | None
+        self, index: int, function: AnyFunction, operands: tuple[int, ...], part: int | None
     ) -> z3.ArithRef:
         declared = row(function)
         if self.is_free and rounds(function, len(operands)):

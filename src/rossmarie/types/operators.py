@@ -17,8 +17,10 @@ from rossmarie.types.model import (
     Boolean,
     Box,
     Interval,
+    Message,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -206,6 +208,8 @@ def _contained(value: Type, container: Type) -> Outcome:
         return _ordered(value, container.element)
     if isinstance(container, Box) and isinstance(value, Vector):
         return Outcome(Boolean(), unit_faults(value.element, container.element))
+    if isinstance(container, Region) and container.has_area:
+        return Outcome(Boolean(), _faults_of_position(value))
     return _fault(Fault.OPERANDS)
 
 
@@ -294,7 +298,17 @@ def _hypot(left: Type, right: Type) -> Outcome:
 def _distance(left: Type, right: Type) -> Outcome:
     if isinstance(left, Vector) and isinstance(right, Vector):
         return _additive(_unit_of_difference, left.element, right.element)
+    if isinstance(right, Region):
+        return Outcome(_METRES, _faults_of_position(left))
     return _fault(Fault.OPERANDS)
+
+
+def _faults_of_position(value: Type) -> tuple[Fault, ...]:
+    """What keeps something from being a point in a plane; a pose is one by its position."""
+    position = value.fields.get("position") if isinstance(value, Message) else value
+    if not isinstance(position, Vector):
+        return (Fault.OPERANDS,)
+    return unit_faults(position.element, _METRES)
 
 
 def _extreme(*values: Type) -> Outcome:
@@ -349,6 +363,7 @@ def _oscillating(value: Type, window: Type, *swing: Type) -> Outcome:
 
 
 _SECONDS = Quantity(parse_unit("s"))
+_METRES = Quantity(parse_unit("m"))
 _COMPARISON = Signature(2, 2, partial(_elementwise, _ordered))
 _EQUALITY = Signature(2, 2, partial(_elementwise, _equal))
 _JUNCTION = Signature(2, 2, partial(_elementwise, _logical))

@@ -20,6 +20,7 @@ from rossmarie.check.names.errors import (
 )
 from rossmarie.check.names.fields import select
 from rossmarie.check.names.message_constants import names_a_message, type_of_message_constant
+from rossmarie.check.names.regions import type_of_class
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.declarations import ARTICLES, kind_of
 from rossmarie.check.scopes.trees import text_of
@@ -43,6 +44,8 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
     if own is not None and not hides and _has_condition(own, name.text, context):
         _use_condition(own, name, context)
         return Boolean()
+    if declared is None and (region := type_of_class(node, context)) is not None:
+        return region
     if declared is None:
         if context.declarations.is_whole and not is_rest_of_unit(node, context):
             _report_undeclared(node, context)
@@ -74,6 +77,8 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
     if declared is not None:
         context.used_names.add(name.text)
         _report_wrong_kind(name, declared, "an entity or an input", context)
+    elif (region := type_of_class(node, context)) is not None:
+        return region
     elif names_a_message(name.text, context):
         return type_of_message_constant(node, name, context)
     elif context.declarations.is_whole:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
+from rossmarie.check.names.regions import check_frame
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
@@ -42,6 +43,7 @@ from rossmarie.types import (
     Operator,
     Quantity,
     Quaternion,
+    Region,
     Type,
     Unknown,
     Vector,
@@ -80,7 +82,7 @@ _NEEDS: Mapping[Operator, str] = {
     Operator.ROLL: "an orientation",
     Operator.PITCH: "an orientation",
     Operator.YAW: "an orientation",
-    Operator.DISTANCE: "two vectors",
+    Operator.DISTANCE: "two vectors, or a position and a class of things",
 }
 _FIELDS: Mapping[Operator, type[object]] = {
     Operator.NORM: Vector,
@@ -228,6 +230,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
                 if apply(operator, *[type_ for _ in types]).faults:
                     _report_argument(node, argument, _NEEDS[operator], context)
             return outcome.type
+        if operator is Operator.DISTANCE and isinstance(types[1], Region):
+            return outcome.type if check_frame(node.arguments[0], context) else Unknown()
     elif operator is not Operator.ABS:
         arrays = [
             argument

@@ -17,6 +17,7 @@ from rossmarie.types import (
     Message,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -37,7 +38,7 @@ def element_of(owner: Type, index: int | str) -> Type | None:
             return Entry(owner)
         case (
             Boolean() | Text() | Quantity() | Vector() | Quaternion() | Interval() | Box()
-            | Message() | List() | Entry() | Unsupported() | Unknown()
+            | Region() | Message() | List() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Edit, Fix, Label, Write
 from rossmarie.check.model import Value
+from rossmarie.check.names.regions import check_frame
 from rossmarie.check.operations.constants import record
 from rossmarie.check.operations.operands import (
     report_not_a_number,
@@ -33,6 +34,7 @@ from rossmarie.types import (
     Interval,
     Operator,
     Quantity,
+    Region,
     Text,
     Type,
     Unknown,
@@ -132,7 +134,9 @@ def type_of_membership(node: ast.Membership, context: Context) -> Type:
         _report_unfit(node, value, container, context)
     if Fault.UNITS in outcome.faults or Fault.UNSTATED_UNIT in outcome.faults:
         check_fit_of(node.value, node.container, "compared", context)
-    if not outcome.faults:
+    if not outcome.faults and isinstance(container, Region):
+        check_frame(node.value, context)
+    elif not outcome.faults:
         check_ratio(node.value, node.container, context)
     return outcome.type
 
