@@ -21,9 +21,9 @@ def location(item: Json) -> Location:
         corners.fail(f"are {len(found)}, which is neither a point nor a polygon")
     return Location(
         iri=item.get("iri").text(),
-        label=item.get("label").text(),
+        label=item.get("label").optional(Json.text) or "",
         classes=item.get("classes").texts(),
-        frame=item.get("frame").text(),
+        frame=item.get("frame").optional(Json.text) or "",
         corners=found,
         place=place_of(item),
     )

@@ -31,6 +31,8 @@ def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | 
     skills = context.skills
     name = text_of(node)
     found = () if skills is None else among(name, skills.file.classes)
+    if skills is None and context.names_skills and _is_asked_for(node, context):
+        return Unknown()  # the file that may have the class could not be read
     if skills is None or not found:
         return None
     if len(found) > 1:
@@ -38,6 +40,20 @@ def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | 
         context.collector.add(several.at(node.span))
         return Unknown()
     return _region_of(node, found[0], skills, context)
+
+
+def _is_asked_for(node: ast.Expression, context: Context) -> bool:
+    """Say whether a name stands where that of a class can stand."""
+    around = context.parents.get(node)
+    match around:
+        case ast.Parenthesized():
+            return _is_asked_for(around, context)
+        case ast.Membership(container=container):
+            return container is node
+        case ast.Call(function=function, arguments=[_, second]):
+            return function.text == "distance" and second is node
+        case _:  # open: it stands in something else
+            return False
 
 
 def _region_of(
