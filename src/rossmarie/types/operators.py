@@ -306,9 +306,8 @@ def _distance(left: Type, right: Type) -> Outcome:
 def _faults_of_position(value: Type) -> tuple[Fault, ...]:
     """What keeps something from being a point in a plane; a pose is one by its position."""
     position = value.fields.get("position") if isinstance(value, Message) else value
-    if not isinstance(position, Vector):
-        return (Fault.OPERANDS,)
-    return unit_faults(position.element, _METRES)
+    is_position = isinstance(position, Vector) and not unit_faults(position.element, _METRES)
+    return () if is_position else (Fault.OPERANDS,)
 
 
 def _extreme(*values: Type) -> Outcome:

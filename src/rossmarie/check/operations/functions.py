@@ -226,7 +226,10 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
     if operator in _NEEDS:
         outcome = apply(operator, *types)
         if Fault.OPERANDS in outcome.faults:
-            for argument, type_ in zip(node.arguments, types, strict=True):
+            # Where a class is named, it is the position that does not fit.
+            is_of_region = any(isinstance(type_, Region) for type_ in types)
+            asked = list(zip(node.arguments, types, strict=True))[: 1 if is_of_region else None]
+            for argument, type_ in asked:
                 if apply(operator, *[type_ for _ in types]).faults:
                     _report_argument(node, argument, _NEEDS[operator], context)
             return outcome.type

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Edit, Fix, Label, Write
+from dslkit.diagnostics import Edit, Fix, Label, Remark, Write
 from rossmarie.check.model import Value
 from rossmarie.check.names.regions import check_frame
 from rossmarie.check.operations.constants import record
@@ -147,8 +147,15 @@ def _report_unfit(node: ast.Membership, value: Type, container: Type, context: C
         return
     finding = RangeMismatch(value=describe(value), container=describe(container))
     place = finding.Value(value=describe(value)).at(node.value.span)
-    help = finding.Position() if isinstance(container, Box) else finding.Range()
+    help = _help_with(node, container, finding)
     context.collector.add(finding.at(node.container.span, place, help=help))
+
+
+def _help_with(node: ast.Membership, container: Type, finding: RangeMismatch) -> Remark:
+    if isinstance(container, Region) and not container.has_area:
+        sides = (text_of(node.value), text_of(node.container))
+        return finding.OfPoints(value=sides[0], container=sides[1])
+    return finding.Position() if isinstance(container, Box | Region) else finding.Range()
 
 
 def _report_scalar(node: ast.Membership, scalar: Type, context: Context) -> None:
