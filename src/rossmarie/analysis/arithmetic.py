@@ -110,10 +110,5 @@ def _rounded(exact: z3.ArithRef, facts: list[z3.BoolRef]) -> z3.ArithRef:
     return result
 
 
-def absolute(value: z3.ArithRef) -> z3.ArithRef:
-    """Without its sign."""
-    return exactly(Primitive.ABSOLUTE, [value])
-
-
 def _value(fraction: Fraction) -> z3.ArithRef:
     return z3.RealVal(str(fraction))

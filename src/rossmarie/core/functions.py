@@ -28,10 +28,12 @@ from rossmarie.core.expressions import (
 from rossmarie.core.regions import (
     OPERANDS,
     RULES,
+    Easy,
     Measure,
     RegionFunction,
     bounds,
     define,
+    easy,
     phrase,
     range_of,
 )
@@ -65,8 +67,7 @@ class Row:
 
     Solvers cannot compute with roots and angles: where `bounds` is given they know of a result only
     that it lies in `range`, and these conditions on the operands and the result, in real numbers.
-    `easy` is then an expression that equals the function where all operands but the first are 0:
-    with it solvers find examples.
+    `easy` then gives cases in which they can compute it: with one of these they find examples.
     """
 
     rule: str
@@ -76,7 +77,7 @@ class Row:
     phrase: str
     range: tuple[float, float] = (-math.inf, math.inf)
     bounds: Callable[[Expression, Sequence[Expression]], tuple[Condition, ...]] | None = None
-    easy: Callable[[Expression], Expression] | None = None
+    easy: Callable[[Sequence[Expression]], tuple[Easy, ...]] | None = None
 
     def takes(self, count: int) -> bool:
         """Say whether the function can have that many operands."""
@@ -99,7 +100,7 @@ def row(function: AnyFunction) -> Row:
 
 @cache
 def _row_of(function: RegionFunction) -> Row:
-    is_measured = function.measure is Measure.DISTANCE
+    is_easy = bounds(function, UNKNOWN, tuple(map(Operand, range(OPERANDS)))) is None
     return Row(
         RULES[function.measure],
         OPERANDS,
@@ -107,7 +108,8 @@ def _row_of(function: RegionFunction) -> Row:
         lambda *operands: define(function, operands),
         phrase(function),
         range_of(function),
-        (lambda result, operands: bounds(function, result, operands)) if is_measured else None,
+        None if is_easy else lambda result, operands: bounds(function, result, operands) or (),
+        None if function.measure is Measure.INSIDE else lambda operands: easy(function, operands),
     )
 
 
@@ -165,6 +167,14 @@ def _bounds_of_norm(norm: Expression, components: Sequence[Expression]) -> tuple
     )
 
 
+def _along_one(components: Sequence[Expression]) -> tuple[Easy, ...]:
+    """A length is its component where all others are 0."""
+    return tuple(
+        Easy(tuple(other.equals(0.0) for other in components if other is not each), abs(each))
+        for each in components
+    )
+
+
 def _roll(x: Expression, y: Expression, z: Expression, w: Expression) -> Expression:
     """S5."""
     n = Local("n", _sum_of_squares(x, y, z, w))
@@ -210,9 +220,11 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
     Function.NORM: Row(
-        "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, abs
+        "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
-    Function.HYPOT: Row("S5", 2, 2, _norm, "the length of ({all})", _LENGTH, _bounds_of_norm, abs),
+    Function.HYPOT: Row(
+        "S5", 2, 2, _norm, "the length of ({all})", _LENGTH, _bounds_of_norm, _along_one
+    ),
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),

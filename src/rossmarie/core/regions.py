@@ -42,6 +42,16 @@ class Polygon:
     corners: tuple[Corner, ...]
 
 
+@dataclass(frozen=True)
+class Easy:
+    """A case in which a function is easy to compute: where these conditions on its operands hold,
+    it is that expression.
+    """
+
+    conditions: tuple[Condition, ...]
+    value: Expression
+
+
 class Measure(enum.Enum):
     """The functions of a region, of x and y."""
 
@@ -230,15 +240,39 @@ def _all_in_one(
 
 _SLACK = 2.0**-40
 """More than the roundings in a distance can add, with a billionth of a metre."""
+_FEW = 24
+"""Edges through which solvers find their way in a second or two."""
 
 
 def bounds(
     function: RegionFunction, result: Expression, operands: Sequence[Expression]
-) -> tuple[Condition, ...]:
-    """A distance is no less than that from the box around all corners along each axis, and no
-    greater than the way along both axes to the first corner.
-    """
+) -> tuple[Condition, ...] | None:
+    """The facts from which solvers go where the formula is too much for them; None if it is not."""
     xs, ys = zip(*(each for part in function.region.polygons for each in part.corners), strict=True)
+    if function.measure is Measure.INSIDE:
+        return _bounds_of_inside(xs, ys, result, operands) if len(xs) > _FEW else None
+    return _bounds_of_distance(xs, ys, result, operands)
+
+
+def _bounds_of_inside(
+    xs: Sequence[float], ys: Sequence[float], result: Expression, operands: Sequence[Expression]
+) -> tuple[Condition, ...]:
+    """Nothing is inside beyond the corners."""
+    outside = result.equals(0.0)
+    found: list[Condition] = [Either(outside, result.equals(1.0))]
+    for number, ends in zip(operands, (xs, ys), strict=False):
+        for within in (number < max(ends), number > min(ends)):
+            on_the_edge = Either(number.equals(max(ends)), number.equals(min(ends)))
+            found.append(Either(outside, Either(within, on_the_edge)))
+    return tuple(found)
+
+
+def _bounds_of_distance(
+    xs: Sequence[float], ys: Sequence[float], result: Expression, operands: Sequence[Expression]
+) -> tuple[Condition, ...]:
+    """It is no less than that from the box around all corners along each axis, and no greater than
+    the way along both axes to the first corner.
+    """
     beyond = [
         part for number, ends in zip(operands, (xs, ys), strict=False)
         for part in (min(ends) - number, number - max(ends))
@@ -246,6 +280,14 @@ def bounds(
     way = abs(operands[0] - xs[0]) + abs(operands[1] - ys[0])
     least = [part * (1.0 - _SLACK) - 1e-9 < result for part in beyond]
     return (*least, result < way * (1.0 + _SLACK) + 1e-9)
+
+
+def easy(function: RegionFunction, operands: Sequence[Expression]) -> tuple[Easy, ...]:
+    """The distance at the corner that is farthest along x, and beyond it in that direction."""
+    x, y, seen, wanted = operands
+    end = max(corner for part in function.region.polygons for corner in part.corners)
+    level = (seen.equals(wanted), y.equals(end[1]))
+    return (Easy((*level, x > end[0]), x - end[0]), Easy((*level, x.equals(end[0])), Number(0.0)))
 
 
 def range_of(function: RegionFunction) -> tuple[float, float]:

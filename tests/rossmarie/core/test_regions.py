@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+from fractions import Fraction
 
 import pytest
 import shapely
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from rossmarie.core import Measure, Polygon, Region, RegionFunction
+from rossmarie.core import Measure, Polygon, Region, RegionFunction, row
+from rossmarie.core.expressions import Operand
 from rossmarie.interpreter.arithmetic import apply
+from support.exact_expressions import holds, value
 
 MAP = 3.0
 """The number of the text `map`, say."""
@@ -105,3 +108,32 @@ def test_many_polygons_with_many_corners_are_one_region() -> None:
     assert inside(299.75, 20.5, ring, *squares) == 0.0
     assert distance(299.75, 20.5, ring, *squares) == pytest.approx(0.25)
     assert distance(0.0, 15.0, ring, *squares) == pytest.approx(5.0, abs=1e-3)
+
+
+# --- what solvers may know ---------------------------------------------------------------------
+
+
+@given(st.sampled_from(Measure), st.lists(stars(), min_size=1, max_size=3), points)
+def test_bounds_hold_in_real_numbers(
+    measure: Measure, polygons: list[Corners], point: tuple[float, float]
+) -> None:
+    of_region = function(measure, *polygons)
+    bounds, operands = row(of_region).bounds, (*point, MAP, MAP)
+    numbers = [*map(Fraction, operands), Fraction(apply(of_region, operands))]
+    written = [Operand(index) for index in range(len(numbers))]
+    for bound in () if bounds is None else bounds(written[-1], written[:-1]):
+        assert holds(bound, numbers)
+
+
+@given(st.lists(stars(), min_size=1, max_size=3), st.floats(0, 50))
+def test_a_distance_is_easy_beyond_the_last_corner(polygons: list[Corners], beyond: float) -> None:
+    of_region = function(Measure.DISTANCE, *polygons)
+    easy = row(of_region).easy
+    assert easy is not None
+    x, y = max(corner for each in polygons for corner in each)
+    operands = (x + beyond, y, MAP, MAP)
+    numbers = [*map(Fraction, operands)]
+    cases = easy(tuple(map(Operand, range(4))))
+    (case,) = (each for each in cases if all(holds(one, numbers) for one in each.conditions))
+    found = float(value(case.value, numbers))
+    assert apply(of_region, operands) == pytest.approx(found, abs=1e-9)
