@@ -11,7 +11,7 @@ import enum
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache, reduce
+from functools import cache
 
 from rossmarie.core.expressions import (
     UNKNOWN,
@@ -114,38 +114,51 @@ def define(function: RegionFunction, operands: Sequence[Expression]) -> Expressi
 
 
 def _inside(region: Region, x: Expression, y: Expression) -> Expression:
-    """S63: in one polygon at least; C stops at the first that the point is in."""
+    """S63: in one polygon at least."""
     parts = [_inside_of(each)(_X, _Y) for each in region.polygons if len(each.corners) > 1]
-    return _all_in_one(f"in_{region.name}", region.about, parts, _either)(x, y)
+    return _together(f"in_{region.name}", f"polygons of {region.about}", parts, _first)(x, y)
 
 
 @cache
 def _inside_of(polygon: Polygon) -> Subfunction:
     """S63: a point beyond the corners is not looked at further."""
     xs, ys = zip(*polygon.corners, strict=True)
-    crossings = [_crosses(*edge) for edge in _edges(polygon) if edge[0][1] != edge[1][1]]
+    edges = [
+        _CROSSES(_X, _Y, *map(Number, edge)) for edge in map(_upwards, _edges(polygon)) if edge
+    ]
     name, about = f"crossings_{polygon.name}", f"edges of {polygon.about}"
-    found: Expression = _all_in_one(name, about, crossings, _odd)(_X, _Y)
+    found: Expression = _together(name, about, edges, _chain(_ODD))(_X, _Y)
     for condition in (max(ys) < _Y, min(ys) > _Y, max(xs) < _X, min(xs) > _X):
         found = choose(condition, 0.0, found)
-    return _of_point(
-        f"in_{polygon.name}", found, f"1 if ({{0}}, {{1}}) is in {polygon.about}, else 0"
-    )
+    about = f"1 if ({{0}}, {{1}}) is in {polygon.about}, else 0"
+    return _of_point(f"in_{polygon.name}", found, about)
 
 
-def _crosses(start: Corner, end: Corner) -> Expression:
-    """S63: 1 if a ray along x crosses an edge that is not level, of which the lower end counts."""
-    (ax, ay), (bx, by) = sorted((start, end), key=lambda corner: corner[1])
-    is_left = (_X - ax) * (by - ay) < (_Y - ay) * (bx - ax)
-    return choose(ay > _Y, 0.0, choose(by > _Y, choose(is_left, 1.0, 0.0), 0.0))
+def _upwards(edge: tuple[Corner, Corner]) -> tuple[float, ...]:
+    """An edge from its lower end to its upper one; nothing of one that is level."""
+    (ax, ay), (bx, by) = sorted(edge, key=lambda corner: corner[1])
+    return () if ay == by else (ax, ay, bx, by)
 
 
-def _either(one: Expression, other: Expression) -> Expression:
-    return choose(one.equals(1.0), 1.0, other)
+def _crossing() -> Expression:
+    """S63: the lower end of an edge counts, the upper one does not."""
+    x, y, ax, ay, bx, by = map(Operand, range(6))
+    is_before = (x - ax) * (by - ay) < (y - ay) * (bx - ax)
+    return choose(y < ay, 0.0, choose(y < by, choose(is_before, 1.0, 0.0), 0.0))
 
 
-def _odd(one: Expression, other: Expression) -> Expression:
-    return choose(one.equals(other), 0.0, 1.0)
+_CROSSES = Subfunction(
+    "crosses",
+    ("x", "y", "ax", "ay", "bx", "by"),
+    _crossing(),
+    "1 if ({0}, {1}) is before the edge from ({2}, {3}) up to ({4}, {5}), else 0",
+)
+_ODD = Subfunction(
+    "odd",
+    ("a", "b"),
+    choose(Operand(0).equals(Operand(1)), 0.0, 1.0),
+    "1 if one of {0} and {1} is 1, else 0",
+)
 
 
 def _edges(polygon: Polygon) -> list[tuple[Corner, Corner]]:
@@ -159,7 +172,8 @@ def _edges(polygon: Polygon) -> list[tuple[Corner, Corner]]:
 def _distance(region: Region, x: Expression, y: Expression) -> Expression:
     """S64: the root of the least square."""
     squares = [_square_of(each)(_X, _Y) for each in region.polygons]
-    return square_root(_all_in_one(f"square_{region.name}", region.about, squares, _lesser)(x, y))
+    name, about = f"square_{region.name}", f"polygons of {region.about}"
+    return square_root(_together(name, about, squares, _chain(_LESSER))(x, y))
 
 
 @cache
@@ -171,7 +185,7 @@ def _square_of(polygon: Polygon) -> Subfunction:
     else:
         edges = [_TO_EDGE(_X, _Y, *map(Number, (*a, *b))) for a, b in _edges(polygon)]
         name, about = f"square_edges_{polygon.name}", f"edges of {polygon.about}"
-        beyond = _all_in_one(name, about, edges, _lesser)(_X, _Y)
+        beyond = _together(name, about, edges, _chain(_LESSER))(_X, _Y)
         found = choose(_inside_of(polygon)(_X, _Y).equals(1.0), 0.0, beyond)
     about = f"the square of the distance of ({{0}}, {{1}}) from {polygon.about}"
     return _of_point(f"square_{polygon.name}", found, about)
@@ -201,39 +215,49 @@ _LESSER = Subfunction(
 )
 
 
-def _lesser(one: Expression, other: Expression) -> Expression:
-    return _LESSER(one, other)
-
-
 # --- many parts --------------------------------------------------------------------------------
 
 _X, _Y = Operand(0), Operand(1)
 _MOST = 32
 """Parts of one expression: compilers and Python bound how deep one may lie in another."""
 
+_Combine = Callable[[Sequence[Expression]], Expression]
+
 
 def _of_point(name: str, expression: Expression, about: str) -> Subfunction:
     return Subfunction(name, ("x", "y"), expression, about)
 
 
-def _all_in_one(
-    name: str,
-    about: str,
-    parts: Sequence[Expression],
-    combine: Callable[[Expression, Expression], Expression],
-) -> Subfunction:
-    """A function of x and y: its parts combined from the last to the first."""
+def _together(name: str, about: str, parts: Sequence[Expression], combine: _Combine) -> Subfunction:
+    """A function of x and y that combines its parts."""
     if len(parts) <= _MOST:
-        backwards = [*reversed(parts)] or [Number(0.0)]
-        found = reduce(lambda others, part: combine(part, others), backwards)
-        return _of_point(f"{name}_any", found, f"({{0}}, {{1}}) against {about}")
-    starts = range(0, len(parts), _MOST)
-    groups = [
-        _all_in_one(f"{name}_{start}", f"{about}, from the {start + 1}th on",
-                    parts[start : start + _MOST], combine)(_X, _Y)
-        for start in starts
-    ]  # fmt: skip
-    return _all_in_one(name, about, groups, combine)
+        return _of_point(f"{name}_together", combine(parts), f"the {about} at ({{0}}, {{1}})")
+    groups = []
+    for start in range(0, len(parts), _MOST):
+        some = f"{about}, {_MOST} from the {start + 1}th on"
+        group = _together(f"{name}_{start}", some, parts[start : start + _MOST], combine)
+        groups.append(group(_X, _Y))
+    return _together(name, about, groups, combine)
+
+
+def _first(parts: Sequence[Expression]) -> Expression:
+    """1 if one of them is 1, else 0: C stops at the first."""
+    found: Expression = Number(0.0)
+    for part in reversed(parts):
+        found = choose(part.equals(1.0), 1.0, found)
+    return found
+
+
+def _chain(function: Subfunction) -> _Combine:
+    """All of them, from the first to the last."""
+
+    def combined(parts: Sequence[Expression]) -> Expression:
+        found: Expression = Number(0.0)
+        for number, part in enumerate(parts):
+            found = Local(f"from_{number}", function(found, part) if number else part)
+        return found
+
+    return combined
 
 
 # --- what solvers may know ---------------------------------------------------------------------
