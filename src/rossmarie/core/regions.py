@@ -173,7 +173,9 @@ def _distance(region: Region, x: Expression, y: Expression) -> Expression:
     """S64: the root of the least square."""
     squares = [_square_of(each)(_X, _Y) for each in region.polygons]
     name, about = f"square_{region.name}", f"polygons of {region.about}"
-    return square_root(_together(name, about, squares, _chain(_LESSER))(x, y))
+    found = square_root(_together(name, about, squares, _chain(_LESSER))(x, y))
+    # What is not a number has a sign, which depends on the machine.
+    return choose(IsUnknown(found), UNKNOWN, found)
 
 
 @cache
