@@ -168,9 +168,9 @@ class _Writer:
     def _location(self, ontology: Ontology, found: Location) -> dict[str, Any]:
         return {
             "iri": found.iri,
-            "label": found.label,
+            "label": found.label or None,
             "classes": sorted(name_in(ontology, each) for each in found.types),
-            "frame": found.frame,
+            "frame": found.frame or None,
             "corners": found.corners,
             "place": self._places.of(found.span),
         }
