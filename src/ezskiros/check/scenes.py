@@ -99,9 +99,9 @@ class _Scene:
                 near = self._meant(other, self._things)
                 yield found.at(self._place(thing.iri, other), help=near)
             else:
-                place = self._place(thing.iri, other)
-                yield from self._fits(thing.iri, iri, self._model.domain(iri), place)
-                yield from self._fits(other, iri, self._model.range(iri), place)
+                related = (thing.iri, other)
+                yield from self._fits(thing.iri, iri, self._model.domain(iri), related)
+                yield from self._fits(other, iri, self._model.range(iri), related)
 
     def _no_relation(self, thing: _Thing, iri: str, other: str) -> Diagnostic:
         place = self._place(thing.iri, iri)
@@ -118,7 +118,7 @@ class _Scene:
         return found.at(place, help=self._meant(iri, self._model.relations))
 
     def _fits(
-        self, iri: str, relation: str, wanted: tuple[Union, ...], place: Span
+        self, iri: str, relation: str, wanted: tuple[Union, ...], related: tuple[str, str]
     ) -> Iterator[Diagnostic]:
         types = self._classes_of(iri)
         for union in wanted:
@@ -130,7 +130,7 @@ class _Scene:
                     wanted=" or ".join(map(self._spelled, sorted(union))),
                 )
                 label = self._ontology.label(relation, found.Relates())
-                yield found.at(place, *([label] if label else []))
+                yield found.at(self._place(*related), *([label] if label else []))
                 return
 
     def _classes_of(self, iri: str) -> list[str]:
@@ -144,25 +144,24 @@ class _Scene:
         for iri, value in thing.values:
             if iri.startswith(RESERVED) or iri == AS_WKT:
                 continue
-            place = self._place(thing.iri, iri)
             if iri in self._model.relations:
                 yield errors.KindOfProperty(
                     property=self._spelled(iri),
                     kind="relation",
                     thing=self._spelled(thing.iri),
                     found=f"the value {value.value!r}",
-                ).at(place)
+                ).at(self._place(thing.iri, iri))
             elif iri not in self._model.values:
                 found = errors.UnknownSceneProperty(
                     property=self._spelled(iri), thing=self._spelled(thing.iri)
                 )
-                yield found.at(place, help=self._meant(iri, self._model.values))
+                yield found.at(
+                    self._place(thing.iri, iri), help=self._meant(iri, self._model.values)
+                )
             else:
-                yield from self._value(thing, iri, value, place)
+                yield from self._value(thing, iri, value)
 
-    def _value(
-        self, thing: _Thing, iri: str, value: pyoxigraph.Literal, place: Span
-    ) -> Iterator[Diagnostic]:
+    def _value(self, thing: _Thing, iri: str, value: pyoxigraph.Literal) -> Iterator[Diagnostic]:
         declared = self._model.values[iri]
         wanted = [spelled_types(union) for union in self._model.range(iri)]
         if declared.values is not None and value.value not in declared.values:
@@ -176,7 +175,7 @@ class _Scene:
             wanted=" or ".join(sorted({name for names in wanted for name in names})),
         )
         label = self._ontology.label(iri, DeclaredHere())
-        yield found.at(place, *([label] if label else []))
+        yield found.at(self._place(thing.iri, iri), *([label] if label else []))
 
     def _missing(self, thing: _Thing) -> Iterator[Diagnostic]:
         above = {each for kind in self._classes_of(thing.iri) for each in self._model.above(kind)}

@@ -68,7 +68,7 @@ class _Writer:
         vocabularies = self._vocabularies(skill for _, skill in described)
         classes = _by_name("classes", (one for each in vocabularies for one in each.classes()))
         properties = [one for each in vocabularies for one in each.properties()]
-        locations = [self._location(*each) for each in sorted(self._scene, key=_by_iri)]
+        locations = [self._location(*each) for each in self._scene_by_iri()]
         known = [*files, *self._places.files, *self._ontology_files]
         sources = sources_of(known, self._folder)
         return _text(
@@ -165,6 +165,17 @@ class _Writer:
             "place": self._places.of(found.span),
         }
 
+    def _scene_by_iri(self) -> list[tuple[Ontology, Location]]:
+        """The locations by their IRIs; a thing is in one scene."""
+        found: dict[str, tuple[Ontology, Location]] = {}
+        for each in self._scene:
+            location = each[1]
+            first = found.setdefault(location.iri, each)[1]
+            if first is not location:
+                twice = errors.SameName(kind="locations", spelled=location.iri)
+                session.report(twice.at(location.span, twice.Other().at(first.span)))
+        return [found[iri] for iri in sorted(found)]
+
     def _location(self, ontology: Ontology, found: Location) -> dict[str, Any]:
         return {
             "iri": found.iri,
@@ -174,10 +185,6 @@ class _Writer:
             "corners": found.corners,
             "place": self._places.of(found.span),
         }
-
-
-def _by_iri(found: tuple[Ontology, Location]) -> str:
-    return found[1].iri
 
 
 def _classes_in(skill: SkillInterface) -> Iterator[ThingClass]:

@@ -1,4 +1,4 @@
-"""Where the things of a scene are, in the terms of SkiROS2 and of GeoSPARQL.
+"""The places of the things of a scene, in the terms of SkiROS2 and of GeoSPARQL.
 
 A polygon is the value of `geo:asWKT`. A box has the position, the orientation and the size that
 SkiROS2's ontology has for things, and a thing with a position alone is a point. Frames are those of
@@ -20,6 +20,7 @@ from ezskiros.locations import errors
 from ezskiros.locations.location import FARTHEST, Location, NoPolygonError, Point
 from ezskiros.ontology.iris import AS_WKT, OWL, RDF, RDFS, RESERVED
 from ezskiros.ontology.model import Model
+from ezskiros.ontology.places import Declarations
 from ezskiros.ontology.read import Document
 from ezskiros.ontology.scene_text import place_in, spelled_in
 
@@ -71,6 +72,7 @@ class _Thing:
 class _Finder:
     def __init__(self, document: Document, model: Model) -> None:
         self._document, self._model = document, model
+        self._declarations = Declarations([document])
         self.wrong: list[Diagnostic] = []
 
     def find(self) -> Iterator[Location]:
@@ -92,7 +94,8 @@ class _Finder:
         label = next(iter(thing.values.get(RDFS + "label", ())), "")
         frame = next(iter(thing.values.get(_FRAME, ())), "") if corners else ""
         types = tuple(sorted(each for each in thing.types if not each.startswith(RESERVED)))
-        return Location(thing.iri, label, types, frame, corners, self._place(thing.iri))
+        span = self._declarations.place(thing.iri) or Span(self._document.file, 0, 0)
+        return Location(thing.iri, label, types, frame, corners, span)
 
     def _corners(self, thing: _Thing) -> tuple[Point, ...]:
         """The corners of a thing; none if the scene does not say where it is."""

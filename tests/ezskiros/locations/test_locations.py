@@ -11,6 +11,7 @@ import shapely
 from hypothesis import given
 from hypothesis import strategies as st
 
+from ezskiros.check.scenes import check_scene
 from ezskiros.locations import Found, find_locations
 from ezskiros.locations.box import footprint
 from ezskiros.locations.location import NoPolygonError
@@ -18,6 +19,7 @@ from ezskiros.locations.polygon import MOST_CORNERS, corners_of
 from ezskiros.ontology import Ontology, load
 from ezskiros.ontology.read import read
 from support import command_line
+from support.effort import takes_at_most
 from support.skills import ONTOLOGY
 
 PREFIXES = """\
@@ -234,3 +236,31 @@ def test_a_wrong_scene_is_not_exported(tmp_path: Path) -> None:
     assert done.returncode == 1
     assert "EZS612" in done.stderr + done.stdout
     assert not (tmp_path / "skills.json").exists()
+
+
+def test_a_thing_in_two_scenes_is_not_exported(tmp_path: Path) -> None:
+    for name, x in (("a", 1.0), ("b", 9.0)):
+        at = f"skiros:PositionX {x} ; skiros:PositionY 2.0"
+        text = f"{PREFIXES}\nskiros:Location-1 a skiros:Location ; {FRAME} ; {at} .\n"
+        (tmp_path / f"{name}.turtle").write_text(text)
+    done = command_line.run(
+        "ezskiros", "export", "a.turtle", "b.turtle", "--ontology", str(ONTOLOGY),
+        "-o", "skills.json", folder=tmp_path,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert "there are two locations" in done.stderr + done.stdout
+    assert not (tmp_path / "skills.json").exists()
+
+
+def test_a_large_scene_takes_time_in_proportion(ontology: Ontology, tmp_path: Path) -> None:
+    def scene_of(count: int) -> Path:
+        scene = tmp_path / f"{count}.turtle"
+        square = 'geo:asWKT "POLYGON ((0 0, 1 0, 1 1, 0 0))"'
+        things = (
+            f"skiros:Location-{n} a skiros:Location ; {FRAME} ; {square} ." for n in range(count)
+        )
+        scene.write_text("\n".join([PREFIXES, *things]))
+        return scene
+
+    small, large = scene_of(500), scene_of(4000)
+    assert takes_at_most(12.0, lambda path: check_scene(path, ontology), small, large)

@@ -302,8 +302,8 @@ def test_nine_of_ten_of_the_last_fifty() -> None:
 
 
 def side_by_side(failing: int, cycles: int) -> list[Episode]:
-    """Of 32 environments, some always run out of time, at one instant. The others always insert,
-    in a third of the time.
+    """The episodes of 32 environments: `failing` ones always run out of time, at one instant; the
+    others always insert, in a third of the time.
     """
     good = [NOTHING._replace(inserted=1)] * (32 - failing)
     bad = [NOTHING] * failing
