@@ -6,6 +6,7 @@ from dslkit.diagnostics import Template
 from rossmarie.check.actions import errors as action_errors
 from rossmarie.check.actions import retrace_errors
 from rossmarie.check.expressions import errors as expression_errors
+from rossmarie.check.foresight import errors as foresight_errors
 from rossmarie.check.names import errors as name_errors
 from rossmarie.check.names import region_errors
 from rossmarie.check.operations import errors as operation_errors
@@ -28,6 +29,7 @@ _DECLARED: tuple[type[Template], ...] = (
     *list_errors.ALL,
     *range_errors.ALL,
     *expression_errors.ALL,
+    *foresight_errors.ALL,
     *system_errors.ALL,
     *action_errors.ALL,
     *retrace_errors.ALL,

@@ -55,6 +55,7 @@ class Function(enum.Enum):
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
     PITCH = "pitch"
     YAW = "yaw"
+    STOPPING = "stopping"  # speed, wanted speed, least deceleration, way until the brake holds
 
 
 @dataclass(frozen=True)
@@ -204,6 +205,18 @@ def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]
     return ()
 
 
+# --- braking ---------------------------------------------------------------------------------
+
+
+def _stopping(
+    speed: Expression, wanted: Expression, brake: Expression, way: Expression
+) -> Expression:
+    """S65: the squares of the speeds fall by twice the deceleration in each metre."""
+    braking = (speed * speed - wanted * wanted) / (2.0 * brake)
+    is_unknown = Either(IsUnknown(speed), IsUnknown(wanted))
+    return choose(is_unknown, UNKNOWN, choose(speed > wanted, way + braking, 0.0))
+
+
 # --- all of them -----------------------------------------------------------------------------
 
 _LENGTH = (0.0, math.inf)
@@ -228,4 +241,11 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
+    Function.STOPPING: Row(
+        "S65",
+        4,
+        4,
+        _stopping,
+        "the way in which {0} becomes {1} by braking with {2} after {3}",
+    ),
 }

@@ -92,6 +92,7 @@ from rossmarie.ir.path import (
     path_text,
 )
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
+from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
@@ -140,6 +141,7 @@ __all__ = [
     "Array",
     "Batch",
     "Between",
+    "Braking",
     "ByName",
     "Category",
     "Cause",
@@ -196,6 +198,7 @@ __all__ = [
     "Read",
     "Reading",
     "Recurs",
+    "Requirement",
     "Response",
     "Rule",
     "Sampled",

@@ -19,6 +19,7 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Motion,
     Quantity,
     Quaternion,
     Region,
@@ -159,7 +160,7 @@ def _kind(type_: Type) -> ir.Kind:
             return ir.Kind.TEXT
         case (
             Quantity() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
-            | Region() | Entry() | Unsupported() | Unknown()
+            | Region() | Motion() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return ir.Kind.REAL
 
@@ -179,7 +180,7 @@ def _limits(type_: Type) -> tuple[float, float] | None:
             return limits
         case (
             Text() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
-            | Region() | Entry() | Unsupported() | Unknown()
+            | Region() | Motion() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None
 

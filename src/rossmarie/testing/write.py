@@ -68,7 +68,9 @@ def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator
 
 
 def _field(setting: Setting, bases: Bases) -> str:
-    steps = setting.path[len(bases[setting.input]) :]
+    base = bases[setting.input]
+    is_below = setting.path[: len(base)] == base  # else it is in the header of the message
+    steps = setting.path[len(base) :] if is_below else setting.path
     text = f"{setting.input}{ir.path_text(steps)}"
     return text if setting.angle is None else f"{text}.{setting.angle}"
 

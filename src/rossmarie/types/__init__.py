@@ -11,6 +11,7 @@ from rossmarie.types.model import (
     Interval,
     List,
     Message,
+    Motion,
     Point,
     Quantity,
     Quaternion,
@@ -21,7 +22,15 @@ from rossmarie.types.model import (
     Unsupported,
     Vector,
 )
-from rossmarie.types.operators import SIGNATURES, Fault, Operator, Outcome, apply, unit_faults
+from rossmarie.types.operators import (
+    SIGNATURES,
+    Fault,
+    Operator,
+    Outcome,
+    apply,
+    faults_of_position,
+    unit_faults,
+)
 from rossmarie.types.ros_messages import (
     Leaf,
     MessageCatalog,
@@ -45,6 +54,7 @@ __all__ = [
     "Message",
     "MessageCatalog",
     "MessageDefinitionError",
+    "Motion",
     "Operator",
     "Outcome",
     "Point",
@@ -57,6 +67,7 @@ __all__ = [
     "Unsupported",
     "Vector",
     "apply",
+    "faults_of_position",
     "message_value",
     "std_msgs_data",
     "unit_faults",

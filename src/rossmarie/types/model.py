@@ -109,6 +109,13 @@ class Region:
 
 
 @dataclass(frozen=True)
+class Motion:
+    """A motion of the robot, by its name: where it is, how fast, and how it brakes."""
+
+    name: str
+
+
+@dataclass(frozen=True)
 class Message:
     """A ROS message, `sensor_msgs/Imu`, with the types of its fields (and constants left out).
     `names` is the field with the names of the elements of its arrays, if it has one.
@@ -152,6 +159,7 @@ Type = (
     | Interval
     | Box
     | Region
+    | Motion
     | Message
     | Entry
     | Unsupported

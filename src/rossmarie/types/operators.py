@@ -18,6 +18,7 @@ from rossmarie.types.model import (
     Box,
     Interval,
     Message,
+    Motion,
     Quantity,
     Quaternion,
     Region,
@@ -60,6 +61,7 @@ class Operator(enum.Enum):
     PITCH = "pitch"
     YAW = "yaw"
     DISTANCE = "distance"
+    STOPPING = "stopping"
     RATE = "rate"
     PREVIOUS = "previous"
     MEDIAN = "median"
@@ -209,7 +211,7 @@ def _contained(value: Type, container: Type) -> Outcome:
     if isinstance(container, Box) and isinstance(value, Vector):
         return Outcome(Boolean(), unit_faults(value.element, container.element))
     if isinstance(container, Region) and container.has_area:
-        return Outcome(Boolean(), _faults_of_position(value))
+        return Outcome(Boolean(), faults_of_position(value))
     return _fault(Fault.OPERANDS)
 
 
@@ -299,11 +301,19 @@ def _distance(left: Type, right: Type) -> Outcome:
     if isinstance(left, Vector) and isinstance(right, Vector):
         return _additive(_unit_of_difference, left.element, right.element)
     if isinstance(right, Region):
-        return Outcome(_METRES, _faults_of_position(left))
+        return Outcome(_METRES, faults_of_position(left))
     return _fault(Fault.OPERANDS)
 
 
-def _faults_of_position(value: Type) -> tuple[Fault, ...]:
+def _stopping(motion: Type, *speed: Type) -> Outcome:
+    """The way on which a motion slows down to a speed, or stops."""
+    if not isinstance(motion, Motion):
+        return _fault(Fault.OPERANDS)
+    faults = (fault for each in speed for fault in _ordered(each, _SPEED).faults)
+    return Outcome(_METRES, tuple(faults))
+
+
+def faults_of_position(value: Type) -> tuple[Fault, ...]:
     """What keeps something from being a point in a plane; a pose is one by its position."""
     position = value.fields.get("position") if isinstance(value, Message) else value
     is_position = isinstance(position, Vector) and not unit_faults(position.element, _METRES)
@@ -363,6 +373,7 @@ def _oscillating(value: Type, window: Type, *swing: Type) -> Outcome:
 
 _SECONDS = Quantity(parse_unit("s"))
 _METRES = Quantity(parse_unit("m"))
+_SPEED = Quantity(parse_unit("m/s"))
 _COMPARISON = Signature(2, 2, partial(_elementwise, _ordered))
 _EQUALITY = Signature(2, 2, partial(_elementwise, _equal))
 _JUNCTION = Signature(2, 2, partial(_elementwise, _logical))
@@ -398,6 +409,7 @@ SIGNATURES: Mapping[Operator, Signature] = {
     Operator.PITCH: Signature(1, 1, _angle),
     Operator.YAW: Signature(1, 1, _angle),
     Operator.DISTANCE: Signature(2, 2, _distance),
+    Operator.STOPPING: Signature(1, 2, _stopping),
     Operator.RATE: Signature(1, 1, _rate),
     Operator.PREVIOUS: Signature(1, 1, _previous),
     Operator.MEDIAN: Signature(2, 2, _filtered),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from dslkit.diagnostics import listed
+from dslkit.source import Span
 from rossmarie import core
 from rossmarie.check.model import CheckedSkills
 from rossmarie.check.names.region_errors import (
@@ -39,7 +40,11 @@ def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | 
         several = SeveralClasses(identifier=name, known=listed(found))
         context.collector.add(several.at(node.span))
         return Unknown()
-    return _region_of(node, found[0], skills, context)
+    places = places_of(found[0], node.span, skills, context)
+    if places is None:
+        return Unknown()
+    context.regions[node], type_ = places
+    return type_
 
 
 def _is_asked_for(node: ast.Expression, context: Context) -> bool:
@@ -56,32 +61,33 @@ def _is_asked_for(node: ast.Expression, context: Context) -> bool:
             return False
 
 
-def _region_of(
-    node: ast.Reference | ast.Member, owl_class: str, skills: CheckedSkills, context: Context
-) -> Type:
+def places_of(
+    owl_class: str, named: Span, skills: CheckedSkills, context: Context
+) -> tuple[core.Region, Region] | None:
+    """The places of a class that is `named` somewhere, and their type; None after reporting."""
     below = {*skills.classes.below(owl_class)}
     known = [each for each in skills.file.locations if below & {*each.classes}]
     nowhere = [each for each in known if not each.corners]
     frames = sorted({each.frame for each in known if each.corners})
     if not known:
         path = skills.declaration.path.value
-        context.collector.add(NoLocation(owl_class=owl_class, path=path).at(node.span))
+        context.collector.add(NoLocation(owl_class=owl_class, path=path).at(named))
     for each in nowhere:
         finding = UnknownLocation(thing=_called(each), owl_class=owl_class)
         span = skills.span_at(each.place)
         places = () if span is None else (finding.Described().at(span),)
-        context.collector.add(finding.at(node.span, *places))
+        context.collector.add(finding.at(named, *places))
     if len(frames) > 1:
         several = SeveralFrames(owl_class=owl_class, frames=listed(frames))
-        context.collector.add(several.at(node.span))
+        context.collector.add(several.at(named))
     if not known or nowhere or len(frames) > 1:
-        return Unknown()
-    context.regions[node] = core.Region(
+        return None
+    region = core.Region(
         name=_word(owl_class),
         about=f"the places of {owl_class}",
         polygons=tuple(_polygon(each, skills) for each in known),
     )
-    return Region(owl_class, frames[0], any(len(each.corners) > 1 for each in known))
+    return region, Region(owl_class, frames[0], any(len(each.corners) > 1 for each in known))
 
 
 def _polygon(location: Location, skills: CheckedSkills) -> core.Polygon:

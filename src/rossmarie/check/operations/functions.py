@@ -27,6 +27,7 @@ from rossmarie.check.operations.operands import (
     scalar_operand,
 )
 from rossmarie.check.operations.operators import applied
+from rossmarie.check.operations.stopping import wanted_speed
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped, text_of
 from rossmarie.check.units.quantities import check_fit
@@ -40,6 +41,7 @@ from rossmarie.types import (
     Fault,
     List,
     Message,
+    Motion,
     Operator,
     Quantity,
     Quaternion,
@@ -66,6 +68,7 @@ USAGES: Mapping[Operator, str] = {
     Operator.PITCH: "orientation.pitch()",
     Operator.YAW: "orientation.yaw()",
     Operator.DISTANCE: "distance(a, b)",
+    Operator.STOPPING: "stopping(motion, 0.3 m/s)",
     Operator.RATE: "rate(x)",
     Operator.PREVIOUS: "previous(x)",
     Operator.MEDIAN: "median(x, 0.2 sec)",
@@ -83,6 +86,7 @@ _NEEDS: Mapping[Operator, str] = {
     Operator.PITCH: "an orientation",
     Operator.YAW: "an orientation",
     Operator.DISTANCE: "two vectors, or a position and a class of things",
+    Operator.STOPPING: "a motion",
 }
 _FIELDS: Mapping[Operator, type[object]] = {
     Operator.NORM: Vector,
@@ -233,6 +237,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
                 if apply(operator, *[type_ for _ in types]).faults:
                     _report_argument(node, argument, _NEEDS[operator], context)
             return outcome.type
+        if operator is Operator.STOPPING:
+            return _stopping(node, outcome.type, context)
         if operator is Operator.DISTANCE and isinstance(types[1], Region):
             return outcome.type if check_frame(node.arguments[0], context) else Unknown()
     elif operator is not Operator.ABS:
@@ -246,6 +252,15 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
         if arrays:
             return Unknown()
     return applied(operator, node.arguments, context)
+
+
+def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:
+    """The type of the way on which a motion stops; of `Unknown` the motion is reported already."""
+    motion = context.type_of(node.arguments[0])
+    if not isinstance(motion, Motion) or len(node.arguments) == 1:
+        return type_
+    speed = wanted_speed(node.arguments[1], context.motions[motion.name], context)
+    return Unknown() if speed is None else type_
 
 
 def _report_argument(

@@ -12,6 +12,7 @@ from dslkit.source import Span
 from rossmarie.check.model import (
     CheckedDoing,
     CheckedInput,
+    CheckedMotion,
     CheckedSkills,
     ConditionKey,
     Value,
@@ -43,8 +44,9 @@ class Context:
 
     `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
     of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
-    what each question to the skills asks, `regions` the places of each class
-    that is named. `entity` and `uses` belong to what is being checked at the moment.
+    what each question to the skills asks, `regions` the places of each class that is named,
+    `motions` the motions that are right. `entity` and `uses` belong to what is being checked at
+    the moment.
     """
 
     collector: Collector
@@ -63,6 +65,7 @@ class Context:
     names_skills: bool = False
     doing: NodeMap[CheckedDoing] = field(default_factory=NodeMap)
     regions: NodeMap[Region] = field(default_factory=NodeMap)
+    motions: dict[str, CheckedMotion] = field(default_factory=dict)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
 

@@ -65,7 +65,9 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
     )
 
 
-def known_skills(node: ast.Doing | ast.SkillNumber, context: Context) -> CheckedSkills | None:
+def known_skills(
+    node: ast.Doing | ast.SkillNumber | ast.Keeps, context: Context
+) -> CheckedSkills | None:
     """The file of skills; None, after reporting if it is named nowhere."""
     if context.skills is None and not context.names_skills and context.declarations.is_whole:
         context.collector.add(NoSkills().at(node.span))

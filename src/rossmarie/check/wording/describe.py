@@ -10,6 +10,7 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Motion,
     Point,
     Quantity,
     Quaternion,
@@ -49,6 +50,8 @@ def describe(type_: Type) -> str:
             return f"a message {name}"
         case Entry(message=message):
             return f"all that {message.name} has under one name"
+        case Motion(name=name):
+            return f"the motion {name}"
         case Region(owl_class=owl_class, has_area=has_area):
             return f"the {'places' if has_area else 'points'} of {owl_class}"
         case (
