@@ -1,5 +1,5 @@
-"""What rules keep: a rule is active before it is too late to brake, or a counterexample shows when
-it is not.
+"""Requirements of rules: a rule is active before it is too late to brake, or a counterexample shows
+when it is not.
 
 The question is about one instant: the condition of the rule is false by the last messages, though
 the motion, as they tell of it, could not slow down before the places any more if the next message

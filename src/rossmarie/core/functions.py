@@ -50,12 +50,12 @@ class Function(enum.Enum):
     ABSOLUTE = "absolute"
     MINIMUM = "minimum"  # of two
     MAXIMUM = "maximum"  # of two
+    ABOVE = "above"  # the third where the first is above the second, else 0
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
     PITCH = "pitch"
     YAW = "yaw"
-    STOPPING = "stopping"  # speed, wanted speed, least deceleration, way until the brake holds
 
 
 @dataclass(frozen=True)
@@ -134,6 +134,12 @@ def _minimum(a: Expression, b: Expression) -> Expression:
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a < b, a, b))
 
 
+def _above(a: Expression, b: Expression, c: Expression) -> Expression:
+    """S65."""
+    is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
+    return choose(is_unknown, UNKNOWN, choose(a > b, c, 0.0))
+
+
 def _maximum(a: Expression, b: Expression) -> Expression:
     """S6; of two equal ones the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
@@ -205,18 +211,6 @@ def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]
     return ()
 
 
-# --- braking ---------------------------------------------------------------------------------
-
-
-def _stopping(
-    speed: Expression, wanted: Expression, brake: Expression, way: Expression
-) -> Expression:
-    """S65: the squares of the speeds fall by twice the deceleration in each metre."""
-    braking = (speed * speed - wanted * wanted) / (2.0 * brake)
-    is_unknown = Either(IsUnknown(speed), IsUnknown(wanted))
-    return choose(is_unknown, UNKNOWN, choose(speed > wanted, way + braking, 0.0))
-
-
 # --- all of them -----------------------------------------------------------------------------
 
 _LENGTH = (0.0, math.inf)
@@ -232,6 +226,7 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ABSOLUTE: Row("S6", 1, 1, abs, "the absolute value of {0}", _LENGTH),
     Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
+    Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
@@ -241,11 +236,4 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
-    Function.STOPPING: Row(
-        "S65",
-        4,
-        4,
-        _stopping,
-        "the way in which {0} becomes {1} by braking with {2} after {3}",
-    ),
 }

@@ -174,7 +174,7 @@ def _distance(region: Region, x: Expression, y: Expression) -> Expression:
     squares = [_square_of(each)(_X, _Y) for each in region.polygons]
     name, about = f"square_{region.name}", f"polygons of {region.about}"
     found = square_root(_together(name, about, squares, _chain(_LESSER))(x, y))
-    # What is not a number has a sign, which depends on the machine.
+    # A NaN has a sign, which depends on the machine.
     return choose(IsUnknown(found), UNKNOWN, found)
 
 

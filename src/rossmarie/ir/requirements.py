@@ -1,4 +1,4 @@
-"""What rules require of themselves: to act before it is too late."""
+"""Requirements of rules: to act before it is too late."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from rossmarie.ir.model import Machine
 
 @dataclass(frozen=True)
 class Braking:
-    """How a motion brakes, in SI: `brake` is the least deceleration, `timeout_s` the longest
+    """The braking of a motion, in SI: `brake` is the least deceleration, `timeout_s` the longest
     silence of its messages, `latency_s` all other time from a message to the brakes. `position` and
     `speed` are in the words of the rules; unless `is_of_one_message`, they come apart.
     """

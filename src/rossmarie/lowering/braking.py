@@ -8,6 +8,7 @@ from rossmarie.lowering.nodes import Nodes, Shown
 from rossmarie.units import Unit, parse_unit
 
 _SPEED, _BRAKE, _TIME = parse_unit("m/s"), parse_unit("m/s^2"), parse_unit("s")
+_SQUARE = parse_unit("m^2/s^2")
 
 
 def way_to_stop(
@@ -25,16 +26,23 @@ def way_to_stop(
         text = f"speed of {name} when its brakes hold"
         return nodes.apply(function, operands, Shown(text, span, _SPEED))
 
+    def speeds(function: ir.Function, *operands: int) -> int:
+        return nodes.apply(function, operands, Shown(f"squares of speeds of {name}", span, _SQUARE))
+
+    def metres(text: str, function: ir.Function, *operands: int) -> int:
+        return nodes.apply(function, operands, Shown(f"{text} of {name}", span, shown.unit))
+
     gained = number(motion.acceleration * motion.reaction_s, _SPEED)
     fastest = number(motion.fastest, _SPEED)
     most = speed(ir.Function.ADD, speed(ir.Function.ABSOLUTE, measured), gained)
     reached = speed(ir.Function.MINIMUM, most, fastest)
     # A message of its own may have come when the motion was faster than another one says.
     travelling = reached if motion.is_of_one_message else fastest
-    way = nodes.apply(
-        ir.Function.MULTIPLY,
-        (travelling, number(motion.reaction_s, _TIME)),
-        Shown(f"way of {name} until its brakes hold", span, shown.unit),
-    )
-    slow, brake = number(wanted, _SPEED), number(motion.brake, _BRAKE)
-    return nodes.apply(ir.Function.STOPPING, (reached, slow, brake, way), shown)
+    reaction = number(motion.reaction_s, _TIME)
+    way = metres("way until the brakes", ir.Function.MULTIPLY, travelling, reaction)
+    square = speeds(ir.Function.MULTIPLY, reached, reached)
+    lost = speeds(ir.Function.SUBTRACT, square, number(wanted * wanted, _SQUARE))
+    twice = number(2.0 * motion.brake, _BRAKE)
+    braking = metres("way of braking", ir.Function.DIVIDE, lost, twice)
+    whole = metres("whole way", ir.Function.ADD, way, braking)
+    return nodes.apply(ir.Function.ABOVE, (reached, number(wanted, _SPEED), whole), shown)

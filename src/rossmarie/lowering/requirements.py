@@ -1,4 +1,4 @@
-"""What rules keep, lowered behind all that monitors need: none pays for a requirement."""
+"""Requirements of rules, lowered behind all that monitors need: no monitor pays for them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where things are, as a file of skills tells: locations of a scene, and places in sources."""
+"""Locations of things, as a file of skills tells them, and places in sources."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from rossmarie.skills.model import Location, Place
 FARTHEST = 1e6
 """The greatest coordinate of a location in m."""
 MOST_CORNERS = 1000
-"""Of a polygon."""
+"""The most corners of a polygon."""
 _SIDES = 2
 """Corners that are neither a point nor a polygon."""
 

@@ -167,6 +167,10 @@ class Builder(TestBuilder):
         documentation = self._documentation(parts)
         return ast.Condition(self.name(parts[0]), parts[2], documentation, self._span(parts))
 
+    def part(self, parts: list[Any]) -> ast.Condition:
+        """`NAME : EXPRESSION`."""
+        return self.condition(parts)
+
     def rule(self, parts: list[Any]) -> ast.Rule:
         """`rule NAME: always if CONDITION while SKILLS unless RULES then { STEP; } CONTRACT`; all
         but the condition and the steps may be missing.

@@ -37,6 +37,7 @@ START_RULES = (
     "input",
     "entity",
     "motion",
+    "part",
     "rule",
     "priority",
     "hazard",

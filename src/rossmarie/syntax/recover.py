@@ -106,7 +106,8 @@ def _recover_entity(
 ) -> ast.Entity | ast.Motion | None:
     start = start_of_body(part, item, failure)
     members = _conditions(part, start, item.last)
-    conditions = parse_members(part, members, lambda _: "condition", _broken_condition)
+    inner = "part" if item.kind == "motion" else "condition"
+    conditions = parse_members(part, members, lambda _: inner, _broken_condition)
     check_closed(part, item, start)
     name = name_of(part, item)
     if name is None:

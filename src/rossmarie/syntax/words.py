@@ -150,6 +150,7 @@ FORMS = {
     "motion": "a motion is written "
     "`motion NAME { position : INPUT; speed : INPUT; brake : 0.6 m/s^2; "
     "acceleration : 0.5 m/s^2; fastest : 1.5 m/s; latency : 0.2 sec; }`",
+    "part": "a part of a motion is written `NAME : EXPRESSION;`",
     "keeps": "what a rule keeps is written behind its contract: "
     "`keeps MOTION below 0.3 m/s in CLASS`",
     "category": "the category of a rule is written behind its contract: "

@@ -22,21 +22,14 @@ from rossmarie.types.model import (
     Unsupported,
     Vector,
 )
-from rossmarie.types.operators import (
-    SIGNATURES,
-    Fault,
-    Operator,
-    Outcome,
-    apply,
-    faults_of_position,
-    unit_faults,
-)
+from rossmarie.types.operators import SIGNATURES, Operator, apply
 from rossmarie.types.ros_messages import (
     Leaf,
     MessageCatalog,
     message_value,
     std_msgs_data,
 )
+from rossmarie.types.rules import Fault, Outcome, faults_of_position, unit_faults
 
 __all__ = [
     "AXES",

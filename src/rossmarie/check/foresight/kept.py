@@ -1,4 +1,4 @@
-"""What rules keep: a motion below a speed in the places of a class."""
+"""Requirements of rules: each keeps a motion below a speed in the places of a class."""
 
 from __future__ import annotations
 

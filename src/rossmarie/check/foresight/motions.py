@@ -101,7 +101,7 @@ def _is_whole(motion: ast.Motion, parts: Mapping[str, ast.Condition], context: C
     if missing:
         finding = IncompleteMotion(
             motion=motion.name.text,
-            missing=listed([f"`{name}`" for name in missing]),
+            missing=listed(missing),
             form=", ".join(_FORMS[name] for name in missing),
         )
         context.collector.add(finding.at(motion.name.span))

@@ -119,7 +119,7 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
 
 
 def _without_frame(position: ast.Expression, context: Context) -> str | None:
-    """Why nobody knows the frame of a position; None if a header says it."""
+    """The reason why nobody knows the frame of a position; None if a header says it."""
     node = stripped(position)
     while isinstance(node, ast.Member | ast.Index):
         node = stripped(node.value)

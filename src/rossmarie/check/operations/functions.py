@@ -154,6 +154,8 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
     expected = {0: "no argument here", 1: "one argument"}.get(least, f"{least} arguments")
     if signature.most is None:
         expected = "at least one argument"
+    elif signature.most > signature.least:
+        expected = f"{least} or {signature.most - before_dot} arguments"
     finding = WrongArgumentCount(
         function=operator.value,
         expected=expected,
@@ -230,7 +232,7 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
     if operator in _NEEDS:
         outcome = apply(operator, *types)
         if Fault.OPERANDS in outcome.faults:
-            # Where a class is named, it is the position that does not fit.
+            # If a class is named, it is the position that does not fit.
             is_of_region = any(isinstance(type_, Region) for type_ in types)
             asked = list(zip(node.arguments, types, strict=True))[: 1 if is_of_region else None]
             for argument, type_ in asked:

@@ -1,4 +1,4 @@
-"""What rules keep, with the way on which the robot brakes, worked out step by step."""
+"""Requirements of rules, with the way on which the robot brakes, worked out step by step."""
 
 from __future__ import annotations
 
