@@ -93,6 +93,8 @@ class Sprouting:
         needs = reactions.target_of(effect) is not None
         resource = self.draw(st.sampled_from((0, 0, 1))) if needs else None
         otherwise = self._tasks(2, depth - 1) if depth and self.draw(st.booleans()) else ()
+        if resource is not None:
+            effect = _on(effect, resource)
         self.tasks[index] = reactions.Task(0, effect, resource, otherwise, NOWHERE)
         return index
 
@@ -138,6 +140,26 @@ class Sprouting:
             reactions.Bound, fields, lows, lows.map(lambda low: -low), ramps
         )  # fmt: skip
         return reactions.Limit(topic, tuple(self.draw(st.lists(bounds, max_size=3))))
+
+
+def _on(effect: reactions.Effect, resource: int) -> reactions.Effect:
+    """The same effect on something that is this resource: nothing is two resources."""
+    match effect:
+        case reactions.SetParameter(node=node):
+            return replace(effect, node=f"{node}_{resource}")
+        case reactions.SwitchControllers(manager=manager):
+            return replace(effect, manager=f"{manager}_{resource}")
+        case reactions.SendGoal(server=server) | reactions.CancelGoal(server=server):
+            return replace(effect, server=f"{server}_{resource}")
+        case reactions.Call(service=service):
+            return replace(effect, service=f"{service}_{resource}")
+        case reactions.Publish(topic=topic) | reactions.Retrace(topic=topic):
+            return replace(effect, topic=f"{topic}_{resource}")
+        case (
+            reactions.Limit() | reactions.Scale() | reactions.Log() | reactions.Diagnose()
+            | reactions.Hook() | reactions.Reset()
+        ):  # fmt: skip
+            return effect
 
 
 @st.composite
