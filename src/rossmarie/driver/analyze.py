@@ -69,7 +69,7 @@ def analyzed(
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
     """Ask what rules mean together; `checked` are the findings so far."""
-    from rossmarie.analysis.witness import as_csv
+    from rossmarie.analysis.witness import as_csv, within
 
     collector = Collector()
     collector.extend(checked)
@@ -80,7 +80,7 @@ def analyzed(
             continue
         collector.add(finding.diagnostic)
         if finding.witness is not None:
-            shown[id(finding.diagnostic)] = finding.witness
+            shown[id(finding.diagnostic)] = within(compiled.machine, finding.witness)
             code = finding.diagnostic.code
             count = sum(code in name for name in witnesses) + 1
             name = f"{rules.stem}_{code}_{count}.csv"
