@@ -52,7 +52,7 @@ def test_who_knows_the_place_stands_before_the_child() -> None:
 
 
 def test_the_speed_is_what_the_rule_keeps() -> None:
-    """`keeps drive below 0.5 m/s in SchoolCorridor` is proved; the wheels swing a little around it."""
+    """`keeps drive below 0.5 m/s in SchoolCorridor` is proved; wheels swing a little around it."""
     trace = episode(Arm.PROACTIVE, passage=Passage.EMPTY).trace
     begin, end = CorridorParameters().school
     inside = (trace.columns["x"] > begin) & (trace.columns["x"] < end)

@@ -69,8 +69,8 @@ def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator
 
 def _field(setting: Setting, bases: Bases) -> str:
     base = bases[setting.input]
-    is_below = setting.path[: len(base)] == base  # else it is in the header of the message
-    steps = setting.path[len(base) :] if is_below else setting.path
+    is_header = setting.path[:1] == ("header",) and base[:1] not in ((), ("header",))
+    steps = setting.path if is_header else setting.path[len(base) :]
     text = f"{setting.input}{ir.path_text(steps)}"
     return text if setting.angle is None else f"{text}.{setting.angle}"
 

@@ -65,7 +65,7 @@ def test_a_rule_in_time_is_proved(tmp_path: Path, condition: str) -> None:
     "condition",
     [
         "distance(pose, SchoolCorridor) < stopping(drive, 0.4 m/s)",
-        "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) - 1 cm",
+        "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) - 20 cm",
         "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) and button",
         "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) for 0.1 sec",
         f"distance(pose, SchoolCorridor) < {WORST - 0.001} m",
