@@ -93,8 +93,8 @@ def made(folder: Path) -> Path:
     (folder / "pushing.ross").write_text(RULES)
     host = 'from ezskiros.hosts.skiros2 import host\n\nhost(__name__, context="../skills.json")\n'
     (library / "__init__.py").write_text(host)
-    files = ("pushing_skills", "lab.turtle", "--ontology", "ontology")
-    command = ("export", *files, "-o", "skills.json")
+    exported = ("pushing_skills", "lab.turtle", "--ontology", "ontology")
+    command = ("export", *exported, "-o", "skills.json")
     done = command_line.run("ezskiros", *command, folder=folder)
     assert done.returncode == 0, done.stdout + done.stderr
     files, found = owl_files(load(folder / "ontology", relations=False))
