@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Template
 from rossmarie.check.actions import errors as action_errors
-from rossmarie.check.actions import retrace_errors
+from rossmarie.check.actions import retrace_errors, tree_errors
 from rossmarie.check.expressions import errors as expression_errors
 from rossmarie.check.foresight import errors as foresight_errors
 from rossmarie.check.names import errors as name_errors
@@ -33,6 +33,7 @@ _DECLARED: tuple[type[Template], ...] = (
     *system_errors.ALL,
     *action_errors.ALL,
     *retrace_errors.ALL,
+    *tree_errors.ALL,
     *rule_errors.ALL,
     *test_errors.ALL,
 )

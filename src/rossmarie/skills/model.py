@@ -53,12 +53,14 @@ class Property:
 @dataclass(frozen=True)
 class Parameter:
     """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`.
-    One that is needed has a value before the skill starts.
+    One that is needed has a value before the skill starts; one that is given gets it from whoever
+    starts the skill.
     """
 
     name: str
     type: str
     is_needed: bool
+    is_given: bool
     place: Place | None
 
 

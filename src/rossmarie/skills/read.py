@@ -232,11 +232,13 @@ def _children(trees: Json) -> Iterator[Child]:
 
 
 def _parameter(item: Json) -> Parameter:
-    is_optional = item.get("kind").one_of("given", "inferred", "optional") == "optional"
+    kind = item.get("kind").one_of("given", "inferred", "optional")
+    is_output = item.get("is_output").truth()
     return Parameter(
         name=_name(item.get("name")),
         type=item.get("type").text(),
-        is_needed=not is_optional and not item.get("is_output").truth(),
+        is_needed=kind != "optional" and not is_output,
+        is_given=kind == "given" and not is_output,
         place=place_of(item),
     )
 

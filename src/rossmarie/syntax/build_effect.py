@@ -125,6 +125,25 @@ class EffectBuilder(ExpressionBuilder):
         server, span = self.name(parts[1]), self._span(parts)
         return ast.CancelGoal(server, confirmation, timeout, interrupted, otherwise, span)
 
+    def run_tree(self, parts: list[Any]) -> ast.RunTree:
+        """`tree SKILL(PARAMETER: VALUE, ...) within TIME then WORD else ACTION`."""
+        arguments = tuple(part for part in parts if isinstance(part, ast.TreeArgument))
+        timeout, otherwise = clause(parts, "within"), clause(parts, "else")
+        afterwards, span = clause(parts, "then"), self._span(parts)
+        return ast.RunTree(self.name(parts[1]), arguments, timeout, afterwards, otherwise, span)
+
+    def tree_argument(self, parts: list[Any]) -> ast.TreeArgument:
+        """`PARAMETER: VALUE`."""
+        return ast.TreeArgument(self.name(parts[0]), parts[2], self._span(parts))
+
+    def passed(self, parts: list[Any]) -> ast.Passed:
+        """`doing SKILL.PARAMETER`."""
+        return ast.Passed(self.name(parts[1]), self.name(parts[3]), self._span(parts))
+
+    def afterwards(self, parts: list[Any]) -> Part:
+        """`then resume`, `then retry`, `then replan`."""
+        return Part("then", self.name(parts[1]), self._span(parts))
+
     def confirmation(self, parts: list[Any]) -> Part:
         """`confirm by CONDITION`."""
         return Part("confirm", parts[2], self._span(parts))

@@ -118,7 +118,7 @@ class Style:
                 self._word(name, unit)
             case ast.SwitchControllers(manager=name) | ast.CancelGoal(server=name):
                 self._word(name)
-            case ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
+            case ast.RunTree() | ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
                 pass
 
     def _fields(self, inner: Sequence[ast.FieldBound | ast.FieldAssignment]) -> None:

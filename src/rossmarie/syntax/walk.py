@@ -101,6 +101,14 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             pass
 
 
+def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:
+    for each in effect.arguments:
+        if not isinstance(each.value, ast.Passed):
+            yield each.value
+    if effect.timeout is not None:
+        yield effect.timeout
+
+
 def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
     found: tuple[ast.Expression | None, ...]
     match effect:
@@ -115,10 +123,13 @@ def _of_effect(effect: ast.Effect) -> Iterator[ast.Expression]:
         case ast.Retrace(assignments=assignments, rate=last):
             values = (each.value for each in assignments)
             found = (effect.pose, *values, *effect.apart, last)
-        case ast.CallService(assignments=assignments, timeout=last):
+        case (
+            ast.CallService(assignments=assignments, timeout=last)
+            | ast.SendGoal(assignments=assignments, timeout=last)
+        ):
             found = (*(each.value for each in assignments), last)
-        case ast.SendGoal(assignments=assignments, timeout=last):
-            found = (*(each.value for each in assignments), last)
+        case ast.RunTree():
+            found = tuple(_of_tree(effect))
         case ast.SetParameter(value=value, timeout=last):
             found = (value, last)
         case ast.SwitchControllers(timeout=last):

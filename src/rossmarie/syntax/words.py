@@ -42,6 +42,7 @@ EFFECT_WORDS = {
     "set": "set_parameter",
     "switch": "switch_controllers",
     "send": "send_goal",
+    "tree": "run_tree",
     "cancel": "cancel_goal",
     "log": "log",
     "diagnose": "diagnose",
@@ -183,6 +184,9 @@ FORMS = {
     "set_parameter": "a parameter is set by `set /NODE.PARAMETER to VALUE;`",
     "switch_controllers": "controllers are switched by "
     "`switch /controller_manager { stop NAME; start NAME; };`",
+    "run_tree": "a behavior tree is run by "
+    "`tree SKILL(PARAMETER: VALUE) within 20 sec then resume else ACTION;`; "
+    "`then retry` and `then replan` begin the task anew",
     "send_goal": "a goal is sent by "
     "`send PACKAGE/TYPE { FIELD = VALUE; } to /SERVER within 10 sec then resend;`",
     "cancel_goal": "a goal is cancelled by "

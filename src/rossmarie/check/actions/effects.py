@@ -25,6 +25,7 @@ from rossmarie.check.actions.resources import declared_resources
 from rossmarie.check.actions.retrace_errors import PosesInAll
 from rossmarie.check.actions.retraces import checked_retrace
 from rossmarie.check.actions.targets import Targets, insertion
+from rossmarie.check.actions.trees import checked_tree
 from rossmarie.check.effects import (
     Awaited,
     CheckedCall,
@@ -97,7 +98,7 @@ class EffectChecker:
                 return CheckedEffect(effect, effect.span)
             case (
                 ast.CallService() | ast.SetParameter() | ast.SwitchControllers() | ast.SendGoal()
-                | ast.CancelGoal()
+                | ast.CancelGoal() | ast.RunTree()
             ):  # fmt: skip
                 return self._awaited(effect, uses)
 
@@ -169,6 +170,8 @@ class EffectChecker:
                 return self._send(effect, timeout)
             case ast.CancelGoal():
                 return self._cancel(effect, timeout, uses)
+            case ast.RunTree():
+                return self._run_tree(effect, timeout)
 
     def _call(self, effect: ast.CallService, timeout: int | None) -> CheckedEffect | None:
         sent = self._targets.sent(effect.target, Kind.SERVICE)
@@ -276,6 +279,17 @@ class EffectChecker:
         interrupted = _interrupted(effect.interrupted)
         found = CheckedCancel(server, kind, effect.confirmation, timeout, interrupted)
         return self._awaiting(found, reactions.Target("action server", server), effect)
+
+    # --- trees -------------------------------------------------------------------------------
+
+    def _run_tree(self, effect: ast.RunTree, timeout: int | None) -> CheckedEffect | None:
+        if effect.timeout is None:
+            self._add(MissingTimeLimit().at(effect.skill.span))
+            return None
+        found = None if timeout is None else checked_tree(effect, timeout, self._context)
+        if found is None:
+            return None
+        return self._awaiting(found, reactions.Target("action server", found.server), effect)
 
     # --- resources ---------------------------------------------------------------------------
 

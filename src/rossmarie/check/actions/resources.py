@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from rossmarie.check.actions.errors import SharedTarget, UnknownTarget
 from rossmarie.check.actions.targets import Targets
+from rossmarie.check.actions.trees import SERVER
 from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.system.model import full_name
 from rossmarie.syntax import ast
@@ -73,5 +74,7 @@ def _named(effect: ast.Effect, targets: Targets) -> Iterator[str]:
             yield full_name(name.text)
         case ast.SwitchControllers(manager=name) | ast.CancelGoal(server=name):
             yield full_name(name.text)
+        case ast.RunTree():
+            yield SERVER
         case ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
             pass

@@ -84,7 +84,7 @@ class Targets:
                 kind = Kind.MESSAGE
             case (
                 ast.SetParameter() | ast.SwitchControllers() | ast.CancelGoal() | ast.Log()
-                | ast.Diagnose() | ast.Hook() | ast.Reset()
+                | ast.RunTree() | ast.Diagnose() | ast.Hook() | ast.Reset()
             ):  # fmt: skip
                 return
         if target.type is not None:

@@ -66,7 +66,7 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
 
 
 def known_skills(
-    node: ast.Doing | ast.SkillNumber | ast.Keeps, context: Context
+    node: ast.Doing | ast.SkillNumber | ast.Keeps | ast.RunTree, context: Context
 ) -> CheckedSkills | None:
     """The file of skills; None, after reporting if it is named nowhere."""
     if context.skills is None and not context.names_skills and context.declarations.is_whole:

@@ -179,6 +179,41 @@ class CancelGoal:
     span: Span
 
 
+# --- behavior trees --------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Passed:
+    """`doing Drive.Target`: the parameter of a skill that runs when the tree begins."""
+
+    skill: Name
+    parameter: Name
+    span: Span
+
+
+@dataclass(frozen=True)
+class TreeArgument:
+    """`Target: "kitchen"`, `Target: doing Drive.Target`."""
+
+    parameter: Name
+    value: Expression | Passed
+    span: Span
+
+
+@dataclass(frozen=True)
+class RunTree:
+    """`tree Reroute(Target: doing Drive.Target) within 20 sec then resume else stop`; `afterwards`
+    is the word behind `then`.
+    """
+
+    skill: Name
+    arguments: tuple[TreeArgument, ...]
+    timeout: Expression | None
+    afterwards: Name | None
+    otherwise: Name | None
+    span: Span
+
+
 # --- words to people, and the rest -----------------------------------------------------------
 
 
@@ -226,11 +261,12 @@ Effect = (
     | SwitchControllers
     | SendGoal
     | CancelGoal
+    | RunTree
     | Log
     | Diagnose
     | Hook
     | Reset
 )
 
-Awaited = CallService | SetParameter | SwitchControllers | SendGoal | CancelGoal
+Awaited = CallService | SetParameter | SwitchControllers | SendGoal | CancelGoal | RunTree
 """The effects whose end is awaited, and that may fail."""

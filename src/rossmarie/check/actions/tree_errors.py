@@ -1,0 +1,34 @@
+"""Mistakes about behavior trees that rules run."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class MissingTreeArgument(Error, code="ROSS268", name="missing-tree-argument"):
+    """A tree without a value for a parameter that it needs."""
+
+    title = "`{skill}` needs {missing}"
+    label = "nobody is there to say it when the rule fires"
+    help = "write `{skill}({form})`, or pass what the robot is doing on: `doing SKILL.PARAMETER`"
+    skill: str
+    missing: str
+    form: str
+
+
+class UnfitTreeArgument(Error, code="ROSS269", name="unfit-tree-argument"):
+    """A value that a parameter of a tree cannot have."""
+
+    title = "`{parameter}` of `{skill}` is {expected}"
+    label = "this is {found}"
+    parameter: str
+    skill: str
+    expected: str
+    found: str
+
+    class Declared(Remark):
+        says = "`{parameter}` stands here"
+        parameter: str
+
+
+ALL: tuple[type[Template], ...] = (MissingTreeArgument, UnfitTreeArgument)
