@@ -1,0 +1,173 @@
+"""A task that a behavior tree interrupts, to recover from what a rule found (thesis, section 5.2).
+
+Whoever watches the robot asks for a tree, from any thread. At the next tick the primitives that run
+are preempted, and the tree is ticked in their place. When it has succeeded, the task goes on as it
+was asked to. One that fails ends the task: nobody knows any more whether the task can go on.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from queue import Empty, SimpleQueue
+
+from py_trees.behaviour import Behaviour
+from py_trees.common import Status
+
+from dslkit import garbage
+from ezskiros.engine.build import root_skill
+from ezskiros.engine.depth import deep
+from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.setting import Setting
+from ezskiros.engine.skill import RunningSkill
+from ezskiros.engine.task import Task
+from ezskiros.skills.calls import SkillCall
+
+
+class Afterwards(enum.Enum):
+    """The way in which a task goes on."""
+
+    RESUME = "resume"
+    """The primitives that were preempted start again; what has been done stays done."""
+    RETRY = "retry"
+    """The task starts again."""
+    REPLAN = "replan"
+    """Another tree leads to the goal of the task, from where the world is now."""
+
+
+@dataclass(frozen=True, eq=False)
+class Recovery:
+    """A tree that is asked for. `done` is told once, by the thread that ticks, whether it has
+    succeeded, and why not.
+    """
+
+    call: SkillCall
+    afterwards: Afterwards
+    done: Callable[[bool, str], None]
+
+
+class InterruptibleTask(Task):
+    """A task, and the tree that interrupts it. `replan` gives the call that leads to the goal of
+    the task now, None if nothing does.
+    """
+
+    def __init__(
+        self,
+        call: SkillCall,
+        setting: Setting,
+        replan: Callable[[], SkillCall | None] = lambda: None,
+    ) -> None:
+        super().__init__(call, setting)
+        self._replan = replan
+        self._asked: SimpleQueue[Recovery | None] = SimpleQueue()
+        self._recovery: Recovery | None = None
+        self._tree: RunningSkill | None = None
+
+    @property
+    def recovering(self) -> RunningSkill | None:
+        """The tree that runs in place of the task; None while the task runs."""
+        return self._tree
+
+    def recover(self, recovery: Recovery) -> None:
+        """Ask for a tree, from any thread. One that runs already gives way to it."""
+        self._asked.put(recovery)
+
+    def release(self) -> None:
+        """Ask for the end of the tree, from any thread: the task goes on where it was."""
+        self._asked.put(None)
+
+    def tick(self) -> Status:
+        """One tick, of the tree if there is one, else of the task."""
+        with deep():
+            self._take()
+        if self._tree is None:
+            return super().tick()
+        self.ticks += 1
+        with deep(), garbage.not_now():
+            for _ in self._tree.tick():
+                pass
+        if self._tree.status is Status.RUNNING:
+            return Status.RUNNING
+        return self._end(self._tree.status)
+
+    def preempt(self) -> None:
+        """Stop all that runs."""
+        self._give_up("the task is stopped")
+        super().preempt()
+
+    def _take(self) -> None:
+        """The last that was asked for since the tick before."""
+        while True:
+            try:
+                asked = self._asked.get_nowait()
+            except Empty:
+                return
+            self._give_up("it was stopped" if asked is None else "another tree is asked for")
+            if asked is not None:
+                self._begin(asked)
+
+    def _begin(self, asked: Recovery) -> None:
+        for leaf in list(_running_primitives(self.root)):
+            leaf.stop(Status.INVALID)
+        plan = self.setting.plans.of(asked.call)[0]
+        self._recovery = asked
+        self._tree = root_skill(asked.call, self.setting, plan.label or plan.skill.name)
+
+    def _give_up(self, why: str) -> None:
+        """End the tree, if one runs."""
+        tree, recovery = self._tree, self._recovery
+        self._tree = self._recovery = None
+        if tree is not None and recovery is not None:
+            with deep():
+                tree.stop(Status.INVALID)
+            recovery.done(False, why)
+
+    def _end(self, status: Status) -> Status:
+        """After the tree: the task goes on, or has failed."""
+        recovery = self._recovery
+        assert recovery is not None, "a tree runs"
+        self._tree = self._recovery = None
+        if status is not Status.SUCCESS:
+            reason = self.setting.last_failure or Reason(Code.EXECUTION, "it failed")
+            return self._failed(recovery, f"the recovery has failed: {reason.text}")
+        if recovery.afterwards is Afterwards.REPLAN:
+            call = self._replan()
+            if call is None:
+                return self._failed(recovery, "no plan leads to the goal of the task any more")
+            self._start_again(call)
+        elif recovery.afterwards is Afterwards.RETRY:
+            self._start_again(self.root.call)
+        recovery.done(True, "")
+        return Status.RUNNING
+
+    def _start_again(self, call: SkillCall) -> None:
+        with deep():
+            self.root.stop(Status.INVALID)
+        plan = self.setting.plans.of(call)[0]
+        self.root = root_skill(call, self.setting, plan.label or plan.skill.name)
+
+    def _failed(self, recovery: Recovery, why: str) -> Status:
+        with deep():
+            self.root.stop(Status.INVALID)
+        self.setting.last_failure = Reason(Code.EXECUTION, why)
+        recovery.done(False, why)
+        return Status.FAILURE
+
+
+def _running_primitives(skill: RunningSkill) -> Iterator[RunningSkill]:
+    """The primitives that run below a skill, or the skill itself."""
+    if skill.status is not Status.RUNNING:
+        return
+    if skill.tree is None:
+        yield skill
+        return
+    waiting: list[Behaviour] = [skill.tree]
+    while waiting:
+        each = waiting.pop()
+        if each.status is not Status.RUNNING:
+            continue
+        if isinstance(each, RunningSkill):
+            yield from _running_primitives(each)
+        else:
+            waiting += reversed(each.children)

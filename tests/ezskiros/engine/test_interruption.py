@@ -1,0 +1,231 @@
+"""A behavior tree interrupts a task, and the task goes on as it was asked to."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import MappingProxyType
+
+import pytest
+from py_trees.common import Status
+
+from ezskiros.engine.events import Event, Happened
+from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
+from ezskiros.session import NOWHERE
+from ezskiros.skills.calls import SkillCall
+from support.engine import Skills
+
+SOURCE = """
+class Go(SkillDescription):
+    def description(self, Name: str, Ticks: int = 3): pass
+
+
+class go(Go.SkillBase):
+    def onStart(self):
+        self.left = self.params.Ticks
+        return True
+
+    def execute(self):
+        self.left -= 1
+        if self.params.Name == "broken":
+            return self.fail("it is broken")
+        return self.success("there") if self.left <= 0 else self.step("on the way")
+
+    def onPreempt(self):
+        return self.fail("stands")
+
+
+class Both(SkillDescription):
+    def description(self): pass
+
+
+class both(Both.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Go(Name="first", Ticks=2), Go(Name="second", Ticks=3))
+
+
+class Clear(SkillDescription):
+    def description(self): pass
+
+
+class clear(Clear.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Go(Name="aside", Ticks=2), Go(Name="back", Ticks=1))
+
+
+class Stuck(SkillDescription):
+    def description(self): pass
+
+
+class stuck(Stuck.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Go(Name="broken"))
+
+
+class Patient(SkillDescription):
+    def description(self): pass
+
+
+class patient(Patient.SkillBase):
+    def expandBT(self, params):
+        self.parallelff(Go(Name="left", Ticks=5), self.serial(Go(Name="right", Ticks=5)))
+"""
+
+
+@dataclass
+class Scene:
+    """A task, and what has come of it."""
+
+    task: InterruptibleTask
+    events: list[Event]
+    told: list[tuple[bool, str]] = field(default_factory=list)
+
+    def ask(self, skill: str, afterwards: Afterwards = Afterwards.RESUME) -> None:
+        call = self.call(skill)
+        self.task.recover(Recovery(call, afterwards, lambda *end: self.told.append(end)))
+
+    def call(self, skill: str) -> SkillCall:
+        found = {each.__name__: each for each in self.task.setting.library.descriptions()}
+        return SkillCall(found[skill], None, MappingProxyType({}), NOWHERE)
+
+    def ticks(self, most: int) -> Status:
+        """The status after so many ticks, or at the end."""
+        status = Status.RUNNING
+        for _ in range(most):
+            if status is Status.RUNNING:
+                status = self.task.tick()
+        return status
+
+    def lives(self) -> list[str]:
+        """How primitives started and ended, by their names."""
+        shown = {Happened.STARTED: "+", Happened.SUCCEEDED: "", Happened.PREEMPTED: "!"}
+        names: dict[tuple[str, ...], str] = {}
+        found = []
+        for each in self.events:
+            if each.happened is Happened.STARTED and each.skill == "Go":
+                names[each.path] = str(each.values["Name"])
+            if each.happened in shown and each.path in names:
+                found.append(f"{shown[each.happened]}{names[each.path]}")
+        return found
+
+
+Begin = Callable[[str], Scene]
+
+
+@pytest.fixture
+def begin(tmp_path: Path) -> Begin:
+    def begun(skill: str) -> Scene:
+        plain, events, _ = Skills(tmp_path, SOURCE).task(skill)
+        return Scene(InterruptibleTask(plain.root.call, plain.setting), events)
+
+    return begun
+
+
+def test_what_was_done_stays_done(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear")
+    assert scene.ticks(12) is Status.SUCCESS
+    assert scene.lives() == [
+        *("+first", "first", "+second", "!second"),
+        *("+aside", "aside", "+back", "back"),
+        *("+second", "second"),
+    ]
+    assert scene.told == [(True, "")]
+
+
+def test_a_task_that_is_retried_begins_anew(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear", Afterwards.RETRY)
+    assert scene.ticks(14) is Status.SUCCESS
+    assert scene.lives()[-4:] == ["+first", "first", "+second", "second"]
+    assert scene.told == [(True, "")]
+
+
+def test_another_plan_leads_to_the_goal(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.task._replan = lambda: scene.call("Patient")
+    scene.ticks(3)
+    scene.ask("Clear", Afterwards.REPLAN)
+    assert scene.ticks(14) is Status.SUCCESS
+    assert scene.lives()[-4:] == ["+left", "+right", "left", "right"]
+
+
+def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear", Afterwards.REPLAN)
+    assert scene.ticks(4) is Status.FAILURE
+    assert scene.told == [(False, "no plan leads to the goal of the task any more")]
+
+
+def test_all_that_runs_is_preempted_at_the_next_tick(begin: Begin) -> None:
+    scene = begin("Patient")
+    scene.ticks(2)
+    scene.ask("Clear")
+    scene.ticks(1)
+    assert scene.lives() == ["+left", "+right", "!left", "!right", "+aside"]
+
+
+def test_a_recovery_that_fails_ends_the_task(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Stuck")
+    assert scene.ticks(1) is Status.FAILURE
+    assert scene.told == [(False, "the recovery has failed: it is broken")]
+    assert scene.task.root.status is Status.INVALID
+    assert [*scene.task.setting.running] == []
+
+
+def test_a_rule_that_is_released_ends_the_tree(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear")
+    scene.ticks(1)
+    scene.task.release()
+    assert scene.ticks(3) is Status.SUCCESS
+    assert scene.lives()[-4:] == ["+aside", "!aside", "+second", "second"]
+    assert scene.told == [(False, "it was stopped")]
+
+
+def test_a_tree_gives_way_to_another(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear")
+    scene.ticks(1)
+    scene.ask("Patient")
+    scene.ticks(1)
+    assert scene.told == [(False, "another tree is asked for")]
+    assert scene.lives()[-4:] == ["+aside", "!aside", "+left", "+right"]
+
+
+def test_a_task_that_is_stopped_stops_its_tree(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear")
+    scene.ticks(1)
+    scene.task.preempt()
+    assert scene.told == [(False, "the task is stopped")]
+    assert [*scene.task.setting.running] == []
+
+
+def test_a_tree_is_asked_for_from_any_thread(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    asking = threading.Thread(target=lambda: scene.ask("Clear"))
+    asking.start()
+    asking.join()
+    assert scene.ticks(12) is Status.SUCCESS
+    assert scene.told == [(True, "")]
+
+
+def test_the_context_tells_of_the_tree(begin: Begin) -> None:
+    """Rules see which skills run: the compound that waits, and those of the tree."""
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear")
+    scene.ticks(1)
+    assert [each.skill.name for each in scene.task.setting.running] == ["Both", "Clear", "Go"]
