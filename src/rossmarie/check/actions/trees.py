@@ -71,7 +71,13 @@ def _argument(
     value = context.values[argument.value]
     if value.text is not None:
         return value.text
-    return str(value.boolean).lower() if value.boolean is not None else f"{value.numbers[0]!r}"
+    if value.boolean is not None:
+        return str(value.boolean).lower()
+    number = value.numbers[0]
+    if parameter.type == "int" and not number.is_integer():
+        _report(parameter, skill, f"{number:g}", argument.value, context)
+        return None
+    return str(int(number)) if parameter.type == "int" else repr(number)
 
 
 def _fits(parameter: Parameter, type_: Type) -> bool:

@@ -1,0 +1,134 @@
+"""Goals of rules: what they ask for is run, and what is wrong with them is said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from py_trees.common import Status
+
+from ezskiros.engine.events import Event, Happened
+from ezskiros.engine.interruption import InterruptibleTask
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
+from support.engine import Skills
+
+DIGEST = "ab" * 32
+SCENE = """
+skiros:Location-1 a skiros:Location ; rdfs:label "kitchen" .
+skiros:Location-2 a skiros:Location ; rdfs:label "store" .
+"""
+SOURCE = """
+class Gear(enum.Enum):
+    SLOW = 1
+    FAST = 2
+
+
+class Drive(SkillDescription):
+    def description(self, Target: skiros.Location, Speed: float = 0.5, Quietly: bool = False,
+                    Gear: Gear = Gear.SLOW): pass
+
+
+class drive(Drive.SkillBase):
+    def onStart(self):
+        self.left = 3
+        return True
+
+    def execute(self):
+        self.left -= 1
+        return self.success("there") if self.left == 0 else self.step("on the way")
+
+    def onPreempt(self):
+        return self.fail("stands")
+
+
+class Reroute(SkillDescription):
+    def description(self, Target: skiros.Location, Speed: float, Quietly: bool, Gear: Gear): pass
+
+
+class reroute(Reroute.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(Drive())
+"""
+
+
+class Robot:
+    """A task that drives to the kitchen, and the goals that interrupt it."""
+
+    def __init__(self, folder: Path) -> None:
+        plain, self.events, _ = Skills(folder, SOURCE, SCENE).task(
+            "Drive", "Target=kitchen", "Speed=0.25", "Gear=FAST"
+        )
+        self.task = InterruptibleTask(plain.root.call, plain.setting)
+        self.goals = RecoveryGoals(DIGEST, self.task)
+        self.told: list[tuple[bool, str]] = []
+        self.task.tick()
+
+    def begin(self, *arguments: str, skill: str = "Reroute", digest: str = DIGEST) -> None:
+        self.goals.begin(digest, skill, arguments, "resume", lambda *end: self.told.append(end))
+
+    def started(self, skill: str) -> Event:
+        started = (each for each in self.events if each.happened is Happened.STARTED)
+        return [each for each in started if each.skill == skill][-1]
+
+    def ends(self) -> Status:
+        while (status := self.task.tick()) is Status.RUNNING:
+            pass
+        return status
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Robot:
+    return Robot(tmp_path)
+
+
+def test_values_are_those_that_are_written(robot: Robot) -> None:
+    robot.begin("Target=store", "Speed=0.1", "Quietly=true", "Gear=SLOW")
+    assert robot.ends() is Status.SUCCESS
+    values = robot.started("Reroute").values
+    assert str(values["Target"]) == "skiros:Location-2"
+    assert (values["Speed"], values["Quietly"], values["Gear"].name) == (0.1, True, "SLOW")
+    assert robot.told == [(True, "")]
+
+
+def test_values_are_those_of_the_skill_that_runs(robot: Robot) -> None:
+    passed = [f"{name}=@Drive.{name}" for name in ("Target", "Speed", "Quietly", "Gear")]
+    robot.begin(*passed)
+    robot.ends()
+    values = robot.started("Reroute").values
+    assert str(values["Target"]) == "skiros:Location-1"
+    assert (values["Speed"], values["Quietly"], values["Gear"].name) == (0.25, False, "FAST")
+
+
+GIVEN = ("Speed=1", "Quietly=true", "Gear=SLOW")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "skill", "reason"),
+    [
+        (("Target=cellar", *GIVEN), "Reroute", "`Target`: there is no 'cellar' in the world"),
+        (("Target=@Lift.Target", *GIVEN), "Reroute", "`Target` is that of `Lift`, which does not"),
+        (("Target=@Drive.Goal", *GIVEN), "Reroute", "`Target` is that of `Drive`, which does not"),
+        (GIVEN, "Reroute", "`Target`, a skiros.Location, is not given"),
+        ((), "Fly", "there is no skill `Fly`"),
+    ],
+)
+def test_what_cannot_be_run_is_refused(
+    robot: Robot, arguments: tuple[str, ...], skill: str, reason: str
+) -> None:
+    with pytest.raises(RefusedError) as problem:
+        robot.begin(*arguments, skill=skill)
+    assert str(problem.value).startswith(reason)
+    assert robot.ends() is Status.SUCCESS, "the task goes on; the rule does what stands behind else"
+
+
+def test_rules_of_another_export_are_refused(robot: Robot) -> None:
+    with pytest.raises(RefusedError, match="another export"):
+        robot.begin("Target=store", digest="cd" * 32)
+
+
+def test_a_goal_that_is_cancelled_ends(robot: Robot) -> None:
+    robot.begin("Target=store", *GIVEN)
+    robot.task.tick()
+    robot.goals.cancel()
+    assert robot.ends() is Status.SUCCESS
+    assert robot.told == [(False, "it was stopped")]
