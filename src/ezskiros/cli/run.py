@@ -20,6 +20,7 @@ from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.context import Context, export_for
 from ezskiros.cli.output import output
+from ezskiros.cli.recovery import recoveries
 
 if TYPE_CHECKING:  # the engine is loaded only where it is needed
     from ezskiros.context.snapshot import Snapshot
@@ -107,8 +108,8 @@ def run(
         compatible=compatible,
         expansions=Expansions(ready.trees),
     )
-    run = _Run(ready.call, setting, period, timeout)
-    outcome = run.to_the_end(is_asked=ask, trace=trace, export=export)
+    run = _Run(ready.call, setting, period, timeout, export)
+    outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:
         with output.writing(save):
             ready.world.save(save)
@@ -172,15 +173,21 @@ class _Run:
     """One run of a task, and what is shown of it."""
 
     def __init__(
-        self, call: SkillCall, setting: Setting, period: float, timeout: float | None
+        self,
+        call: SkillCall,
+        setting: Setting,
+        period: float,
+        timeout: float | None,
+        export: Export | None,
     ) -> None:
         from rich.console import Console
 
         from ezskiros.cli.progress import LiveTree
-        from ezskiros.engine.task import Task
+        from ezskiros.engine.interruption import InterruptibleTask
 
         self._setting, self._period, self._timeout = setting, period, timeout
-        self.task = Task(call, setting)
+        self._export = export
+        self.task = InterruptibleTask(call, setting)
         self._console = Console(highlight=False)
         self._live = LiveTree(self._console) if self._console.is_terminal else None
         self._trace: Trace | None = None
@@ -188,8 +195,10 @@ class _Run:
         self._start = setting.clock()
         self._is_interrupted = False
 
-    def to_the_end(self, *, is_asked: bool, trace: Path | None, export: Export | None) -> Outcome:
-        """Run the task, until it has a result or is stopped; with an export its context is told."""
+    def to_the_end(self, *, is_asked: bool, trace: Path | None) -> Outcome:
+        """Run the task until it has a result or is stopped. With an export its context is told, and
+        rules can ask for trees.
+        """
         from ezskiros.engine.task import run
         from ezskiros.engine.tracing import Trace
         from ezskiros.skills.stand_ins import without_stand_ins
@@ -208,10 +217,12 @@ class _Run:
                 self._live.start()
                 stack.callback(self._live.stop)
             wait: Callable[[float], object] = time.sleep
-            if export is not None:
-                self._context = Context(export, self._setting, self._note)
+            if self._export is not None:
+                self._context = Context(self._export, self._setting, self._note)
                 stack.enter_context(self._context.told())
                 wait = self._context.wait
+                if not self._setting.simulate:
+                    stack.enter_context(recoveries(self._export, self.task))
             return run(
                 self.task,
                 self._period,

@@ -1,0 +1,32 @@
+"""`ezskiros run --context`: takes behavior trees that rules ask for, in place of the task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # loaded only where it is needed
+    from ezskiros.engine.interruption import InterruptibleTask
+    from ezskiros.export import Export
+
+
+@contextmanager
+def recoveries(export: Export, task: InterruptibleTask) -> Iterator[None]:
+    """Within, rules can ask for trees over ROS; if they cannot, the reason is told."""
+    from ezskiros.context.recovery_ros import serve
+    from ezskiros.context.ros import NoRosError
+    from ezskiros.engine.recovery_goals import RecoveryGoals
+
+    try:
+        stop = serve(RecoveryGoals(export.digest, task))
+    except NoRosError as problem:
+        output.complain(f"rules can ask for no tree: {problem}")
+        yield
+        return
+    try:
+        yield
+    finally:
+        stop()

@@ -1,0 +1,136 @@
+"""The action server `recovery` over ROS 1 or ROS 2, whichever of them this Python has: rules send
+it behavior trees. Nothing of ROS is imported before that is asked for.
+"""
+
+from __future__ import annotations
+
+import importlib
+import threading
+from collections.abc import Callable
+from types import ModuleType
+from typing import Any
+
+from ezskiros.context.ros import NoRosError
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
+
+NAME = "recovery"
+_NODE = "ezskiros_recovery"
+
+Stop = Callable[[], object]
+"""Ends a server."""
+
+
+def serve(goals: RecoveryGoals) -> Stop:
+    """Take goals from now on. Raises `NoRosError`."""
+    for library, served in ("rospy", _in_ros1), ("rclpy", _in_ros2):
+        try:
+            found = importlib.import_module(library)
+        except ImportError:
+            continue
+        return served(found, goals)
+    raise NoRosError("neither `rospy` nor `rclpy` is installed")
+
+
+def _imported(name: str) -> Any:
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        raise NoRosError(
+            f"`{name.partition('.')[0]}` is not installed, or is an older one"
+        ) from None
+
+
+# --- ROS 1 ---------------------------------------------------------------------------------------
+
+
+def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
+    actionlib, messages = _imported("actionlib"), _imported("skill_context_msgs.msg")
+    if not hasattr(messages, "RecoverAction"):
+        raise NoRosError("`skill_context_msgs` is an older one, without Recover.action")
+    if not importlib.import_module("rosgraph").is_master_online():
+        raise NoRosError("no ROS master answers")
+    if not rospy.core.is_initialized():
+        rospy.init_node(_NODE, anonymous=True, disable_signals=True)
+
+    def begin(handle: Any) -> None:
+        goal = handle.get_goal()
+        handle.set_accepted()
+
+        def done(is_success: bool, why: str) -> None:
+            result = messages.RecoverResult(reason=why)
+            if is_success:
+                handle.set_succeeded(result)
+            elif handle.get_goal_status().status == _PREEMPTING:
+                handle.set_canceled(result)
+            else:
+                handle.set_aborted(result)
+
+        _begin(goals, goal, done)
+
+    server = actionlib.ActionServer(
+        NAME, messages.RecoverAction, begin, lambda _: goals.cancel(), auto_start=False
+    )
+    server.start()
+    return lambda: None  # it ends with the node
+
+
+_PREEMPTING = 6
+"""The status of a goal of ROS 1 that is to be cancelled (`actionlib_msgs/GoalStatus`)."""
+
+
+def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -> None:
+    try:
+        goals.begin(goal.digest, goal.skill, list(goal.arguments), goal.afterwards, done)
+    except RefusedError as problem:
+        done(False, str(problem))
+
+
+# --- ROS 2 ---------------------------------------------------------------------------------------
+
+
+def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
+    actions, executors = _imported("rclpy.action"), _imported("rclpy.executors")
+    kind = _imported("skill_context_msgs.action").Recover
+    if not rclpy.ok():
+        rclpy.init()
+    node = rclpy.create_node(_NODE)
+
+    def execute(handle: Any) -> Any:
+        ended = threading.Event()
+        end: list[tuple[bool, str]] = []
+
+        def done(is_success: bool, why: str) -> None:
+            end.append((is_success, why))
+            ended.set()
+
+        _begin(goals, handle.request, done)
+        while not ended.wait(_SOON_S):
+            if handle.is_cancel_requested:
+                goals.cancel()
+        is_success, why = end[0]
+        if is_success:
+            handle.succeed()
+        elif handle.is_cancel_requested:
+            handle.canceled()
+        else:
+            handle.abort()
+        return kind.Result(reason=why)
+
+    server = actions.ActionServer(
+        node, kind, NAME, execute, cancel_callback=lambda _: actions.CancelResponse.ACCEPT
+    )
+    executor = executors.MultiThreadedExecutor(_THREADS)
+    executor.add_node(node)
+    threading.Thread(target=executor.spin, daemon=True).start()
+
+    def stop() -> None:
+        executor.shutdown()
+        server.destroy()
+        node.destroy_node()
+
+    return stop
+
+
+_SOON_S = 0.005
+_THREADS = 4
+"""A goal has one until it ends; another one takes its place, and has one as well."""
