@@ -90,7 +90,12 @@ action halt { block /cmd_vel : geometry_msgs/Twist; }
 action away {
     tree BackOff(From: doing Push.Object, Steps: 10) within 20 sec then resume else halt;
 }
+action far {
+    tree BackOff(From: doing Push.Object, Steps: 10000) within 20 min then resume else halt;
+}
 rule stuck: if force > 5 N for 0.2 sec then { away; };
+rule pulled: if force < -5 N for 0.2 sec then { far; };
+priority stuck over pulled;
 """
 
 
@@ -171,7 +176,7 @@ def test_the_tree_of_a_rule_runs_and_the_task_resumes(
 def test_the_tree_stops_when_the_rule_is_released(
     ros1: Ros1, notes: Path, state: Ears, started: list[Process]
 ) -> None:
-    sensor = feel(ros1, 20.0, started)
+    sensor = feel(ros1, -20.0, started)
     until(lambda: said(notes) == BEGUN, f"{said(notes)}")
     sensor.end()
     feel(ros1, 0.0, started)

@@ -253,7 +253,7 @@ class EffectChecker:
         sent = self._targets.sent(effect.target, Kind.ACTION)
         assignments = assignments_of(effect.assignments, sent, self._targets)
         if effect.timeout is None:
-            self._add(MissingTimeLimit().at(effect.target.span))
+            self._add(MissingTimeLimit(place="the action server").at(effect.target.span))
             return None
         if sent is None or assignments is None or timeout is None:
             return None
@@ -284,7 +284,7 @@ class EffectChecker:
 
     def _run_tree(self, effect: ast.RunTree, timeout: int | None) -> CheckedEffect | None:
         if effect.timeout is None:
-            self._add(MissingTimeLimit().at(effect.skill.span))
+            self._add(MissingTimeLimit(place="the tree").at(effect.skill.span))
             return None
         found = None if timeout is None else checked_tree(effect, timeout, self._context)
         if found is None:

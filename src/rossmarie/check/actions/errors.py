@@ -312,7 +312,8 @@ class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
     title = "how long may this goal take?"
     label = "nothing says when it has failed"
     note = "how long a goal takes depends on the goal; nobody else can know"
-    help = "write it behind the action server: `within 30 sec`"
+    help = "write `within 30 sec` behind {place}"
+    place: str
 
 
 class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmation"):

@@ -9,11 +9,14 @@ class MissingTreeArgument(Error, code="ROSS268", name="missing-tree-argument"):
     """A tree without a value for a parameter that it needs."""
 
     title = "`{skill}` needs {missing}"
-    label = "nobody is there to say it when the rule fires"
-    help = "write `{skill}({form})`, or pass what the robot is doing on: `doing SKILL.PARAMETER`"
+    label = "nobody gives it when the rule fires"
+    help = (
+        "write `{skill}({form})`; a skill that runs may have it: `{first}: doing SKILL.PARAMETER`"
+    )
     skill: str
     missing: str
     form: str
+    first: str
 
 
 class UnfitTreeArgument(Error, code="ROSS269", name="unfit-tree-argument"):

@@ -13,7 +13,13 @@ from rossmarie.check.expressions.infer import infer
 from rossmarie.check.model import CheckedSkills
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.skills.doing import find_parameter, find_skill, kind_of, known_skills
+from rossmarie.check.skills.doing import (
+    find_parameter,
+    find_skill,
+    kind_of,
+    known_skills,
+    report_repeated,
+)
 from rossmarie.check.wording.describe import describe
 from rossmarie.ir import reactions
 from rossmarie.skills import Parameter, Skill
@@ -36,10 +42,16 @@ def checked_tree(effect: ast.RunTree, timeout_ns: int, context: Context) -> Chec
         return None
     given: dict[str, str] = {}
     is_right = True
+    first: dict[str, ast.Name] = {}
     for each in effect.arguments:
+        name = each.parameter
+        if first.setdefault(name.text, name) is not name:
+            report_repeated(name, first[name.text], "leave one of the two out", context)
+            is_right = False
+            continue
         value = _argument(each, skill, skills, context)
-        is_right = is_right and value is not None and each.parameter.text not in given
-        given[each.parameter.text] = value or ""
+        is_right = is_right and value is not None
+        given[name.text] = value or ""
     if not is_right or not _has_all(effect, skill, given, context):
         return None
     afterwards = _USUALLY if effect.afterwards is None else effect.afterwards.text
@@ -135,7 +147,8 @@ def _has_all(effect: ast.RunTree, skill: Skill, given: dict[str, str], context: 
         finding = MissingTreeArgument(
             skill=skill.name,
             missing=listed(missing),
-            form=", ".join(f'{name}: "..."' for name in missing),
+            form=", ".join(f"{name}: VALUE" for name in missing),
+            first=missing[0],
         )
         context.collector.add(finding.at(effect.skill.span))
     return not missing

@@ -46,7 +46,11 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
     for each in node.arguments:
         name = each.parameter.text
         if first.setdefault(name, each) is not each:
-            _report_repeated(each, first[name], node, context)
+            skill_name = node.skill.text
+            way = (
+                f"join two questions instead: `doing {skill_name}(...) and doing {skill_name}(...)`"
+            )
+            report_repeated(each.parameter, first[name].parameter, way, context)
             is_right = False
             continue
         class_name = _class_of(each, skill, skills, context)
@@ -192,9 +196,7 @@ def kind_of(type_: str) -> str:
     return words.get(type_, f"a thing of the class {type_}")
 
 
-def _report_repeated(
-    argument: ast.SkillArgument, first: ast.SkillArgument, node: ast.Doing, context: Context
-) -> None:
-    finding = RepeatedSkillParameter(identifier=argument.parameter.text, skill=node.skill.text)
-    place = finding.First().at(first.parameter.span)
-    context.collector.add(finding.at(argument.parameter.span, place))
+def report_repeated(again: ast.Name, first: ast.Name, way: str, context: Context) -> None:
+    """Report a parameter that is named twice; `way` says how to mend it."""
+    finding = RepeatedSkillParameter(identifier=again.text, way=way)
+    context.collector.add(finding.at(again.span, finding.First().at(first.span)))

@@ -133,13 +133,13 @@ class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
 
 
 class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-parameter"):
-    """One parameter, asked for twice in one `doing`."""
+    """One parameter, twice in one `doing` or in one `tree`."""
 
     title = "parameter `{identifier}` is named twice"
-    label = "one thing is asked for twice"
-    help = "join two questions instead: `doing {skill}(...) and doing {skill}(...)`"
+    label = "it stands there already"
+    help = "{way}"
     identifier: str
-    skill: str
+    way: str
 
     class First(Remark):
         says = "first named here"
