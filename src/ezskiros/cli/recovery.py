@@ -18,10 +18,10 @@ def recoveries(export: Export, task: InterruptibleTask) -> Iterator[None]:
     """Within, rules can ask for trees over ROS; if they cannot, the reason is told."""
     from ezskiros.context.recovery_ros import serve
     from ezskiros.context.ros import NoRosError
-    from ezskiros.engine.recovery_goals import RecoveryGoals
+    from ezskiros.engine.recovery_goals import RecoveryGoals, TaskHost
 
     try:
-        stop = serve(RecoveryGoals(export.digest, task))
+        stop = serve(RecoveryGoals(export.digest, TaskHost(task)))
     except NoRosError as problem:
         output.complain(f"rules can ask for no tree: {problem}")
         yield

@@ -7,14 +7,18 @@ that no tree is run that they do not know.
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from types import MappingProxyType
+from typing import Protocol
 
 from ezskiros.engine.arguments import WrongArgumentError, read_arguments
 from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
+from ezskiros.engine.running import Running
 from ezskiros.engine.values import WorldThing
+from ezskiros.engine.world import World
 from ezskiros.session import NOWHERE
-from ezskiros.skills.calls import SkillCall
+from ezskiros.skills.calls import SkillCall, SkillClass
+from ezskiros.skills.interface import SkillInterface
 
 _PASSED = "@"
 """Begins a value that is the parameter of a skill that runs: `Target=@Drive.Target`."""
@@ -24,11 +28,49 @@ class RefusedError(ValueError):
     """A goal that cannot be run; the text says why."""
 
 
-class RecoveryGoals:
-    """Hands goals to a task. `digest` is that of the export of its skills."""
+class Host(Protocol):
+    """Runs skills, and trees in their place. Raises `RefusedError` while it can run no tree."""
 
-    def __init__(self, digest: str, task: InterruptibleTask) -> None:
-        self._digest, self._task = digest, task
+    @property
+    def known(self) -> dict[str, tuple[SkillClass, SkillInterface]]:
+        """The skills by their names."""
+        ...
+
+    @property
+    def world(self) -> World:
+        """The world in which things have their names. Raises `RefusedError`."""
+        ...
+
+    @property
+    def running(self) -> Iterable[Running]:
+        """The skills that run."""
+        ...
+
+    def recover(self, recovery: Recovery) -> None:
+        """Run a tree at the next tick."""
+        ...
+
+    def release(self) -> None:
+        """Stop the tree at the next tick."""
+        ...
+
+
+class TaskHost:
+    """A task of our engine."""
+
+    def __init__(self, task: InterruptibleTask) -> None:
+        setting, library = task.setting, task.setting.library
+        interfaces = ((each, library.skill(each)) for each in library.descriptions())
+        self.known = {found.name: (each, found) for each, found in interfaces if found is not None}
+        self.world, self.running = setting.world, setting.running
+        self.recover, self.release = task.recover, task.release
+
+
+class RecoveryGoals:
+    """Hands goals to a host. `digest` is that of the export of its skills."""
+
+    def __init__(self, digest: str, host: Host) -> None:
+        self._digest, self._host = digest, host
 
     def begin(
         self,
@@ -41,23 +83,20 @@ class RecoveryGoals:
         """Run a tree at the next tick; `done` is told how it ends. Raises `RefusedError`."""
         if digest != self._digest:
             raise RefusedError("the rules were checked with another export of the skills")
-        self._task.recover(Recovery(self._call(skill, arguments), Afterwards(afterwards), done))
+        self._host.recover(Recovery(self._call(skill, arguments), Afterwards(afterwards), done))
 
     def cancel(self) -> None:
         """The rule was released: the tree stops, and the task goes on."""
-        self._task.release()
+        self._host.release()
 
     def _call(self, name: str, arguments: Sequence[str]) -> SkillCall:
-        setting = self._task.setting
-        library = setting.library
-        known = {each.__name__: each for each in library.descriptions()}
-        description = known.get(name)
-        interface = None if description is None else library.skill(description)
-        if description is None or interface is None:
+        found = self._host.known.get(name)
+        if found is None:
             raise RefusedError(f"there is no skill `{name}`")
+        description, interface = found
         try:
             texts = [self._resolved(text) for text in arguments]
-            values = read_arguments(interface, texts, setting.world)
+            values = read_arguments(interface, texts, self._host.world)
         except WrongArgumentError as problem:
             raise RefusedError(str(problem)) from None
         return SkillCall(description, None, MappingProxyType(values), NOWHERE)
@@ -70,7 +109,7 @@ class RecoveryGoals:
         skill, _, parameter = value.removeprefix(_PASSED).partition(".")
         found = {
             spelled
-            for each in self._task.setting.running
+            for each in self._host.running
             if each.skill.name == skill
             and (spelled := _spelled(each.values().get(parameter))) is not None
         }

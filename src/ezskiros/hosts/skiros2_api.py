@@ -27,6 +27,8 @@ class Api:
     ParamTypes: Any
     ParamHandler: Any
     State: Any
+    Root: Any
+    VisitorExecutor: Any
     processors: Any
     log: Any
 
@@ -34,6 +36,11 @@ class Api:
 def is_running() -> bool:
     """Say whether SkiROS2 has been imported: only then can it be what loads a library."""
     return _RUNNING in sys.modules
+
+
+def ticker() -> Any:
+    """The class that ticks the tasks of SkiROS2. Raises `ImportError` without a skill manager."""
+    return importlib.import_module("skiros2_skill.ros.skill_manager").BtTicker
 
 
 @lru_cache(maxsize=1)
@@ -50,6 +57,8 @@ def api() -> Api:
         ParamTypes=params.ParamTypes,
         ParamHandler=params.ParamHandler,
         State=importlib.import_module("skiros2_common.core.abstract_skill").State,
+        Root=skill.Root,
+        VisitorExecutor=importlib.import_module("skiros2_skill.core.visitors").VisitorExecutor,
         processors=importlib.import_module("skiros2_skill.core.processors"),
         log=importlib.import_module("skiros2_common.tools.logger"),
     )

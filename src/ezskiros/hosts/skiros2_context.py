@@ -35,7 +35,7 @@ class HostedContext:
         self, digest: str, publish: Publish, clock: Callable[[], float] = time.monotonic
     ) -> None:
         self.digest, self._clock = digest, clock
-        self._running = RunningSkills(self._tell)
+        self.running = RunningSkills(self._tell)
         self._snapshots = Snapshots(digest)
         self._seen: dict[object, float] = {}
         """The last sign of life of each skill that runs."""
@@ -46,12 +46,12 @@ class HostedContext:
     def start(self, owner: object, skill: SkillInterface, values: Values) -> None:
         """A skill starts."""
         self._seen[owner] = self._clock()
-        self._running.start(owner, skill, self._clock(), values)
+        self.running.start(owner, skill, self._clock(), values)
 
     def end(self, owner: object) -> None:
         """A skill has ended, if it runs at all."""
         self._seen.pop(owner, None)
-        self._running.end(owner)
+        self.running.end(owner)
 
     def live(self, owner: object) -> None:
         """A skill is ticked. Once a period it is looked at what its things are like."""
@@ -63,6 +63,11 @@ class HostedContext:
         else:
             self.voice.live(self._alive())
 
+    def keep(self) -> None:
+        """The skills that run wait, as a tree runs in their place: that is no sign of death."""
+        self._seen = dict.fromkeys(self._seen, self._clock())
+        self.voice.live(self._alive())
+
     def _alive(self) -> float:
         """The time at which all that runs was alive; always if nothing runs."""
         return min(self._seen.values(), default=math.inf)
@@ -71,7 +76,7 @@ class HostedContext:
         """Tell of what runs. What keeps that from being known silences the voice, and no skill."""
         self._told = self._clock()
         try:
-            snapshot = self._snapshots.of(self._running)
+            snapshot = self._snapshots.of(self.running)
         except Exception as problem:
             api().log.error("ezskiros", f"the context is not known: {problem!r}")
             self.voice.live(-math.inf)
@@ -83,6 +88,11 @@ _contexts: list[HostedContext] = []
 """The one of this process, if a library names an export."""
 _refused: list[str] = []
 """Why there is none, and will be none."""
+
+
+def current() -> HostedContext | None:
+    """The context of this process; None if it is not told."""
+    return _contexts[0] if _contexts else None
 
 
 def start(owner: object, skill: SkillInterface, values: Values) -> None:

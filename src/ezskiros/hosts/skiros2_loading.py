@@ -15,9 +15,10 @@ from dslkit.diagnostics import Collector, Severity
 from dslkit.diagnostics.render_text import render_text
 from dslkit.source import is_file
 from ezskiros import session
-from ezskiros.hosts import skiros2_context
+from ezskiros.hosts import skiros2_context, skiros2_recovery
 from ezskiros.hosts.skiros2_api import api
 from ezskiros.hosts.skiros2_library import CheckedLibrary, check_library
+from ezskiros.hosts.skiros2_recovery import HostedTree
 from ezskiros.hosts.skiros2_skills import (
     HostedSkill,
     hosted_skill,
@@ -55,6 +56,8 @@ def load(package: str, context: str | None = None) -> None:
     if context is not None:
         _begin_context(package, context, checked)
     _give(checked, text)
+    if context is not None:
+        _begin_recoveries(package, checked)
 
 
 def _begin_context(package: str, context: str, checked: CheckedLibrary) -> None:
@@ -67,6 +70,26 @@ def _begin_context(package: str, context: str, checked: CheckedLibrary) -> None:
     problem = skiros2_context.begin(path, files)
     if problem is not None:
         api().log.error("ezskiros", f"{package}: the context is not published: {problem}")
+
+
+def _begin_recoveries(package: str, checked: CheckedLibrary) -> None:
+    """Let rules run the skills as trees; where nobody is told which skills run, no rule can."""
+    context = skiros2_context.current()
+    if context is None:
+        return
+    names = {
+        each: tuple(
+            found.__name__ for found in checked.implementations if found.description is each
+        )
+        for each in checked.described
+    }
+    trees = [
+        HostedTree(each, _hosted[each].skill, _hosted[each].ontology, names[each])
+        for each in checked.described
+    ]
+    problem = skiros2_recovery.begin(trees, context)
+    if problem is not None:
+        api().log.error("ezskiros", f"{package}: rules can ask for no tree: {problem}")
 
 
 def _modules(package: str) -> Iterator[ModuleType]:

@@ -9,7 +9,7 @@ from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import InterruptibleTask
-from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError, TaskHost
 from support.engine import Skills
 
 DIGEST = "ab" * 32
@@ -59,7 +59,7 @@ class Robot:
             "Drive", "Target=kitchen", "Speed=0.25", "Gear=FAST"
         )
         self.task = InterruptibleTask(plain.root.call, plain.setting)
-        self.goals = RecoveryGoals(DIGEST, self.task)
+        self.goals = RecoveryGoals(DIGEST, TaskHost(self.task))
         self.told: list[tuple[bool, str]] = []
         self.task.tick()
 

@@ -1,0 +1,209 @@
+"""Behavior trees that rules run in SkiROS2, in the place of the tasks of its skill manager.
+
+SkiROS2 ticks all its tasks one after the other (`BtTicker._tick`). While a tree runs, only that is
+ticked; the primitives of the tasks have been preempted, and start again afterwards.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from queue import Empty, SimpleQueue
+from typing import Any
+
+from ezskiros.context.recovery_ros import serve
+from ezskiros.context.ros import NoRosError
+from ezskiros.engine.interruption import Afterwards, Recovery
+from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
+from ezskiros.engine.running import Running
+from ezskiros.engine.world import World
+from ezskiros.hosts.skiros2_api import api, ticker
+from ezskiros.hosts.skiros2_context import HostedContext
+from ezskiros.hosts.skiros2_values import give
+from ezskiros.hosts.skiros2_world import HostedWorld
+from ezskiros.ontology import Ontology
+from ezskiros.skills.calls import SkillClass
+from ezskiros.skills.interface import SkillInterface
+
+
+@dataclass(frozen=True)
+class HostedTree:
+    """A skill that SkiROS2 can run as a tree; `implementations` are the names of those it has."""
+
+    description: SkillClass
+    skill: SkillInterface
+    ontology: Ontology
+    implementations: tuple[str, ...]
+
+
+class HostedRecoveries:
+    """The tree that runs in the place of the tasks, if there is one."""
+
+    def __init__(self, trees: Iterable[HostedTree], context: HostedContext) -> None:
+        self._trees: dict[str, HostedTree] = {}
+        self.known: dict[str, tuple[SkillClass, SkillInterface]] = {}
+        self.add(trees)
+        self._context = context
+        self._asked: SimpleQueue[Recovery | None] = SimpleQueue()
+        self._recovery: Recovery | None = None
+        self._root: Any = None
+        self._visitor: Any = None
+
+    def add(self, trees: Iterable[HostedTree]) -> None:
+        """Know these as well: they are of another library."""
+        for each in trees:
+            self._trees[each.skill.name] = each
+            self.known[each.skill.name] = (each.description, each.skill)
+
+    # --- for goals --------------------------------------------------------------------------------
+
+    @property
+    def world(self) -> World:
+        """The world model of the tasks. Raises `RefusedError` while there is no task."""
+        visitor = ticker()._visitor  # noqa: SLF001 - SkiROS2 hands it to nobody
+        if visitor is None or not ticker()._tasks:  # noqa: SLF001
+            raise RefusedError("no task runs")
+        ontologies = [each.ontology for each in self._trees.values()]
+        return HostedWorld(visitor._wm, ontologies[0])  # noqa: SLF001
+
+    @property
+    def running(self) -> Iterable[Running]:
+        """The skills that run."""
+        return self._context.running
+
+    def recover(self, recovery: Recovery) -> None:
+        """Ask for a tree, from any thread. One that runs already gives way to it."""
+        if recovery.afterwards is Afterwards.REPLAN:
+            raise RefusedError("SkiROS2 does not plan again by itself: use `then retry`")
+        self._asked.put(recovery)
+
+    def release(self) -> None:
+        """Ask for the end of the tree, from any thread: the tasks go on where they were."""
+        self._asked.put(None)
+
+    # --- for the ticker ---------------------------------------------------------------------------
+
+    def install(self) -> None:
+        """From now on the ticker of SkiROS2 asks here at each tick."""
+        kind = ticker()
+        usual: Callable[[Any], None] = kind._tick  # noqa: SLF001
+
+        def tick(ticking: Any) -> None:
+            self.tick(ticking, usual)
+
+        kind._tick = tick  # noqa: SLF001
+
+    def tick(self, ticking: Any, usual: Callable[[Any], None]) -> None:
+        """One tick: of the tree if there is one, else of all tasks."""
+        self._take(ticking)
+        if self._root is None or ticking._tasks_to_preempt:  # noqa: SLF001
+            self._give_up("the task is stopped")
+            usual(ticking)
+            return
+        self._context.keep()
+        state = self._visitor.traverse(self._root)
+        if state not in (api().State.Running, api().State.Idle):
+            self._end(ticking, usual, is_success=state == api().State.Success)
+
+    def _take(self, ticking: Any) -> None:
+        """The last that was asked for since the tick before."""
+        while True:
+            try:
+                asked = self._asked.get_nowait()
+            except Empty:
+                return
+            self._give_up("it was stopped" if asked is None else "another tree is asked for")
+            if asked is not None:
+                self._begin(asked, ticking)
+
+    def _begin(self, asked: Recovery, ticking: Any) -> None:
+        tasks = ticking._visitor  # noqa: SLF001
+        try:
+            visitor = api().VisitorExecutor(tasks._wm, tasks._instanciator)  # noqa: SLF001
+            visitor.setVerbose(tasks._verbose)  # noqa: SLF001
+            root = self._tree(asked, tasks)
+        except Exception as problem:  # what SkiROS2 raises if it does not have the skill
+            asked.done(False, f"SkiROS2 cannot run it: {problem}")
+            return
+        for task in ticking._tasks.values():  # noqa: SLF001
+            for leaf in list(_running_primitives(task)):
+                leaf.visitPreempt(tasks)
+        self._recovery, self._root, self._visitor = asked, root, visitor
+
+    def _tree(self, asked: Recovery, tasks: Any) -> Any:
+        """A root of SkiROS2 with the skill, as its skill manager makes one for a task."""
+        found = self._trees[asked.call.skill.__name__]
+        instanciator = tasks._instanciator  # noqa: SLF001
+        name = f"skiros:{found.skill.name}"
+        if not instanciator.get_instances(name):
+            for each in found.implementations:
+                instanciator.add_instance(each)
+        world = HostedWorld(tasks._wm, found.ontology)  # noqa: SLF001
+        node = api().SkillWrapper(name, "", instanciator)
+        params = api().ParamHandler()
+        params.reset(node.params.getCopy())
+        for parameter in found.skill.parameters:
+            if parameter.name in asked.call.arguments:
+                give(parameter, asked.call.arguments[parameter.name], params, world)
+        root = api().Root("recovery", tasks._wm)  # noqa: SLF001
+        root.addChild(node)
+        node.specifyParamsDefault(params)
+        return root
+
+    def _give_up(self, why: str) -> None:
+        """End the tree, if one runs."""
+        root, recovery = self._root, self._recovery
+        self._root = self._recovery = None
+        if root is not None and recovery is not None:
+            root.visitPreempt(self._visitor)
+            recovery.done(False, why)
+
+    def _end(self, ticking: Any, usual: Callable[[Any], None], *, is_success: bool) -> None:
+        """After the tree: the tasks go on, or have failed."""
+        recovery = self._recovery
+        assert recovery is not None, "a tree runs"
+        self._root = self._recovery = None
+        tasks = ticking._tasks  # noqa: SLF001
+        if not is_success:
+            ticking._tasks_to_preempt.extend(tasks)  # noqa: SLF001
+            usual(ticking)
+            recovery.done(False, "the recovery has failed")
+            return
+        if recovery.afterwards is Afterwards.RETRY:
+            for task in tasks.values():
+                task.visitPreempt(ticking._visitor)  # noqa: SLF001
+        recovery.done(True, "")
+
+
+_recoveries: list[HostedRecoveries] = []
+"""The one of this process, if a library names an export."""
+
+
+def begin(
+    trees: Iterable[HostedTree],
+    context: HostedContext,
+    serving: Callable[[RecoveryGoals], object] = serve,
+) -> str | None:
+    """Let rules run these skills as trees; None if that is done, else why not."""
+    if _recoveries:
+        _recoveries[0].add(trees)
+        return None
+    found = HostedRecoveries(trees, context)
+    try:
+        serving(RecoveryGoals(context.digest, found))
+    except NoRosError as problem:
+        return str(problem)
+    found.install()
+    _recoveries.append(found)
+    return None
+
+
+def _running_primitives(node: Any) -> Iterator[Any]:
+    """The primitives that run below a node of SkiROS2, or the node itself."""
+    if not node.hasState(api().State.Running):
+        return
+    if not node.hasChildren():
+        yield node
+        return
+    for each in node._children:  # noqa: SLF001
+        yield from _running_primitives(each)
