@@ -14,6 +14,7 @@ class Arm(str, enum.Enum):
     DEROS = "deros"  # rules stop it until an operator comes
     ROSSMARIE = "rossmarie"  # by rules, it recovers
     SKILL_AWARE = "skill_aware"  # the same, by rules that know which skills run
+    PROACTIVE = "proactive"  # the same, by rules that know what lies ahead
 
 
 class Terrain(str, enum.Enum):
@@ -47,6 +48,13 @@ class Encounter(str, enum.Enum):
     MEANT = "meant"  # nothing: whatever a monitor restricts here is without need
 
 
+class Passage(str, enum.Enum):
+    """Who is in the corridor of a school."""
+
+    CHILD = "child"  # a child runs out of a door, in front of the base
+    EMPTY = "empty"  # nobody
+
+
 class Formulation(str, enum.Enum):
     """The numbers that are learned for the insertion of a peg."""
 
@@ -71,6 +79,7 @@ VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
     "place": (Table.HIGH, Table.HURRIED, Table.EXPECTED),
     "human": (Person.INSIDE, Person.OUTSIDE),
     "contact": (Encounter.COLLISION, Encounter.JAMMED, Encounter.MEANT),
+    "corridor": (Passage.CHILD, Passage.EMPTY),
 }
 """Of each experiment, by its name. The first one is run if none is named."""
 
@@ -80,6 +89,7 @@ ARMS: Mapping[str, tuple[Arm, ...]] = {
     "place": (Arm.NONE, Arm.DEROS, Arm.ROSSMARIE),  # no zone says anything of a table
     "human": _THESIS,
     "contact": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE),
+    "corridor": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE),
 }
 """The guards of each experiment, by its name, in the order in which they are shown."""
 

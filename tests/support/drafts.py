@@ -109,7 +109,7 @@ class Draft:
     def constant(self, value: float) -> int:
         return self.signal(ir.Constant(value), repr(value))
 
-    def apply(self, function: ir.Function, *operands: int) -> int:
+    def apply(self, function: ir.AnyFunction, *operands: int) -> int:
         return self.signal(ir.Apply(function, operands))
 
     def read(self, timeout_ns: int | None = None, kind: ir.Kind = ir.Kind.REAL) -> int:

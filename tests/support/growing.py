@@ -8,7 +8,7 @@ from dataclasses import replace
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.core import row, sampling_row
+from rossmarie.core import Measure, Polygon, Region, RegionFunction, row, sampling_row
 from support.drafts import SECOND, Draft
 from support.skill_contexts import QUESTIONS, calls_told
 
@@ -24,6 +24,21 @@ scales = st.sampled_from(((1.0, 0.0), (1.0, 0.0), (0.5, 0.0), (1.0, 0.25), (1e15
 
 equalities = st.sampled_from((ir.Comparison.EQUAL, ir.Comparison.NOT_EQUAL))
 whole_limits = st.sampled_from((None, None, None, (0.0, 1.0), (-2.0, 2.0), (0.0, 2.0**64)))
+
+
+def _polygon(name: str, *corners: tuple[float, float]) -> Polygon:
+    return Polygon(name, f"polygon {name}", corners)
+
+
+_L = ((-1.0, -1.0), (2.0, -1.0), (2.0, 0.25), (0.5, 0.25), (0.5, 3.0), (-1.0, 3.0))
+_TRIANGLE = ((0.5, 0.0), (5.0, 1.0), (1.0, 1.5))
+regions = st.sampled_from(
+    (
+        Region("ell", "an L", (_polygon("l", *_L),)),
+        Region("both", "two", (_polygon("l", *_L), _polygon("triangle", *_TRIANGLE))),
+        Region("post", "a point", (_polygon("point", (0.25, -0.5)),)),
+    )
+)
 
 
 class Growing:
@@ -107,6 +122,8 @@ class Growing:
         grow += [self._timed]
         if self.element_numbers:
             grow += [self._fold, self._fold, self._count]
+        if self._slots_of(ir.Kind.TEXT):
+            grow += [self._distance]
         self.numbers.append(self.draw(st.sampled_from(grow))())
 
     def _constant(self) -> int:
@@ -120,6 +137,21 @@ class Growing:
     def _arity(self, function: ir.Function) -> int:
         declared = row(function)
         return self.draw(st.integers(declared.least, declared.most or 3))
+
+    def _distance(self) -> int:
+        return self._of_region(Measure.DISTANCE)
+
+    def _of_region(self, measure: Measure) -> int:
+        """A function of a region, of any two numbers, with a text for their frame."""
+        function = RegionFunction(measure, self.draw(regions))
+        slot = self.draw(st.sampled_from(self._slots_of(ir.Kind.TEXT)))
+        point = [self.one_of(self.numbers), self.one_of(self.numbers)]
+        seen = self.draft.signal(ir.Read(slot))
+        wanted = self.draft.constant(float(self.draw(st.integers(0, 1))))
+        return self.draft.apply(function, *point, seen, wanted)
+
+    def _slots_of(self, kind: ir.Kind) -> list[int]:
+        return [index for index, slot in enumerate(self.draft.slots) if slot.kind is kind]
 
     def _rate(self) -> int:
         return self.draft.signal(ir.Sampled(ir.Sampling.RATE, self.one_of(self.numbers)))
@@ -190,6 +222,8 @@ class Growing:
             grow += [self._quantified, self._quantified]
         if any(slot.kind is not ir.Kind.REAL for slot in self.draft.slots):
             grow += [self._flag_or_text]
+        if self._slots_of(ir.Kind.TEXT):
+            grow += [self._inside]
         if self.truths:
             grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
             grow += [self._since]
@@ -240,6 +274,9 @@ class Growing:
         comparison = self.draw(equalities)
         text = self.draft.constant(float(self.draw(st.integers(0, 1))))
         return self._add(ir.Compare(comparison, read, text))
+
+    def _inside(self) -> int:
+        return self._add(ir.Flag(self._of_region(Measure.INSIDE)))
 
     def _doing(self) -> int:
         slot = self.draw(st.sampled_from(self.questions))

@@ -11,6 +11,7 @@ from tempfile import TemporaryDirectory
 from rossmarie import ir
 from rossmarie.driver import compile_file
 from support.compiled import machine_of
+from support.rule_skills import FILE
 
 PACKAGES = {
     "ros1": Path(__file__).with_name("ros1_packages"),
@@ -19,7 +20,9 @@ PACKAGES = {
 """Packages that the robots need."""
 
 ACTIONS = {"ros1": "actionlib/Test", "ros2": "arm_msgs/Move"}
-_RULES = """
+_RULES = (
+    f'skills "{FILE}";'
+    + """
 action alarm { publish /siren : std_msgs/Bool { data = true; }; }
 action slow {
     limit /cmd_vel : geometry_msgs/Twist {
@@ -63,6 +66,7 @@ input torques = topic /effort_states : std_msgs/Float64MultiArray .data
 input parts = topic /parts : diagnostic_msgs/DiagnosticArray .status up to 3;
 input cloud = topic /cloud : sensor_msgs/PointCloud2 .points up to 9;
 input mode = topic /mode : std_msgs/String;
+input place = topic /place : geometry_msgs/PoseStamped .pose;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
 rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until reset;
 rule passed_by: if bypassed then { alarm; };
@@ -71,6 +75,8 @@ rule driven: if torques["elbow"] > 30 Nm then { alarm; };
 rule failing: if any(part in parts: part.level >= DiagnosticStatus.ERROR and part.name == "motor")
     then { alarm; };
 rule crowded: if any(p in cloud: norm(p) < 1 m and p.intensity > 100) then { alarm; };
+rule inside: if place in SchoolCorridor then { alarm; };
+rule beside: if distance(place, SchoolCorridor) < 1 m then { alarm; };
 rule near: if any(ranges < 0.3 m) and mode != "docking" then { back; };
 rule touched: if mode == "touched" or mode == "both" then { retract; };
 rule paused: if mode == "paused" or mode == "both" or mode == "seized" then { freeze; };
@@ -85,6 +91,7 @@ rule named: if mode == "named" then { name; };
 rule exceeded: if mode == "exceeded" then { exceed; };
 rule held: if mode == "held" then { soften; };
 """
+)
 
 
 def rules(generation: str = "ros1") -> str:

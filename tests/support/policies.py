@@ -134,7 +134,8 @@ def decided(decision: Decision) -> tuple[object, ...]:
         decision.changed_by,
         decision.requests,
         decision.why(),
-        decision.margin.tobytes(),
+        # In words: a number that is unknown has a sign, which means nothing.
+        [repr(each) for each in decision.margin.tolist()],
     )
 
 

@@ -11,7 +11,7 @@ from controller_manager_msgs.msg import ControllerState
 from controller_manager_msgs.srv import ListControllers, SwitchController
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
 from ears import Client, Ears, Server
-from geometry_msgs.msg import Twist, TwistStamped
+from geometry_msgs.msg import PoseStamped, Twist, TwistStamped
 from rosgraph_msgs.msg import Clock
 from sensor_msgs.msg import Imu, JointState, LaserScan, PointCloud2, PointField
 from std_msgs.msg import Bool, Float64MultiArray, String
@@ -40,6 +40,7 @@ class Robot(Ears):
         self.torques = None  # of all joints, without their names
         self.efforts = None  # pairs of a joint and its torque in Nm, or None; None: all are silent
         self.parts = None  # pairs of a part and its level, "OK" or "ERROR"; None: all are silent
+        self.place = None  # x and y in m and a frame; None: it is silent
         self.cloud = None  # the fields of a cloud, its data in hexadecimals; None: it is silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
@@ -59,6 +60,7 @@ class Robot(Ears):
         self._torques = None
         self._parts = None
         self._cloud = None
+        self._place = None
         self._clock = None
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
@@ -107,6 +109,11 @@ class Robot(Ears):
             fields = [PointField(**each) for each in self.cloud["fields"]]
             data = bytes.fromhex(self.cloud["data"])
             self._cloud.publish(PointCloud2(**{**self.cloud, "fields": fields, "data": data}))
+        if self.place is not None:
+            self._place = self._place or self.sensor("/place", PoseStamped)
+            message = PoseStamped()
+            message.pose.position.x, message.pose.position.y, message.header.frame_id = self.place
+            self._place.publish(message)
         self._arm_moving.publish(Bool(data=self.moving))
         self._mode.publish(String(data=self.mode))
 

@@ -40,6 +40,7 @@ from heron.variants import (
     Encounter,
     Formulation,
     LearningArm,
+    Passage,
     Person,
     Table,
     Terrain,
@@ -137,6 +138,20 @@ def contact(
     _run("contact", arm, encounter, seed, view, film)
 
 
+@runs.command()
+def corridor(
+    arm: Guarding = Arm.PROACTIVE,
+    passage: Annotated[Passage, typer.Option(help="Who is in it.")] = Passage.CHILD,
+    seed: Seed = 0,
+    view: View = False,
+    film: Filming = None,
+) -> None:
+    """Experiment V: drive along a corridor, of which a part belongs to a school, while a child runs
+    out of a door.
+    """
+    _run("corridor", arm, passage, seed, view, film)
+
+
 runs.command()(insertion)
 
 
@@ -195,7 +210,9 @@ def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
 
 @app.command()
 def record(
-    experiment: Annotated[str, typer.Argument(help="Which one: nav, place, human or contact.")],
+    experiment: Annotated[
+        str, typer.Argument(help="Which one: nav, place, human, contact or corridor.")
+    ],
     out: Annotated[Path, typer.Option(help="The file, such as drive.mcap.")],
     arm: Guarding = Arm.ROSSMARIE,
     variant: Annotated[

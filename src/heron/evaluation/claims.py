@@ -22,6 +22,7 @@ from heron.evaluation.claim import (
     there_is_harm,
     with_arm,
 )
+from heron.evaluation.place_claims import claims_of_places
 from heron.evaluation.sample import Sample
 from heron.evaluation.skill_claims import claims_of_skills
 from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
@@ -30,6 +31,9 @@ from heron.variants import Arm
 
 def claims_of(sample: Sample) -> Iterator[Claim]:
     """All that is expected of a variant."""
+    if Arm.PROACTIVE in sample.arms:
+        yield from claims_of_places(sample)
+        return
     if Arm.SKILL_AWARE in sample.arms:
         yield from claims_of_skills(sample)
         return

@@ -38,8 +38,11 @@ same seeds in these arms:
   It has no say in experiment II: no range scan tells of a table's height.
 - *DeROS*: rules stop the robot until an operator has come, half a minute later.
 - *ROSSMARie*: rules let the robot recover.
-- *ROSSMARie with skills*: the same by rules that know which skills run, in experiment IV only.
-  The thesis leaves them open (section 5.2). The expectations of them are older than the runs.
+- *ROSSMARie with skills*: the same by rules that know which skills run, in experiments IV and V.
+- *ROSSMARie with places*: the same by rules that know what lies ahead, in experiment V only. There
+  the arm *ROSSMARie* has rules that know sensors only.
+
+The thesis leaves the last two open (chapter 5). The expectations of them are older than the runs.
 
 [How to run the experiments](how-to/run-the-experiments.md) says what differs from seed to seed, and
 how this page is made.

@@ -1,6 +1,7 @@
 """The experiments of the thesis: each in several arms, on the same seeds, with measures."""
 
 from heron.experiments.contact import ContactEpisode, ContactMeasures, run_contact
+from heron.experiments.corridor import CorridorEpisode, CorridorMeasures, run_corridor
 from heron.experiments.experiment import Episode, Experiment, Measure
 from heron.experiments.human import HumanEpisode, HumanMeasures, run_human
 from heron.experiments.measures import NavigationMeasures
@@ -18,6 +19,8 @@ __all__ = [
     "USUAL",
     "ContactEpisode",
     "ContactMeasures",
+    "CorridorEpisode",
+    "CorridorMeasures",
     "Episode",
     "Experiment",
     "HumanEpisode",
@@ -32,6 +35,7 @@ __all__ = [
     "Settings",
     "Study",
     "run_contact",
+    "run_corridor",
     "run_human",
     "run_navigation",
     "run_placing",

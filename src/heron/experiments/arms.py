@@ -27,6 +27,12 @@ CONTACT_RULES = {
     Arm.SKILL_AWARE: FOLDER / "contact_skills.ross",
 }
 
+CORRIDOR_RULES = {
+    Arm.ROSSMARIE: FOLDER / "corridor.ross",
+    Arm.SKILL_AWARE: FOLDER / "corridor_skills.ross",
+    Arm.PROACTIVE: FOLDER / "corridor_places.ross",
+}
+
 
 @cache
 def machine_of(rules: Path) -> Machine:

@@ -86,6 +86,7 @@ ARM_NAMES: Mapping[Arm, str] = {
     Arm.DEROS: "DeROS",
     Arm.ROSSMARIE: "ROSSMARie",
     Arm.SKILL_AWARE: "ROSSMARie with skills",
+    Arm.PROACTIVE: "ROSSMARie with places",
 }
 
 

@@ -39,8 +39,8 @@ class ProximityWitness:
         self._visitor = visitor
         self._room = room
         self._is_acting = is_acting
-        moving = _geoms(arm, (*JOINTS, "hand", "block"))
-        self._pairs = [(a, b) for a in moving for b in _geoms(arm, (PERSON, *LEGS))]
+        moving = arm.geoms((*JOINTS, "hand", "block"))
+        self._pairs = [(a, b) for a in moving for b in arm.geoms((PERSON, *LEGS))]
         self._site = arm.model.site("grasp").id
         self._velocity = np.zeros(6)
         self._distance = FAR
@@ -84,13 +84,3 @@ class ProximityWitness:
         model, data = self._arm.model, self._arm.data
         mujoco.mj_objectVelocity(model, data, kind, self._site, self._velocity, 0)
         return float(np.linalg.norm(self._velocity[3:]))
-
-
-def _geoms(arm: Arm, bodies: tuple[str, ...]) -> list[int]:
-    model = arm.model
-    found: list[int] = []
-    for name in bodies:
-        body = model.body(name)
-        first = int(body.geomadr[0])
-        found += range(first, first + int(body.geomnum[0]))
-    return found

@@ -11,12 +11,13 @@ from operator import attrgetter
 
 from heron.appearance import Camera
 from heron.experiments.contact import ContactEpisode, run_contact
+from heron.experiments.corridor import CorridorEpisode, run_corridor
 from heron.experiments.experiment import EXEMPTIONS, Experiment, Measure, Signal
 from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.placing import PlacingEpisode, run_placing
 from heron.scene import BaseParameters
-from heron.variants import Encounter, Person, Table, Terrain
+from heron.variants import Encounter, Passage, Person, Table, Terrain
 
 
 def _peak(place: str, words: str) -> Measure:
@@ -229,6 +230,46 @@ CONTACT = Experiment(
     opening=("collision", 0.1),
 )
 
+
+def _in_corridor(episode: CorridorEpisode) -> str:
+    if episode.dash is None:
+        return "nobody in the corridor"
+    return f"a child {episode.dash.gap:.1f} m before the base"
+
+
+CORRIDOR = Experiment(
+    name="corridor",
+    title="V, the corridor of a school",
+    about=(
+        "The base drives along a corridor, of which a part belongs to a school. A child runs out "
+        "of a door, in front of the base: the scanner sees it late."
+    ),
+    run=run_corridor,
+    describe=_in_corridor,
+    own_measures=(
+        Measure("nearest", "least distance to the child", "m", 2, attrgetter("nearest")),
+        Measure(
+            "fastest_near",
+            "fastest within 0.5 m of the child",
+            "m/s",
+            2,
+            attrgetter("fastest_near"),
+        ),
+        Measure("impact", "fastest while it touches the child", "m/s", 2, attrgetter("impact")),
+    ),
+    hazards={"child": "child in the corridor"},
+    harms={Passage.CHILD: ("impact", "fastest_near"), Passage.EMPTY: ()},
+    gains={},
+    acts_within={},
+    signals=(
+        Signal("x", "along the corridor", "m"),
+        Signal("speed", "speed of the base", "m/s", 1.0, 0.5, "speed"),
+        Signal("distance", "distance to the child, up to 2 m", "m"),
+    ),
+    cameras=(Camera("base", distance=4.5, azimuth=150.0, elevation=-28.0, above=0.4),),
+    opening=("child", -1.0),
+)
+
 EXPERIMENTS: Mapping[str, Experiment] = {
-    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT)
+    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT, CORRIDOR)
 }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -56,6 +57,15 @@ class Physics:
     def elapsed_ns(self) -> int:
         """The time in the episode."""
         return self.began_ns + self.now_ns
+
+    def geoms(self, bodies: Sequence[str]) -> list[int]:
+        """The numbers of the geoms of some bodies."""
+        found: list[int] = []
+        for name in bodies:
+            body = self.model.body(name)
+            first = int(body.geomadr[0])
+            found += range(first, first + int(body.geomnum[0]))
+        return found
 
     def sensor(self, name: str) -> Floats:
         """The present reading of an ideal sensor; a view that changes with the state."""

@@ -68,7 +68,7 @@ class RangeScan:
         true = self._true_ranges()
         seen = np.maximum(true + draw.normal(0.0, found.noise, self._count), found.least)
         is_dust = draw.random(self._count) < found.dust
-        early = draw.uniform(found.least, np.minimum(true, found.most))
+        early = draw.uniform(found.least, np.clip(true, found.least, found.most))
         return np.where(is_dust, early, np.where(true > found.most, np.inf, seen))
 
     def _true_ranges(self) -> np.ndarray:

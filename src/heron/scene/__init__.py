@@ -3,6 +3,7 @@
 from heron.scene.arm import ArmParameters
 from heron.scene.base import AXLES, BaseParameters, add_base
 from heron.scene.cell import CellParameters, ForearmParameters, build_cell
+from heron.scene.corridor import CHILD, CorridorParameters, build_corridor
 from heron.scene.course import Course, CourseParameters, Slope, add_course, course
 from heron.scene.ground import Contact
 from heron.scene.person import PersonParameters
@@ -12,10 +13,12 @@ from heron.scene.scene import build_navigation
 
 __all__ = [
     "AXLES",
+    "CHILD",
     "ArmParameters",
     "BaseParameters",
     "CellParameters",
     "Contact",
+    "CorridorParameters",
     "Course",
     "CourseParameters",
     "ForearmParameters",
@@ -26,6 +29,7 @@ __all__ = [
     "add_base",
     "add_course",
     "build_cell",
+    "build_corridor",
     "build_navigation",
     "build_placing",
     "build_room",

@@ -16,7 +16,7 @@ import z3
 
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.terms import Number, constant
-from rossmarie.core import Function, Row, defined, row
+from rossmarie.core import AnyFunction, Row, defined, row
 from rossmarie.core.expressions import Operand, Primitive
 
 _LARGEST = constant(sys.float_info.max)
@@ -25,7 +25,7 @@ _ABSOLUTE = Fraction(1, 2**200)
 
 
 def apply(
-    function: Function,
+    function: AnyFunction,
     operands: Sequence[Number],
     facts: list[z3.BoolRef],
     *,
@@ -108,11 +108,6 @@ def _rounded(exact: z3.ArithRef, facts: list[z3.BoolRef]) -> z3.ArithRef:
         )
     )
     return result
-
-
-def absolute(value: z3.ArithRef) -> z3.ArithRef:
-    """Without its sign."""
-    return exactly(Primitive.ABSOLUTE, [value])
 
 
 def _value(fraction: Fraction) -> z3.ArithRef:

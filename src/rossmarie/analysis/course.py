@@ -97,7 +97,7 @@ class Moment(Encoding):
             found.append(Cell(z3.And(fresh, there), Number(sent.number.known, value)))
         return found
 
-    def apply(self, index: int, function: ir.Function, numbers: Sequence[Number]) -> Number:
+    def apply(self, index: int, function: ir.AnyFunction, numbers: Sequence[Number]) -> Number:
         """A function of what has not changed has not changed, also where its terms do not say so:
         an angle, or a length.
         """

@@ -6,14 +6,11 @@ What a constant alone decides is said by the check; here it is what numbers can 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
-
-import z3
 
 from dslkit.diagnostics import Diagnostic, Label, Remark
 from rossmarie.analysis import thresholds
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import (
     AlwaysActive,
     ConstantPart,
@@ -23,9 +20,8 @@ from rossmarie.analysis.errors import (
     Undecided,
 )
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.inquiry import Asked, Inquiry
-from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.witness import View, shown_value
+from rossmarie.analysis.inquiry import Inquiry, has_value, is_value
+from rossmarie.analysis.witness import shown_value
 from rossmarie.core import row
 from rossmarie.ir import (
     AgeReaches,
@@ -113,7 +109,7 @@ def _impossible(inquiry: Inquiry, truth: int) -> TruthValue | None:
     alone = inquiry.below(truth)
     last = len(alone.machine.truths) - 1
     for value in (NEVER, ALWAYS):
-        if alone.is_impossible(partial(_has, truth=last, value=value), settled=value is ALWAYS):
+        if alone.is_impossible(partial(is_value, truth=last, value=value), settled=value is ALWAYS):
             return value
     return None
 
@@ -122,12 +118,8 @@ def _can_be(inquiry: Inquiry, truth: int, value: bool) -> bool:
     """Say whether the solver finds that a leaf can have a value; if so, it never refutes it."""
     alone = inquiry.below(truth)
     last = len(alone.machine.truths) - 1
-    claim = partial(_has, truth=last, value=TruthValue.TRUE if value else TruthValue.FALSE)
+    claim = partial(is_value, truth=last, value=TruthValue.TRUE if value else TruthValue.FALSE)
     return alone.is_possible(claim, settled=not value)
-
-
-def _has(state: ArbitraryState, truth: int, value: TruthValue) -> z3.BoolRef:
-    return state.truth(truth).is_value(value)
 
 
 # --- parts -----------------------------------------------------------------------------------
@@ -219,7 +211,7 @@ def _rule_finding(
     span = rule.head
     if lacking is ALWAYS:
         return AlwaysActive(rule=rule.name).at(span, *labels, notes=notes)
-    is_lost = partial(_has, truth=rule.condition, value=TruthValue.LOST)
+    is_lost = partial(is_value, truth=rule.condition, value=TruthValue.LOST)
     can_be_lost = not inquiry.is_impossible(is_lost)
     rest = "only a missing input makes it active" if can_be_lost else "nothing makes it active"
     return NeverActive(rule=rule.name, rest=rest).at(span, *labels, notes=notes)
@@ -284,23 +276,10 @@ def _open_questions(inquiry: Inquiry, index: int) -> Iterator[Finding]:
     machine = inquiry.machine
     rule = machine.rules[index]
     for value, word in ((TruthValue.TRUE, "true"), (TruthValue.FALSE, "false")):
-        question = Asked(
-            (rule.condition,),
-            partial(_has, truth=rule.condition, value=value),
-            partial(_comes_to, truth=rule.condition, value=value),
-            partial(_is_seen, truth=rule.condition, value=value),
-        )
+        question = has_value(rule.condition, value)
         if inquiry.witness(question) is None:
             finding = Undecided(
                 question=f"can the condition of rule `{rule.name}` be {word}?",
                 reason="no short course of events makes it so, and no proof excludes it",
             )
             yield Finding(finding.at(rule.head))
-
-
-def _comes_to(course: Course, truth: int, value: TruthValue) -> z3.BoolRef:
-    return z3.Or([moment.truth(truth).is_value(value) for moment in course.moments])
-
-
-def _is_seen(seen: Sequence[View], truth: int, value: TruthValue) -> bool:
-    return seen[-1].truths[truth] is value

@@ -31,7 +31,7 @@ class Knob:
     slots: tuple[int, ...]
     array: int | None
     cell: int
-    angle: ir.Function | None
+    angle: ir.AnyFunction | None
     unit: Unit
 
 
@@ -184,7 +184,7 @@ def witness_of(machine: Machine, draft: Draft) -> Witness:
 def _message(machine: Machine, leg: DraftLeg, channel: int, swing: int) -> ChannelValues:
     slots: dict[int, float] = {}
     arrays: dict[int, list[float]] = {}
-    angles: dict[tuple[int, ...], dict[ir.Function, float]] = {}
+    angles: dict[tuple[int, ...], dict[ir.AnyFunction, float]] = {}
     for knob, value in leg.values.items():
         if knob.angle is not None:
             angles.setdefault(knob.slots, {})[knob.angle] = value
@@ -209,7 +209,7 @@ def _message(machine: Machine, leg: DraftLeg, channel: int, swing: int) -> Chann
     return ChannelValues(own, arrays | no_elements)
 
 
-def quaternion(angles: Mapping[ir.Function, float]) -> tuple[float, float, float, float]:
+def quaternion(angles: Mapping[ir.AnyFunction, float]) -> tuple[float, float, float, float]:
     """The orientation x, y, z, w with these angles, in radians; an angle that is not given is 0."""
     roll, pitch, yaw = (angles.get(angle, 0.0) / 2.0 for angle in _ANGLES)
     cr, sr, cp, sp = math.cos(roll), math.sin(roll), math.cos(pitch), math.sin(pitch)

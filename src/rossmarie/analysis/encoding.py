@@ -188,7 +188,7 @@ class Encoding(ABC):
             case ir.Element():
                 raise AssertionError("an element has no value of its own")
 
-    def apply(self, index: int, function: ir.Function, numbers: Sequence[Number]) -> Number:
+    def apply(self, index: int, function: ir.AnyFunction, numbers: Sequence[Number]) -> Number:
         """A function of other signals, or of an element."""
         result = arithmetic.apply(function, numbers, self.facts, rounded=self.rounded)
         support = self.asked.supports.signals[index]

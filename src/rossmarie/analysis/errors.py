@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Note, Remark, Template, Warning
+from dslkit.diagnostics import Error, Note, Remark, Template, Warning
 
 
 class WhileActive(Remark):
@@ -293,6 +293,36 @@ class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
         within: str
 
 
+class NotInTime(Error, code="ROSS721", name="not-in-time"):
+    """A rule that is not active when it is too late to brake."""
+
+    title = "rule `{rule}` acts too late: `{motion}` can arrive there faster than {speed}"
+    label = "it is too late to brake, and the condition of the rule is false"
+    help = "compare the distance with `stopping({motion}, {speed})`, or ask for less"
+    rule: str
+    motion: str
+    speed: str
+
+    class Reaction(Remark):
+        says = (
+            "the brakes of `{motion}` hold up to {reaction} after a message: {timeout} until the "
+            "next one is missed, and {latency} of latency"
+        )
+        motion: str
+        reaction: str
+        timeout: str
+        latency: str
+
+
+class InTime(Note, code="ROSS722", name="in-time"):
+    """A proof that a rule acts before it is too late to brake."""
+
+    title = "proved: rule `{rule}` acts in time"
+    label = "it {text}, with the slowest brakes and the latest message"
+    rule: str
+    text: str
+
+
 class Undecided(Note, code="ROSS729", name="undecided"):
     """A question to which neither a proof nor a witness was found."""
 
@@ -321,5 +351,7 @@ ALL: tuple[type[Template], ...] = (
     LatchReleased,
     LimitHoldsRelease,
     RulesAlternate,
+    NotInTime,
+    InTime,
     Undecided,
 )

@@ -7,26 +7,27 @@ from collections.abc import Sequence
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis import arithmetic
 from rossmarie.analysis.course import Course
+from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.terms import within
 from rossmarie.core import row
+from rossmarie.core.expressions import Operand
 
 
 def hints(course: Course) -> list[list[z3.BoolRef]]:
     """Facts that make it likely that a proposal is borne out and easy to read, from much to
-    nothing: where a length rests on several numbers, one of them is all of it; and numbers are
+    nothing: a length or a distance is one that is easy to compute; and numbers are
     near what they are compared with, and not negative.
     """
     lengths = []
     near = []
-    norms, ranges = sorted(_norms(course)), _near(course)
+    norms, ranges = sorted(_lengths(course)), _near(course)
     for moment in course.moments:
         for index in norms:
             node = course.asked.machine.signals[index].node
             assert isinstance(node, ir.Apply)
             parts = [moment.signal(operand).value for operand in node.operands]
-            lengths.append(_one_is_all(parts, moment.signal(index).value))
+            lengths.append(_is_easy(node.function, parts, moment.signal(index).value))
         for index, (low, high) in ranges.items():
             value = moment.signal(index).value
             near += within(value, (low, high))
@@ -55,8 +56,8 @@ def _near(course: Course) -> dict[int, tuple[float, float]]:
     }
 
 
-def _norms(course: Course) -> set[int]:
-    """The functions asked for that are easy where all operands but one are 0: lengths."""
+def _lengths(course: Course) -> set[int]:
+    """The functions asked for that are easy in some cases: lengths and distances."""
     machine = course.asked.machine
     waiting = [
         signal
@@ -74,14 +75,15 @@ def _norms(course: Course) -> set[int]:
     return found
 
 
-def _one_is_all(parts: Sequence[z3.ArithRef], length: z3.ArithRef) -> z3.BoolRef:
-    """Say whether all but one of some numbers are 0, and that one is the length of all."""
+def _is_easy(
+    function: ir.AnyFunction, operands: Sequence[z3.ArithRef], result: z3.ArithRef
+) -> z3.BoolRef:
+    """Say whether a function is in a case in which it is easy, and has that result."""
+    easy, formulas = row(function).easy, Formulas(operands, exactly)
+    assert easy is not None, "asked before"
     return z3.Or(
         [
-            z3.And(
-                arithmetic.absolute(part) == length,
-                *(other == 0 for other in parts if other is not part),
-            )
-            for part in parts
+            z3.And(*map(formulas.condition, case.conditions), formulas.term(case.value) == result)
+            for case in easy(tuple(map(Operand, range(len(operands)))))
         ]
     )

@@ -201,3 +201,22 @@ def both_active(machine: Machine) -> Asked:
         partial(seen_together, one=0, other=1),
         lambda seen: seen[-1].active[0] and seen[-1].active[1],
     )
+
+
+def has_value(truth: int, value: TruthValue) -> Asked:
+    """Ask whether a truth can have a value."""
+    return Asked(
+        (truth,),
+        partial(is_value, truth=truth, value=value),
+        partial(_comes_to, truth=truth, value=value),
+        lambda seen: seen[-1].truths[truth] is value,
+    )
+
+
+def is_value(state: ArbitraryState, truth: int, value: TruthValue) -> z3.BoolRef:
+    """Say whether a truth has a value in a state."""
+    return state.truth(truth).is_value(value)
+
+
+def _comes_to(course: Course, truth: int, value: TruthValue) -> z3.BoolRef:
+    return z3.Or([moment.truth(truth).is_value(value) for moment in course.moments])

@@ -12,6 +12,7 @@ from rossmarie.analysis.errors import Undecided
 from rossmarie.analysis.failures import find_unnoticed
 from rossmarie.analysis.feedback import find_alternating
 from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.foresight import find_late
 from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
@@ -19,7 +20,7 @@ from rossmarie.analysis.latches import find_released_latches
 from rossmarie.analysis.rates import find_unfit_durations
 from rossmarie.analysis.recovery import find_blocked
 from rossmarie.analysis.release import find_never_cleared
-from rossmarie.ir import Machine
+from rossmarie.ir import Machine, Requirement
 
 QUICK_S = 8.0
 """The quick questions about one file are given up after this, in seconds of CPU time."""
@@ -50,15 +51,30 @@ def ask_all(
         yield from _in_time(inquiry, name, question, limit_s)
 
 
+def ask_required(
+    required: Requirement, *, thorough: bool, on_step: Callable[[str], None] = lambda _: None
+) -> Iterator[Finding]:
+    """The findings on a requirement of a rule; that time ran out is one of them."""
+    question = "which rules act in time?"
+    on_step(question)
+    limit_s = THOROUGH_S if thorough else QUICK_S
+    inquiry = Inquiry(required.machine, time.process_time() + limit_s)
+    try:
+        yield from find_late(inquiry, required, thorough=thorough)
+    except OutOfTimeError:
+        yield Finding(_out_of_time(question, limit_s).at(required.span))
+
+
 def _in_time(inquiry: Inquiry, name: str, question: Question, limit_s: float) -> Iterator[Finding]:
     try:
         yield from question(inquiry)
     except OutOfTimeError:
-        finding = Undecided(
-            question=name,
-            reason=f"not all was asked within {limit_s:g} s; `--thorough` takes its time",
-        )
-        yield Finding(finding.at(inquiry.machine.rules[0].span))
+        yield Finding(_out_of_time(name, limit_s).at(inquiry.machine.rules[0].span))
+
+
+def _out_of_time(question: str, limit_s: float) -> Undecided:
+    reason = f"not all was asked within {limit_s:g} s; `--thorough` takes its time"
+    return Undecided(question=question, reason=reason)
 
 
 def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:

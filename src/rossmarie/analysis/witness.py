@@ -55,6 +55,30 @@ Claim = Callable[[Sequence[View]], bool]
 """A test of the views up to the last one: it is true if they show what is to be shown."""
 
 
+def within(machine: Machine, witness: Witness) -> Witness:
+    """The witness without what the machine does not read, of one for a machine with more behind."""
+    slots, arrays = len(machine.slots), len(machine.arrays)
+
+    def kept(values: ChannelValues) -> ChannelValues:
+        return ChannelValues(
+            {index: value for index, value in values.slots.items() if index < slots},
+            {index: value for index, value in values.arrays.items() if index < arrays},
+        )
+
+    events = (
+        replace(
+            sending,
+            messages={
+                channel: kept(values)
+                for channel, values in sending.messages.items()
+                if channel < len(machine.channels)
+            },
+        )
+        for sending in witness.events
+    )
+    return replace(witness, events=tuple(events))
+
+
 def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iterator[View]:
     """The evaluations that a witness leads to, with what some truths are worth."""
     watching = replace(machine, watches=tuple(asked))

@@ -18,6 +18,8 @@ from rossmarie.check.actions.targets import Targets
 from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.expressions.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.expressions.infer import infer
+from rossmarie.check.foresight.kept import check_kept
+from rossmarie.check.foresight.motions import check_motions
 from rossmarie.check.model import (
     CheckedProgram,
     ConditionKey,
@@ -97,10 +99,12 @@ def check(
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)
+    check_motions(context)
     gaps = message_gaps(context)
     conditions = _check_conditions(context)
     resting = [_check_rule(rule, context) for rule in declarations.rules]
     feedback = tuple(check_feedback(rule, context) for rule in declarations.rules)
+    keeps = tuple(check_kept(rule, context) for rule in declarations.rules)
     categories = tuple(check_categories(rule, context) for rule in declarations.rules)
     targets = Targets(model, context, was_parsed)
     actions = _check_actions(targets, context)
@@ -119,6 +123,7 @@ def check(
         _program(actions, hazards, gaps, tests, context),
         feedback=feedback,
         categories=categories,
+        keeps=keeps,
         read_files=(*model.messages.read_files, *_skill_files(context)),
     )
 
@@ -270,6 +275,8 @@ def _program(
         gaps=gaps,
         skills=context.skills,
         doing=context.doing,
+        regions=context.regions,
+        motions=context.motions,
         tests=tests,
         priorities=found.priorities,
     )

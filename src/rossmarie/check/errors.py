@@ -6,7 +6,9 @@ from dslkit.diagnostics import Template
 from rossmarie.check.actions import errors as action_errors
 from rossmarie.check.actions import retrace_errors
 from rossmarie.check.expressions import errors as expression_errors
+from rossmarie.check.foresight import errors as foresight_errors
 from rossmarie.check.names import errors as name_errors
+from rossmarie.check.names import region_errors
 from rossmarie.check.operations import errors as operation_errors
 from rossmarie.check.operations import function_errors, list_errors, range_errors
 from rossmarie.check.rules import errors as rule_errors
@@ -21,11 +23,13 @@ _DECLARED: tuple[type[Template], ...] = (
     *skill_errors.ALL,
     *unit_errors.ALL,
     *name_errors.ALL,
+    *region_errors.ALL,
     *operation_errors.ALL,
     *function_errors.ALL,
     *list_errors.ALL,
     *range_errors.ALL,
     *expression_errors.ALL,
+    *foresight_errors.ALL,
     *system_errors.ALL,
     *action_errors.ALL,
     *retrace_errors.ALL,

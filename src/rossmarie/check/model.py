@@ -13,6 +13,7 @@ from pathlib import Path as FilePath
 
 from dslkit.source import SourceFile, Span
 from rossmarie.check.effects import CheckedEffect
+from rossmarie.core import Region
 from rossmarie.ir import Path, Quantity
 from rossmarie.ir.filing import Category, LeftOut
 from rossmarie.ir.reactions import CommandTopic
@@ -131,6 +132,41 @@ class CheckedFeedback:
 
 
 @dataclass(frozen=True)
+class CheckedMotion:
+    """A motion of the robot, numbers in SI. `brake` is the least deceleration, `latency_s` the time
+    from a message to the brakes beside the silence of `timeout_s` after which a message is missed.
+    `is_of_one_message` tells that position and speed come together; `inputs` are those it rests on.
+    """
+
+    declaration: ast.Motion
+    position: ast.Expression
+    speed: ast.Expression
+    brake: float
+    acceleration: float
+    fastest: float
+    latency_s: float
+    timeout_s: float
+    is_of_one_message: bool
+    inputs: tuple[str, ...]
+
+    @property
+    def reaction_s(self) -> float:
+        """The longest time from what the last message told to the brakes."""
+        return self.timeout_s + self.latency_s
+
+
+@dataclass(frozen=True)
+class CheckedKeeps:
+    """The speed in m/s that a rule keeps a motion below in the places of a class, in a frame."""
+
+    motion: CheckedMotion
+    speed: float
+    region: Region
+    frame: str
+    written: ast.Keeps
+
+
+@dataclass(frozen=True)
 class Symbols:
     """The meaning of each name."""
 
@@ -153,7 +189,8 @@ class CheckedProgram:
     topics whose rate is declared; `feedback` and `categories` are
     those of each rule, `left_out` what a selection does not hold. `read_files` are the definitions
     of messages that were read, those that come with this program left out, and the file of skills.
-    `doing` holds what each question to the skills asks.
+    `doing` holds what each question to the skills asks, `regions` the places that the name of each
+    class stands for, `motions` the motions by name. `keeps` is what each rule keeps.
     """
 
     name: str
@@ -170,8 +207,11 @@ class CheckedProgram:
     gaps: Mapping[str, Gaps]
     skills: CheckedSkills | None
     doing: NodeMap[CheckedDoing]
+    regions: NodeMap[Region]
+    motions: Mapping[str, CheckedMotion]
     feedback: tuple[CheckedFeedback, ...] = ()
     categories: tuple[tuple[Category, ...], ...] = ()
+    keeps: tuple[CheckedKeeps | None, ...] = ()
     left_out: LeftOut | None = None
     read_files: tuple[SourceFile, ...] = ()
     tests: tuple[Script, ...] = ()

@@ -20,11 +20,11 @@ from rossmarie.core.expressions import (
     Primitive,
     Subfunction,
 )
-from rossmarie.core.functions import Function, defined, row
+from rossmarie.core.functions import AnyFunction, defined, row
 
 
 @cache
-def may_be_infinite(function: Function, count: int, *, of_infinite: bool) -> bool:
+def may_be_infinite(function: AnyFunction, count: int, *, of_infinite: bool) -> bool:
     """Say whether the expression of a function of `count` operands can be infinite: of operands
     that are finite or NaN, or with `of_infinite`, of any.
     """
@@ -55,7 +55,7 @@ def _may_be_infinite(expression: Expression, of_infinite: bool) -> bool:
 
 
 @cache
-def rounds(function: Function, count: int) -> bool:
+def rounds(function: AnyFunction, count: int) -> bool:
     """Say whether a function computes, and so rounds, instead of choosing among its operands."""
     return _rounds(defined(function, count))
 
@@ -75,7 +75,7 @@ def _rounds(expression: Expression) -> bool:
 
 
 @cache
-def shown_by(function: Function, count: int) -> frozenset[int]:
+def shown_by(function: AnyFunction, count: int) -> frozenset[int]:
     """The operands that are finite wherever the expression of a function is."""
     return _shown_by(defined(function, count))
 

@@ -25,6 +25,18 @@ from rossmarie.core.expressions import (
     choose,
     square_root,
 )
+from rossmarie.core.regions import (
+    OPERANDS,
+    RULES,
+    Easy,
+    Measure,
+    RegionFunction,
+    bounds,
+    define,
+    easy,
+    phrase,
+    range_of,
+)
 
 
 class Function(enum.Enum):
@@ -38,6 +50,7 @@ class Function(enum.Enum):
     ABSOLUTE = "absolute"
     MINIMUM = "minimum"  # of two
     MAXIMUM = "maximum"  # of two
+    ABOVE = "above"  # the third where the first is above the second, else 0
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
@@ -55,8 +68,7 @@ class Row:
 
     Solvers cannot compute with roots and angles: where `bounds` is given they know of a result only
     that it lies in `range`, and these conditions on the operands and the result, in real numbers.
-    `easy` is then an expression that equals the function where all operands but the first are 0:
-    with it solvers find examples.
+    `easy` then gives cases in which they can compute it: with one of these they find examples.
     """
 
     rule: str
@@ -66,7 +78,7 @@ class Row:
     phrase: str
     range: tuple[float, float] = (-math.inf, math.inf)
     bounds: Callable[[Expression, Sequence[Expression]], tuple[Condition, ...]] | None = None
-    easy: Callable[[Expression], Expression] | None = None
+    easy: Callable[[Sequence[Expression]], tuple[Easy, ...]] | None = None
 
     def takes(self, count: int) -> bool:
         """Say whether the function can have that many operands."""
@@ -78,9 +90,28 @@ class Row:
         return self.phrase.format(*operands, all=listed, vector=vector or f"({listed})")
 
 
-def row(function: Function) -> Row:
+AnyFunction = Function | RegionFunction
+"""A function of all machines, or one of a region of a machine."""
+
+
+def row(function: AnyFunction) -> Row:
     """Find the row of a function."""
-    return FUNCTIONS[function]
+    return _row_of(function) if isinstance(function, RegionFunction) else FUNCTIONS[function]
+
+
+@cache
+def _row_of(function: RegionFunction) -> Row:
+    is_easy = bounds(function, UNKNOWN, tuple(map(Operand, range(OPERANDS)))) is None
+    return Row(
+        RULES[function.measure],
+        OPERANDS,
+        OPERANDS,
+        lambda *operands: define(function, operands),
+        phrase(function),
+        range_of(function),
+        None if is_easy else lambda result, operands: bounds(function, result, operands) or (),
+        None if function.measure is Measure.INSIDE else lambda operands: easy(function, operands),
+    )
 
 
 def parameters(count: int) -> tuple[str, ...]:
@@ -90,7 +121,7 @@ def parameters(count: int) -> tuple[str, ...]:
 
 
 @cache
-def defined(function: Function, count: int) -> Expression:
+def defined(function: AnyFunction, count: int) -> Expression:
     """The expression of a function of `count` operands, before S4."""
     return row(function).define(*map(Operand, range(count)))
 
@@ -101,6 +132,12 @@ def defined(function: Function, count: int) -> Expression:
 def _minimum(a: Expression, b: Expression) -> Expression:
     """S6; of two equal ones the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a < b, a, b))
+
+
+def _above(a: Expression, b: Expression, c: Expression) -> Expression:
+    """S65."""
+    is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
+    return choose(is_unknown, UNKNOWN, choose(a > b, c, 0.0))
 
 
 def _maximum(a: Expression, b: Expression) -> Expression:
@@ -134,6 +171,14 @@ def _bounds_of_norm(norm: Expression, components: Sequence[Expression]) -> tuple
     return (
         *(size * (1.0 - _SLACK) - 2.0 * _TINY < norm for size in sizes),
         norm < total * (1.0 + _SLACK) + 2.0 * _TINY,
+    )
+
+
+def _along_one(components: Sequence[Expression]) -> tuple[Easy, ...]:
+    """A length is its component where all others are 0."""
+    return tuple(
+        Easy(tuple(other.equals(0.0) for other in components if other is not each), abs(each))
+        for each in components
     )
 
 
@@ -181,10 +226,13 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ABSOLUTE: Row("S6", 1, 1, abs, "the absolute value of {0}", _LENGTH),
     Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
+    Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
     Function.NORM: Row(
-        "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, abs
+        "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
-    Function.HYPOT: Row("S5", 2, 2, _norm, "the length of ({all})", _LENGTH, _bounds_of_norm, abs),
+    Function.HYPOT: Row(
+        "S5", 2, 2, _norm, "the length of ({all})", _LENGTH, _bounds_of_norm, _along_one
+    ),
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),

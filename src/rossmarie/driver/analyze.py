@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -56,38 +56,51 @@ def analyze_file(
         compiled = compile_checked(result, message_folders)
     except RulesError:
         return without_answers
-    found = analyzed(compiled.machine, result.diagnostics, rules, thorough, toggle_ns, on_step)
+    found = analyzed(compiled, result.diagnostics, rules, thorough, toggle_ns, on_step)
     return replace(found, compiled=compiled)
 
 
 def analyzed(
-    machine: Machine,
+    compiled: Compiled,
     checked: tuple[Diagnostic, ...],
     rules: Path,
     thorough: bool = False,
     toggle_ns: int = TOGGLE_NS,
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
-    """Ask what the rules of a machine mean together; `checked` are the findings so far."""
-    from rossmarie.analysis.questions import ask_all  # the solver takes its time to load
-    from rossmarie.analysis.witness import as_csv
+    """Ask what rules mean together; `checked` are the findings so far."""
+    from rossmarie.analysis.witness import as_csv, within
 
     collector = Collector()
     collector.extend(checked)
     witnesses: dict[str, str] = {}
     shown: dict[int, Witness] = {}
-    for finding in ask_all(machine, thorough=thorough, within_ns=toggle_ns, on_step=on_step):
-        if _is_told(machine, finding.diagnostic, checked):
+    for asked, finding in _answers(compiled, thorough, toggle_ns, on_step):
+        if _is_told(compiled.machine, finding.diagnostic, checked):
             continue
         collector.add(finding.diagnostic)
         if finding.witness is not None:
-            shown[id(finding.diagnostic)] = finding.witness
+            shown[id(finding.diagnostic)] = within(compiled.machine, finding.witness)
             code = finding.diagnostic.code
             count = sum(code in name for name in witnesses) + 1
             name = f"{rules.stem}_{code}_{count}.csv"
-            witnesses[name] = as_csv(machine, finding.witness)
+            witnesses[name] = as_csv(asked, finding.witness)
     findings = tuple(Finding(each, shown.get(id(each))) for each in collector.sorted())
     return Analysis(findings, witnesses)
+
+
+def _answers(
+    compiled: Compiled, thorough: bool, toggle_ns: int, on_step: Callable[[str], None]
+) -> Iterator[tuple[Machine, Finding]]:
+    """Each finding with the machine that it is about."""
+    from rossmarie.analysis.questions import ask_all, ask_required  # the solver loads slowly
+
+    machine = compiled.machine
+    for found in ask_all(machine, thorough=thorough, within_ns=toggle_ns, on_step=on_step):
+        yield machine, found
+    for required in compiled.requirements:
+        for found in ask_required(required, thorough=thorough, on_step=on_step):
+            yield required.machine, found
 
 
 def _is_told(machine: Machine, found: Diagnostic, checked: Sequence[Diagnostic]) -> bool:

@@ -15,10 +15,10 @@ from dslkit.source import SourceFile
 from rossmarie.check import CheckedProgram, CheckOptions, check, select
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
-from rossmarie.ir import Category, Machine, verify, without_margins
+from rossmarie.ir import Category, Machine, Requirement, verify, without_margins
 from rossmarie.ir import Path as FieldPath
 from rossmarie.ir.script import Script
-from rossmarie.lowering import lower
+from rossmarie.lowering import lower, lower_requirements
 from rossmarie.syntax import ast, parse
 from rossmarie.targets.unsupported import unsupported
 
@@ -72,7 +72,8 @@ class Compiled:
     """A rules file without errors: its machine, the warnings on it, and where the definitions of
     its messages may lie, the tests in it, and of each input the path that its declaration chooses.
     `sources` are all files that the machine rests on, as they were read, the main one last.
-    `with_margins` is the machine for those that learn: with the margins that rules declare.
+    `with_margins` is the machine for those that learn: with the margins that rules declare;
+    `requirements` are what rules keep.
     """
 
     machine: Machine
@@ -82,6 +83,7 @@ class Compiled:
     tests: tuple[Script, ...]
     bases: Mapping[str, FieldPath]
     sources: tuple[SourceFile, ...]
+    requirements: tuple[Requirement, ...]
 
 
 def compile_file(
@@ -120,6 +122,7 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
         tests=result.program.tests,
         bases=bases,
         sources=(*result.program.read_files, *files),
+        requirements=lower_requirements(result.program),
     )
 
 

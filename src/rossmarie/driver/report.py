@@ -60,7 +60,7 @@ def safety_file(
         )
         if path is not None
     }
-    analysis = analyzed(compiled.machine, compiled.warnings, rules, thorough)
+    analysis = analyzed(compiled, compiled.warnings, rules, thorough)
     content = SafetyFile(
         machine=compiled.machine,
         rules_file=rules.name,
@@ -72,6 +72,7 @@ def safety_file(
         findings=analysis.findings,
         is_thorough=thorough,
         losses=tuple(losses(Inquiry(compiled.machine))),
+        requirements=compiled.requirements,
         tool=tool,
         date=date,
         verification=reports.get(EvidenceKind.VERIFICATION),

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 
-from rossmarie.core import Function, Sampling, defined, sampling_row
+from rossmarie.core import AnyFunction, Sampling, defined, sampling_row
 from rossmarie.core.expressions import (
     Applied,
     Chosen,
@@ -35,12 +35,12 @@ _Values = Sequence[float]
 """The operands, and behind them the named numbers that have been computed."""
 
 
-def apply(function: Function, operands: tuple[float, ...]) -> float:
+def apply(function: AnyFunction, operands: tuple[float, ...]) -> float:
     """The value of a function; NaN if it is not finite (S4)."""
     return finite_or_nan(plain(function, operands))
 
 
-def plain(function: Function, operands: tuple[float, ...]) -> float:
+def plain(function: AnyFunction, operands: tuple[float, ...]) -> float:
     """The value of the expression of a function, before S4."""
     return _program(function, len(operands))(operands)
 
@@ -57,7 +57,7 @@ def finite_or_nan(value: float) -> float:
 
 
 @cache
-def _program(function: Function, count: int) -> Callable[[_Values], float]:
+def _program(function: AnyFunction, count: int) -> Callable[[_Values], float]:
     return _program_of(defined(function, count), count)
 
 

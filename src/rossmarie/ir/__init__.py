@@ -1,6 +1,6 @@
 """The monitor machine: its model, what it says, and the questions that every target asks of it."""
 
-from rossmarie.core import Function, Sampling
+from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
@@ -92,6 +92,7 @@ from rossmarie.ir.path import (
     path_text,
 )
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
+from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
@@ -135,10 +136,12 @@ __all__ = [
     "TASKS",
     "AgeReaches",
     "And",
+    "AnyFunction",
     "Apply",
     "Array",
     "Batch",
     "Between",
+    "Braking",
     "ByName",
     "Category",
     "Cause",
@@ -195,6 +198,7 @@ __all__ = [
     "Read",
     "Reading",
     "Recurs",
+    "Requirement",
     "Response",
     "Rule",
     "Sampled",

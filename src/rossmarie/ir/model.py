@@ -16,7 +16,7 @@ import enum
 from dataclasses import dataclass
 
 from dslkit.source import Span
-from rossmarie.core import Function, Sampling
+from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir.calls import SkillCall
 from rossmarie.ir.feedback import NO_FEEDBACK, Feedback
 from rossmarie.ir.filing import Category, Exemption, Hazard, LeftOut
@@ -127,7 +127,7 @@ class Read:
 class Apply:
     """A function of other signals."""
 
-    function: Function
+    function: AnyFunction
     operands: tuple[int, ...]
 
 

@@ -14,13 +14,14 @@ import types
 import typing
 
 from dslkit.source import SourceFile, Span
+from rossmarie.core import RegionFunction
 from rossmarie.ir import model as ir
 from rossmarie.ir.feedback import Margin
 from rossmarie.ir.path import ByName, Doing, Each, Listed, Points, Quantity
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 9
+VERSION = 10
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -74,11 +75,12 @@ def _encode_instance(value: object, files: dict[SourceFile, int]) -> Json:
     return members
 
 
+_PARTS = (ByName, Listed, Each, Points, Doing, Quantity, Margin, RegionFunction)
 _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)
     for node in typing.get_args(union)
-} | {step.__name__: step for step in (ByName, Listed, Each, Points, Doing, Quantity, Margin)}
+} | {step.__name__: step for step in _PARTS}
 
 
 def _is_node(kind: type) -> bool:
@@ -130,9 +132,12 @@ def _choose(hints: tuple[type, ...], data: typing.Any) -> object:
 
 
 def _plain(hints: tuple[type, ...], data: object) -> type:
-    """The kind of what is no node: a class of JSON, or the only class of the model."""
+    """The kind of what is no node: a class of JSON, an enumeration, or the only class of the
+    model.
+    """
     if not isinstance(data, dict):
-        return type(data)
+        names = (hint for hint in hints if issubclass(hint, enum.Enum))
+        return next(names, type(data)) if isinstance(data, str) else type(data)
     return next(hint for hint in hints if dataclasses.is_dataclass(hint))
 
 

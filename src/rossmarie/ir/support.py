@@ -8,7 +8,14 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from rossmarie.core import Function, Sampling, sampling_row
+from rossmarie.core import (
+    AnyFunction,
+    Function,
+    Measure,
+    RegionFunction,
+    Sampling,
+    sampling_row,
+)
 from rossmarie.ir import model as ir
 
 
@@ -298,6 +305,8 @@ def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
             return kind_of(machine, sampled) if gives_a_sample else ir.Kind.REAL
         case ir.Element(array=array):
             return machine.arrays[array].kind
+        case ir.Apply(function=RegionFunction(measure=Measure.INSIDE)):
+            return ir.Kind.FLAG
         case ir.Constant() | ir.Apply() | ir.Fold() | ir.Count():
             return ir.Kind.REAL
 
@@ -305,7 +314,7 @@ def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
 # --- functions -------------------------------------------------------------------------------
 
 
-def functions(machine: ir.Machine) -> tuple[tuple[Function, int], ...]:
+def functions(machine: ir.Machine) -> tuple[tuple[AnyFunction, int], ...]:
     """The functions that signals apply, with how many operands, in the order of the core."""
     found = set()
     for signal in machine.signals:
@@ -318,8 +327,10 @@ def functions(machine: ir.Machine) -> tuple[tuple[Function, int], ...]:
                 ir.Constant() | ir.Read() | ir.Sampled() | ir.Element() | ir.Count()
             ):  # fmt: skip
                 pass
-    order = list(Function)
-    return tuple(sorted(found, key=lambda each: (order.index(each[0]), each[1])))
+    order = [each.value for each in Function]
+    regional = sorted({each.value for each, _ in found} - set(order))
+    order += regional
+    return tuple(sorted(found, key=lambda each: (order.index(each[0].value), each[1])))
 
 
 def samplings(machine: ir.Machine) -> tuple[Sampling, ...]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 
-from rossmarie.core import row, sampling_row
+from rossmarie.core import RegionFunction, row, sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.ir.feedback import Margin
 from rossmarie.ir.malformed import (
@@ -288,12 +288,14 @@ def _require_element_truths(
 
 def _verify_kinds(machine: ir.Machine) -> None:
     """Flags are only tested, or compared with flags, and texts only compared with literals, for
-    equality.
+    equality; a function of a region compares its frames.
     """
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
         for operand in signal_operands(signal.node):
             kind = kind_of(machine, operand)
+            if operand in _frames_of(machine, signal.node, where):
+                continue
             is_right = kind is ir.Kind.REAL or (kind is ir.Kind.FLAG and _keeps(signal.node))
             require(is_right, where, f"operand {operand} is a {kind.value}")
     for index, truth in enumerate(machine.truths):
@@ -307,6 +309,18 @@ def _verify_kinds(machine: ir.Machine) -> None:
             for operand in compared_signals(truth.node):
                 kind = kind_of(machine, operand)
                 require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
+
+
+def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[int, ...]:
+    """The operands that are texts: the frame of a point, and that of a region."""
+    if not (isinstance(node, ir.Apply) and isinstance(node.function, RegionFunction)):
+        return ()
+    _, _, seen, wanted = node.operands
+    literal = machine.signals[wanted].node
+    require(kind_of(machine, seen) is ir.Kind.TEXT, where, "a frame that is no text")
+    is_text = isinstance(literal, ir.Constant) and literal.value in range(len(machine.texts))
+    require(is_text, where, "the frame of a region is no text")
+    return (seen, wanted)
 
 
 def _keeps(node: ir.SignalNode) -> bool:

@@ -1,5 +1,6 @@
 """From a checked program to the monitor machine."""
 
 from rossmarie.lowering.lower import lower
+from rossmarie.lowering.requirements import lower_requirements
 
-__all__ = ["lower"]
+__all__ = ["lower", "lower_requirements"]

@@ -19,8 +19,10 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Motion,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -158,7 +160,7 @@ def _kind(type_: Type) -> ir.Kind:
             return ir.Kind.TEXT
         case (
             Quantity() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
-            | Entry() | Unsupported() | Unknown()
+            | Region() | Motion() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return ir.Kind.REAL
 
@@ -178,7 +180,7 @@ def _limits(type_: Type) -> tuple[float, float] | None:
             return limits
         case (
             Text() | Vector() | Quaternion() | Array() | List() | Interval() | Box() | Message()
-            | Entry() | Unsupported() | Unknown()
+            | Region() | Motion() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None
 

@@ -7,6 +7,8 @@ expressions are computed once, constant ones not at all, and every number is in 
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
+from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedFeedback, CheckedProgram
@@ -23,8 +25,24 @@ from rossmarie.lowering.truths import Truths
 from rossmarie.units import DIMENSIONLESS
 
 
+@dataclass(frozen=True)
+class Lowered:
+    """A machine, and what it was made with: more can be lowered behind it."""
+
+    machine: ir.Machine
+    contracts: Sequence[Contract]
+    inputs: Inputs
+    nodes: Nodes
+    truths: Truths
+
+
 def lower(program: CheckedProgram) -> ir.Machine:
     """The machine of a checked program."""
+    return lowered(program).machine
+
+
+def lowered(program: CheckedProgram) -> Lowered:
+    """The machine of a checked program, for what is lowered behind it."""
     inputs, nodes = Inputs(program.gaps), Nodes()
     truths = Truths(program, inputs, nodes)
     contracts = [contract_of(rule, truths, nodes, program) for rule in program.rules]
@@ -57,7 +75,8 @@ def lower(program: CheckedProgram) -> ir.Machine:
         left_out=program.left_out,
         calls=_calls(program, inputs),
     )
-    return _with_rules(machine, program, contracts, feedback)
+    machine = _with_rules(machine, program, contracts, feedback)
+    return Lowered(machine, contracts, inputs, nodes, truths)
 
 
 def _calls(program: CheckedProgram, inputs: Inputs) -> tuple[ir.SkillCall, ...]:

@@ -47,7 +47,7 @@ class Nodes:
         """Any signal but a constant or a function."""
         return self._add_signal(node, node, shown)
 
-    def apply(self, function: ir.Function, operands: tuple[int, ...], shown: Shown) -> int:
+    def apply(self, function: ir.AnyFunction, operands: tuple[int, ...], shown: Shown) -> int:
         """A function; those of constants are constant values of the checked program already."""
         node = ir.Apply(function, operands)
         return self._add_signal(node, node, shown)

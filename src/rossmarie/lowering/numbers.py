@@ -11,10 +11,13 @@ from contextlib import contextmanager
 from dataclasses import replace
 
 from rossmarie import ir
-from rossmarie.check.model import CheckedProgram, Value
-from rossmarie.check.names.parts import part_at
+from rossmarie.check.model import CheckedMotion, CheckedProgram, Value
+from rossmarie.check.names.parts import Part, part_at
+from rossmarie.check.names.regions import FRAME_OF_HEADER
 from rossmarie.check.operations.lists import counts_all
-from rossmarie.core import sampling_row
+from rossmarie.check.scopes.trees import stripped
+from rossmarie.core import Measure, RegionFunction, sampling_row
+from rossmarie.lowering.braking import way_to_stop
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
@@ -28,9 +31,11 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Motion,
     Point,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -175,8 +180,8 @@ class Numbers:
                 array = self._inputs.array(place, type_)
                 return (self._nodes.signal(ir.Element(array), shown),)
             case (
-                Boolean() | Text() | Quantity() | List() | Interval() | Box() | Entry()
-                | Unsupported() | Unknown()
+                Boolean() | Text() | Quantity() | List() | Interval() | Box() | Region() | Motion()
+                | Entry() | Unsupported() | Unknown()
             ):  # fmt: skip
                 return (self._read_scalar(place, type_, shown),)
 
@@ -268,6 +273,8 @@ class Numbers:
                 return (self._nodes.apply(_WHOLE[name], parts, shown),)
             case "distance":
                 return (self._distance(node, shown),)
+            case "stopping":
+                return (self._stopping(node, shown),)
             case _:
                 raise AssertionError(f"checked: {name} is no function to a number")
 
@@ -296,11 +303,52 @@ class Numbers:
             first = self._nodes.apply(function, (first, other), shown)
         return first
 
+    def of_named_region(
+        self, measure: Measure, position: ast.Expression, container: ast.Expression, shown: Shown
+    ) -> int:
+        """The signal of a function that the region has which a class stands for."""
+        type_ = self.type_of(container)
+        assert isinstance(type_, Region), "checked: it is a region"
+        function = RegionFunction(measure, self._program.regions[stripped(container)])
+        wanted = Shown(type_.frame, container.span)
+        return self.of_region(function, position, wanted, shown)
+
+    def of_region(
+        self, function: RegionFunction, position: ast.Expression, wanted: Shown, shown: Shown
+    ) -> int:
+        """The signal of a function of a position or a pose in the frame `wanted` (S63, S64)."""
+        place, seen = self.place(position), self.type_of(position)
+        assert place is not None, "checked: the frame of the position is known"
+        if isinstance(seen, Message):
+            seen = seen.fields["position"]
+            place = place.field("position", seen)
+        assert isinstance(seen, Vector), "checked: it is a position"
+        words_of_it = self.shown(position)
+        x, y = (self._read_part(place, axis, seen.element, words_of_it) for axis in "xy")
+        header = Place(place.input, Part(FRAME_OF_HEADER))
+        frame = self._read_scalar(header, Text(), replace(words_of_it, text="frame", unit=None))
+        text = self._nodes.constant(float(self._inputs.text(wanted.text)), wanted)
+        return self._nodes.apply(function, (x, y, frame, text), shown)
+
     def _distance(self, node: ast.Call, shown: Shown) -> int:
+        if stripped(node.arguments[1]) in self._program.regions:
+            position, container = node.arguments
+            return self.of_named_region(Measure.DISTANCE, position, container, shown)
         left, right = (self.components(argument) for argument in node.arguments)
         pairs = zip(left, right, strict=True)
         gaps = tuple(self._nodes.apply(ir.Function.SUBTRACT, pair, shown) for pair in pairs)
         return self._nodes.apply(ir.Function.NORM, gaps, shown)
+
+    def _stopping(self, node: ast.Call, shown: Shown) -> int:
+        named, *speeds = node.arguments
+        type_ = self.type_of(named)
+        assert isinstance(type_, Motion), "checked: it is a motion"
+        wanted = self._program.values[speeds[0]].numbers[0] if speeds else 0.0
+        return self.way_to_stop(self._program.motions[type_.name], wanted, shown)
+
+    def way_to_stop(self, motion: CheckedMotion, wanted: float, shown: Shown) -> int:
+        """The way in m on which a motion slows down to a speed, at the latest (S65)."""
+        return way_to_stop(self.scalar(motion.speed), motion, wanted, shown, self._nodes)
 
     # --- how it is shown ---------------------------------------------------------------------
 
@@ -330,7 +378,7 @@ def _unit_of(type_: Type) -> Unit | None:
         ):
             return element.unit
         case (
-            Boolean() | Text() | Quaternion() | Array() | List() | Message() | Entry()
-            | Unsupported() | Unknown()
+            Boolean() | Text() | Quaternion() | Array() | List() | Region() | Motion() | Message()
+            | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None

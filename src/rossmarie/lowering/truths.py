@@ -9,9 +9,10 @@ from __future__ import annotations
 import sys
 
 from rossmarie import ir
-from rossmarie.check.model import CheckedProgram, ConditionKey, Value
+from rossmarie.check.model import CheckedKeeps, CheckedProgram, ConditionKey, Value
 from rossmarie.check.operations.operands import is_age, is_edge_count
 from rossmarie.check.scopes.trees import stripped
+from rossmarie.core import Measure, RegionFunction
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.nodes import Nodes, Shown
@@ -21,7 +22,9 @@ from rossmarie.lowering.skills import Skills
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
 from rossmarie.types import Box, Text
-from rossmarie.units import DIMENSIONLESS, Unit
+from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
+
+_METRE = parse_unit("m")
 
 _COMPARISONS = {
     ast.BinaryOperator.EQUAL: ir.Comparison.EQUAL,
@@ -49,6 +52,17 @@ class Truths:
         """The truth of a condition of a rule or a contract."""
         self._lower_conditions(node)
         return self._truth(node, None)
+
+    def too_late(self, keeps: CheckedKeeps, shown: Shown) -> int:
+        """The truth that a motion is nearer to some places than the way on which it slows down."""
+        function = RegionFunction(Measure.DISTANCE, keeps.region)
+        wanted = Shown(keeps.frame, keeps.written.place.span)
+        metres = Shown(f"distance from {keeps.region.about}", shown.span, _METRE)
+        numbers, position = self._numbers, keeps.motion.position
+        distance = numbers.of_region(function, position, wanted, metres)
+        way = Shown(f"way on which {keeps.written.motion.text} slows down", shown.span, _METRE)
+        needed = numbers.way_to_stop(keeps.motion, keeps.speed, way)
+        return self._nodes.leaf(ir.Compare(ir.Comparison.LESS, distance, needed), shown)
 
     def pose(self, node: ast.Expression) -> tuple[tuple[int, ...], int]:
         """The signals of a pose, and the truth that it is known: so monitors keep its numbers."""
@@ -264,8 +278,13 @@ class Truths:
         return self._nodes.disjunction(parts, _shown(node))
 
     def _membership(self, node: ast.Membership) -> int:
-        container = self._program.values[node.container]
         inside = Shown(f"{words(node.value.span)} in {words(node.container.span)}", node.span)
+        if stripped(node.container) in self._program.regions:
+            sides = (node.value, node.container)
+            signal = self._numbers.of_named_region(Measure.INSIDE, *sides, inside)
+            index = self._nodes.leaf(ir.Flag(signal), inside)
+            return self._nodes.negation(index, _shown(node)) if node.is_negated else index
+        container = self._program.values[node.container]
         values = self._numbers.components(node.value)
         parts = tuple(
             self._between(value, container, axis, node, inside) for axis, value in enumerate(values)

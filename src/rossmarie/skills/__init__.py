@@ -8,6 +8,7 @@ from rossmarie.skills.closed import Closure
 from rossmarie.skills.model import (
     Child,
     Limit,
+    Location,
     Parameter,
     Permission,
     Place,
@@ -19,6 +20,7 @@ from rossmarie.skills.model import (
     Use,
     UseKind,
 )
+from rossmarie.skills.names import among
 from rossmarie.skills.read import LARGEST_FILE, UnreadableSkills, parse_skills, read_text
 from rossmarie.skills.sources import OutOfDate, changed_source, span_at
 
@@ -27,6 +29,7 @@ __all__ = [
     "Child",
     "Closure",
     "Limit",
+    "Location",
     "OutOfDate",
     "Parameter",
     "Permission",
@@ -39,6 +42,7 @@ __all__ = [
     "UnreadableSkills",
     "Use",
     "UseKind",
+    "among",
     "changed_source",
     "parse_skills",
     "read_text",

@@ -137,6 +137,20 @@ class Skill:
 
 
 @dataclass(frozen=True)
+class Location:
+    """A thing of the scene, and where it is: `corners` in m in the x-y plane of `frame`. One corner
+    is a point, three or more are a polygon, anticlockwise; none mean that nobody knows where it is.
+    """
+
+    iri: str
+    label: str
+    classes: tuple[str, ...]
+    frame: str
+    corners: tuple[tuple[float, float], ...]
+    place: Place | None
+
+
+@dataclass(frozen=True)
 class SkillFile:
     """A file of skills. `digest` stands for its sources; messages of that export carry it. The
     context is the topic on which these come, each `period_ns`.
@@ -150,3 +164,4 @@ class SkillFile:
     classes: Mapping[str, SkillClass]
     properties: Mapping[str, Property]
     skills: Mapping[str, Skill]
+    locations: tuple[Location, ...] = ()

@@ -14,12 +14,12 @@ from typing import Protocol, TypeVar
 from dslkit.source import SourceFile, ending
 from rossmarie.skills.closed import circle_among
 from rossmarie.skills.json_reader import Json, UnreadableJson, parse_json
+from rossmarie.skills.locations import location, place_of
 from rossmarie.skills.model import (
     Child,
     Limit,
     Parameter,
     Permission,
-    Place,
     Property,
     Skill,
     SkillClass,
@@ -110,7 +110,7 @@ def _skills(root: Json) -> SkillFile:
         version.fail(f"is {version.value}, and this program reads version {VERSION}")
     context = root.get("context")
     context.get("type").one_of(MESSAGE_TYPE)
-    classes = _by_name(root.get("classes"), _class)
+    classes, locations = _by_name(root.get("classes"), _class), root.find("locations")
     skills = _by_name(root.get("skills"), _skill)
     _require_no_circle(root.get("skills"), skills, lambda each: each.parents)
     _require_known(root.get("skills"), classes)
@@ -123,6 +123,7 @@ def _skills(root: Json) -> SkillFile:
         classes=classes,
         properties=_by_name(root.get("properties"), _property),
         skills=skills,
+        locations=() if locations is None else locations.each(location),
     )
 
 
@@ -184,7 +185,7 @@ def _source(source: Json) -> Source:
 
 def _class(item: Json) -> SkillClass:
     parents = item.get("parents").each(_class_name)
-    return SkillClass(_class_name(item.get("name")), parents, _place_of(item))
+    return SkillClass(_class_name(item.get("name")), parents, place_of(item))
 
 
 def _property(item: Json) -> Property:
@@ -193,7 +194,7 @@ def _property(item: Json) -> Property:
         type=item.get("type").one_of("float", "int", "bool", "str"),
         of=item.get("of").each(_class_name),
         unit=item.get("unit").optional(Json.text),
-        place=_place_of(item),
+        place=place_of(item),
     )
 
 
@@ -207,14 +208,14 @@ def _skill(item: Json) -> Skill:
         permits=permits,
         uses=item.get("uses").each(_use),
         children=tuple(_children(item.get("trees"))),
-        place=_place_of(item),
+        place=place_of(item),
     )
 
 
 def _use(item: Json) -> Use:
     kind = item.get("kind").one_of(*(each.value for each in UseKind))
     name = _matching(item.get("name"), _TOPIC, "a name such as /cmd_vel")
-    return Use(UseKind(kind), name, item.get("type").optional(Json.text), _place_of(item))
+    return Use(UseKind(kind), name, item.get("type").optional(Json.text), place_of(item))
 
 
 def _children(trees: Json) -> Iterator[Child]:
@@ -224,7 +225,7 @@ def _children(trees: Json) -> Iterator[Child]:
         node, is_retried = waiting.pop()
         skill, control = node.find("skill"), node.find("control")
         if skill is not None:
-            yield Child(_name(skill), _place_of(node), is_retried)
+            yield Child(_name(skill), place_of(node), is_retried)
             continue
         again = is_retried or (control is not None and control.text() in _STARTING_AGAIN)
         waiting += [(each, again) for each in reversed(list(node.get("children").elements()))]
@@ -236,7 +237,7 @@ def _parameter(item: Json) -> Parameter:
         name=_name(item.get("name")),
         type=item.get("type").text(),
         is_needed=not is_optional and not item.get("is_output").truth(),
-        place=_place_of(item),
+        place=place_of(item),
     )
 
 
@@ -245,7 +246,7 @@ def _permission(item: Json, parameters: Mapping[str, Parameter]) -> Permission:
         kind=item.get("kind").one_of("contact", "closeness", "speed", "force"),
         things=item.get("with").each(lambda each: _thing(each, parameters)),
         limit=item.get("limit").optional(_limit),
-        place=_place_of(item),
+        place=place_of(item),
     )
 
 
@@ -259,17 +260,3 @@ def _thing(item: Json, parameters: Mapping[str, Parameter]) -> tuple[str | None,
 
 def _limit(item: Json) -> Limit:
     return Limit(item.get("value").number(), item.get("unit").text(), item.get("si").number())
-
-
-def _place_of(item: Json) -> Place | None:
-    return item.get("place").optional(_place)
-
-
-def _place(item: Json) -> Place:
-    return Place(
-        item.get("path").text(),
-        item.get("line").whole(),
-        item.get("column").whole(),
-        item.get("end_line").whole(),
-        item.get("end_column").whole(),
-    )

@@ -156,10 +156,20 @@ class Builder(TestBuilder):
         documentation = self._documentation(parts)
         return ast.Entity(self.name(parts[1]), conditions, documentation, self._span(parts))
 
+    def motion(self, parts: list[Any]) -> ast.Motion:
+        """`motion NAME { PART; ... }`."""
+        found = tuple(part for part in parts if isinstance(part, ast.Condition))
+        documentation = self._documentation(parts)
+        return ast.Motion(self.name(parts[1]), found, documentation, self._span(parts))
+
     def condition(self, parts: list[Any]) -> ast.Condition:
         """`NAME : EXPRESSION`."""
         documentation = self._documentation(parts)
         return ast.Condition(self.name(parts[0]), parts[2], documentation, self._span(parts))
+
+    def part(self, parts: list[Any]) -> ast.Condition:
+        """`NAME : EXPRESSION`."""
+        return self.condition(parts)
 
     def rule(self, parts: list[Any]) -> ast.Rule:
         """`rule NAME: always if CONDITION while SKILLS unless RULES then { STEP; } CONTRACT`; all
@@ -190,6 +200,7 @@ class Builder(TestBuilder):
             always=always,
             scope=scope,
             exemptions=tuple(part for part in behind if isinstance(part, ast.Exemption)),
+            keeps=next((part for part in behind if isinstance(part, ast.Keeps)), None),
         )
 
     def scope(self, parts: list[Any]) -> Scope:
@@ -210,6 +221,10 @@ class Builder(TestBuilder):
     def unless(self, parts: list[Any]) -> Unless:
         """`unless RULE, RULE`."""
         return Unless(tuple(map(self.name, parts[1::2])), self._span(parts))
+
+    def keeps(self, parts: list[Any]) -> ast.Keeps:
+        """`keeps MOTION below SPEED in CLASS`."""
+        return ast.Keeps(self.name(parts[1]), parts[3], parts[5], self._span(parts))
 
     def category(self, parts: list[Any]) -> Categorized:
         """`category human`."""

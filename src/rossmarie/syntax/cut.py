@@ -25,7 +25,7 @@ from rossmarie.syntax.words import (
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
     {"when", "until", "timeout", "then", "clear", "latched", "unless", "while", "always"}
-    | {"category", "task", "feedback", "mitigates"}
+    | {"keeps", "category", "task", "feedback", "mitigates"}
 )
 _JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
 _LATCH = frozenset({"latched", "until", "reset"})
@@ -104,9 +104,9 @@ class _Cutter:
         return index
 
     def _brace_is_missing(self, first: int, kind: str | None) -> bool:
-        """Say whether an entity or system is written `entity NAME CONDITION : ...`."""
+        """Say whether an entity, motion or system is written `entity NAME CONDITION : ...`."""
         behind = first + 2
-        if kind == "entity":
+        if kind in ("entity", "motion"):
             return self._text(behind) != "{" and self._text(behind + 1) == ":"
         return kind == "system" and self._text(behind) in MEMBER_WORDS
 
@@ -115,6 +115,8 @@ class _Cutter:
         before = self._tokens[index - 1]
         if token.text == "hazard":
             return self._is_word(index + 1) and self._is_kind(index + 2, "text")
+        if token.text == "motion":
+            return self._is_word(index + 1) and self._text(index + 2) == "{"
         if token.text == "always":
             return self._text(index + 1) == "if" and before.text != ":"
         if token.text in CONTEXTUAL_ITEM_WORDS:

@@ -174,7 +174,7 @@ class _Formatter:
             return _Entry(self._lines(start, end, ";", indent), start, end, "inner")
         group = type(node).__name__
         match node:
-            case ast.Entity(conditions=inner) | ast.System(members=inner):
+            case ast.Entity(conditions=inner) | ast.Motion(parts=inner) | ast.System(members=inner):
                 lines = self._braced(node, inner, end, indent)
                 return _Entry(lines, start, end, group, True)
             case ast.Action(body=Span(end=brace_end), effects=effects):
@@ -196,7 +196,7 @@ class _Formatter:
 
     def _braced(
         self,
-        node: ast.Entity | ast.System | ast.Action | ast.Test,
+        node: ast.Entity | ast.Motion | ast.System | ast.Action | ast.Test,
         inner: Sequence[_Statement],
         end: int,
         indent: int,

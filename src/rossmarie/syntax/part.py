@@ -24,6 +24,7 @@ _ITEMS = (
     ast.Input,
     ast.Entity,
     ast.Condition,
+    ast.Motion,
     ast.Rule,
     ast.Skills,
     ast.Test,

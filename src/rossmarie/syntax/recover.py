@@ -39,7 +39,7 @@ def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Ite
         saved = recover_action(part, item, failure)
     elif item.kind == "test":
         saved = recover_test(part, item, failure)
-    elif item.kind == "entity":
+    elif item.kind in ("entity", "motion"):
         saved = _recover_entity(part, item, failure)
     elif item.kind == "system":
         saved = _recover_system(part, item, failure)
@@ -98,20 +98,24 @@ def _report_unquoted(part: PartParser, item: Stretch) -> bool:
     return True
 
 
-# --- entities and systems ------------------------------------------------------------------------
+# --- entities, motions and systems ---------------------------------------------------------------
 
 
-def _recover_entity(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Entity | None:
+def _recover_entity(
+    part: PartParser, item: Stretch, failure: Failure | None
+) -> ast.Entity | ast.Motion | None:
     start = start_of_body(part, item, failure)
     members = _conditions(part, start, item.last)
-    conditions = parse_members(part, members, lambda _: "condition", _broken_condition)
+    inner = "part" if item.kind == "motion" else "condition"
+    conditions = parse_members(part, members, lambda _: inner, _broken_condition)
     check_closed(part, item, start)
     name = name_of(part, item)
     if name is None:
         return None
     span = part.source.span(part.source.tokens[item.first], part.source.tokens[item.last - 1])
     documentation = part.source.documentation.get(span.start)
-    return ast.Entity(name, tuple(conditions), documentation, span)
+    kind = ast.Motion if item.kind == "motion" else ast.Entity
+    return kind(name, tuple(conditions), documentation, span)
 
 
 def _recover_system(part: PartParser, item: Stretch, failure: Failure | None) -> ast.System | None:

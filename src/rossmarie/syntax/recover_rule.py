@@ -16,7 +16,7 @@ from rossmarie.syntax.explain import (
 from rossmarie.syntax.part import PartParser
 from rossmarie.syntax.words import FORMS, RESERVED
 
-_ENDS = ("category", "task", "feedback", "mitigates")
+_ENDS = ("keeps", "category", "task", "feedback", "mitigates")
 _CONTRACT_STARTS = {("clear", "when"), ("clear", "for"), ("latched", "until")}
 
 
@@ -48,6 +48,7 @@ class _Recovery:
         steps = self._steps()
         exemptions = self._exemptions()
         contracts = self._contracts()
+        self._keeps()
         category, task = self._filed("category"), self._filed("task")
         feedback = self._feedback()
         mitigates = self._mitigates()
@@ -231,6 +232,16 @@ class _Recovery:
             if contract is not None:
                 found.append(contract)
         return tuple(found)
+
+    def _keeps(self) -> None:
+        """`keeps MOTION below SPEED in CLASS`: read for what is wrong with it."""
+        if self._text() != "keeps":
+            return
+        first = self._index
+        self._index += 1
+        while self._index < self._last and self._text() not in _ENDS:
+            self._index += 1
+        self._part.parse("keeps", first, self._index)
 
     def _filed(self, word: str) -> ast.Name | None:
         """`category human`, `task dependent`, up to what ends the rule."""

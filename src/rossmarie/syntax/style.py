@@ -56,7 +56,7 @@ class Style:
             case ast.System(members=members):
                 for member in members:
                     self._member(member)
-            case ast.Entity(conditions=conditions):
+            case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
                 for condition in conditions:
                     self._operators(condition.expression)
             case ast.Rule():
@@ -168,6 +168,8 @@ class Style:
         self._steps(rule.steps)
         for exemption in rule.exemptions:
             self._exemption(exemption)
+        if rule.keeps is not None:
+            self.breaks[rule.keeps.span.start] = _PART
         for name in (rule.category, rule.task):
             if name is not None:
                 word = self.index(name.span.start) - 1

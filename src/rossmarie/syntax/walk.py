@@ -79,14 +79,14 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield timeout
         case ast.Condition(expression=expression):
             yield expression
-        case ast.Entity(conditions=conditions):
+        case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
             yield from (condition.expression for condition in conditions)
         case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
             yield condition
             yield from item.scope
             yield from chain.from_iterable(map(_of_exemption, item.exemptions))
-            for contract in contracts:
-                yield from _of_contract(contract)
+            yield from chain.from_iterable(map(_of_contract, contracts))
+            yield from () if item.keeps is None else (item.keeps.speed,)
             yield from (each.amount for each in feedback if isinstance(each, ast.Feedback))
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))

@@ -22,6 +22,7 @@ ITEM_WORDS = {
 CONTEXTUAL_ITEM_WORDS = {
     "priority": "priority",
     "hazard": "hazard",
+    "motion": "motion",
     "test": "test",
     "skills": "skills",
     "always": "rule",
@@ -64,6 +65,7 @@ PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
     | {"names"}
     | {"unless", "category", "task", "feedback", "per", "activation", "margin", "mitigates"}
+    | {"keeps", "below"}
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
     | {"doing", "while", "always"}
@@ -145,6 +147,12 @@ FORMS = {
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
+    "motion": "a motion is written "
+    "`motion NAME { position : INPUT; speed : INPUT; brake : 0.6 m/s^2; "
+    "acceleration : 0.5 m/s^2; fastest : 1.5 m/s; latency : 0.2 sec; }`",
+    "part": "a part of a motion is written `NAME : EXPRESSION;`",
+    "keeps": "what a rule keeps is written behind its contract: "
+    "`keeps MOTION below 0.3 m/s in CLASS`",
     "category": "the category of a rule is written behind its contract: "
     "`category operation`, `category human` or `category environment`",
     "task": "the task of a rule is written behind its category: "

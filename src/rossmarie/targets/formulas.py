@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.core import Function, Sampling, defined, parameters, row, sampling_row
+from rossmarie.core import AnyFunction, Function, Sampling, defined, parameters, row, sampling_row
 from rossmarie.core.expressions import (
     Applied,
     Chosen,
@@ -127,7 +127,7 @@ class Definition:
         return f"{self.name}({', '.join(operands)})"
 
 
-def definition_of(function: Function, count: int) -> Definition:
+def definition_of(function: AnyFunction, count: int) -> Definition:
     """A function of `count` numbers."""
     declared, names = row(function), parameters(count)
     number = "" if declared.most is not None else f"_{count}"

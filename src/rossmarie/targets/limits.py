@@ -104,8 +104,7 @@ def _between(low: float, high: float) -> list[Limit]:
 
 
 def _flag(machine: ir.Machine, signal: int) -> list[Limit]:
-    """A flag that arrives is 0 or 1; any other number is true unless it is 0."""
-    node = machine.signals[signal].node
-    if isinstance(node, ir.Read) and machine.slots[node.slot].kind is ir.Kind.FLAG:
+    """A flag is 0 or 1; any other number is true unless it is 0."""
+    if ir.kind_of(machine, signal) is ir.Kind.FLAG:
         return [Limit(0.5, True)]
     return _compared(Comparison.NOT_EQUAL, 0.0)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
@@ -19,7 +19,11 @@ from rossmarie.testing.goals import visible_step
 from rossmarie.testing.skills import told_by_skills
 from rossmarie.testing.solve import Ramp, Values, Variable, World
 
-_ANGLES = {ir.Function.ROLL: "roll", ir.Function.PITCH: "pitch", ir.Function.YAW: "yaw"}
+_ANGLES: Mapping[ir.AnyFunction, str] = {
+    ir.Function.ROLL: "roll",
+    ir.Function.PITCH: "pitch",
+    ir.Function.YAW: "yaw",
+}
 _SECOND = 1_000_000_000
 _USUAL_BEAT_NS = _SECOND // 10
 

@@ -32,6 +32,7 @@ from rossmarie.ir.carried import raw_of
 from rossmarie.ir.path import extent
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.ir.skills import RunningSkill, SkillContext, answer
+from rossmarie.testing.frames import asked_frames
 from rossmarie.testing.orientation import UPRIGHT, with_angle
 
 _Field = tuple[str, Path]
@@ -82,6 +83,7 @@ class _Sender:
     running: dict[str, tuple[RunningSkill, ...]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        self._frames = asked_frames(self.machine)
         self._lists = [(self._topic(each.input), each.path) for each in self.machine.lists]
 
     def messages(self, arrivals: list[ScriptedArrival]) -> dict[int, ChannelValues]:
@@ -202,7 +204,8 @@ class _Sender:
         value = self._value(self._topic(source.input), path)
         match source.kind:
             case Kind.TEXT:
-                text = "" if value is _UNSET else value
+                usual = self._frames.get((self._topic(source.input), path), "")
+                text = usual if value is _UNSET else value
                 texts = self.machine.texts
                 return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0
             case Kind.FLAG | Kind.REAL if value is _UNSET:

@@ -12,6 +12,7 @@ from rossmarie.analysis.witness import Witness, other_text, views
 from rossmarie.interpreter import arithmetic
 from rossmarie.ir.carried import holds_flags
 from rossmarie.ir.script import Script, ScriptedArrival, Setting, SettingValue
+from rossmarie.testing.frames import asked_frames
 from rossmarie.testing.goals import edges
 from rossmarie.testing.orientation import ANGLES, UPRIGHT
 from rossmarie.testing.run import expectations_of
@@ -60,6 +61,10 @@ class _Teller:
     machine: ir.Machine
     is_plain: bool
     last: dict[tuple[str, ir.Path, str | None], SettingValue] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        frames = asked_frames(self.machine)
+        self.last |= {(topic, path, None): text for (topic, path), text in frames.items()}
 
     def events(self, witness: Witness) -> list[ScriptedArrival]:
         """All messages, in their order; those without news as repetitions."""

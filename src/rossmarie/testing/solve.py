@@ -26,7 +26,16 @@ from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.solver import check
 from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
-from rossmarie.core import Function, Sampling, defined, rounds, row, sampling_row
+from rossmarie.core import (
+    AnyFunction,
+    Function,
+    RegionFunction,
+    Sampling,
+    defined,
+    rounds,
+    row,
+    sampling_row,
+)
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir.path import extent
 from rossmarie.testing.goals import Edge, edges, signals_of
@@ -193,10 +202,11 @@ class World:
                 return self._applied(index, function, operands, part)
 
     def _applied(
-        self, index: int, function: Function, operands: tuple[int, ...], part: int | None
+        self, index: int, function: AnyFunction, operands: tuple[int, ...], part: int | None
     ) -> z3.ArithRef:
         declared = row(function)
-        if self.is_free and rounds(function, len(operands)):
+        is_any = isinstance(function, RegionFunction) and declared.bounds is not None
+        if is_any or (self.is_free and rounds(function, len(operands))):
             return self._real(Variable("free number", index))
         if function in _ANGLES:
             low, high = (math.trunc(10 * end) / 10 for end in declared.range)
@@ -205,10 +215,12 @@ class World:
             return angle
         values = [self.signal(operand, part) for operand in operands]
         expression = defined(function, len(operands))
-        if declared.easy is not None:  # along its first operand: the others are zero
-            self._side += [value == 0 for value in values[1:]]
-            expression = declared.easy(Operand(0))
-        return Formulas(values, self._operate).term(expression)
+        formulas = Formulas(values, self._operate)
+        if declared.easy is not None:
+            case, *_ = declared.easy(tuple(map(Operand, range(len(operands)))))
+            self._side += map(formulas.condition, case.conditions)
+            expression = case.value
+        return formulas.term(expression)
 
     def _operate(self, primitive: Primitive, values: Sequence[z3.ArithRef]) -> z3.ArithRef:
         if primitive is Primitive.DIVIDE:

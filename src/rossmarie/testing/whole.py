@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from rossmarie import ir
-from rossmarie.core import Function, View, defined, sampling_row
+from rossmarie.core import AnyFunction, View, defined, sampling_row
 from rossmarie.core.expressions import (
     Applied,
     Chosen,
@@ -52,7 +52,7 @@ def _step_of(source: ir.Slot | ir.Array) -> float | None:
     return None if source.limits is None else abs(source.scale)
 
 
-def _applied(machine: ir.Machine, function: Function, operands: tuple[int, ...]) -> float | None:
+def _applied(machine: ir.Machine, function: AnyFunction, operands: tuple[int, ...]) -> float | None:
     nodes = [machine.signals[operand].node for operand in operands]
     constants = [each.value if isinstance(each, ir.Constant) else None for each in nodes]
     steps = [whole_step(machine, operand) for operand in operands]

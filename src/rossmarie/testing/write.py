@@ -68,7 +68,9 @@ def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator
 
 
 def _field(setting: Setting, bases: Bases) -> str:
-    steps = setting.path[len(bases[setting.input]) :]
+    base = bases[setting.input]
+    is_header = setting.path[:1] == ("header",) and base[:1] not in ((), ("header",))
+    steps = setting.path if is_header else setting.path[len(base) :]
     text = f"{setting.input}{ir.path_text(steps)}"
     return text if setting.angle is None else f"{text}.{setting.angle}"
 

@@ -11,22 +11,25 @@ from rossmarie.types.model import (
     Interval,
     List,
     Message,
+    Motion,
     Point,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
     Unsupported,
     Vector,
 )
-from rossmarie.types.operators import SIGNATURES, Fault, Operator, Outcome, apply, unit_faults
+from rossmarie.types.operators import SIGNATURES, Operator, apply
 from rossmarie.types.ros_messages import (
     Leaf,
     MessageCatalog,
     message_value,
     std_msgs_data,
 )
+from rossmarie.types.rules import Fault, Outcome, faults_of_position, unit_faults
 
 __all__ = [
     "AXES",
@@ -44,17 +47,20 @@ __all__ = [
     "Message",
     "MessageCatalog",
     "MessageDefinitionError",
+    "Motion",
     "Operator",
     "Outcome",
     "Point",
     "Quantity",
     "Quaternion",
+    "Region",
     "Text",
     "Type",
     "Unknown",
     "Unsupported",
     "Vector",
     "apply",
+    "faults_of_position",
     "message_value",
     "std_msgs_data",
     "unit_faults",

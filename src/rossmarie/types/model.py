@@ -98,6 +98,24 @@ class Box:
 
 
 @dataclass(frozen=True)
+class Region:
+    """All locations of a class of things, in the x-y plane of a frame. `has_area` tells that there
+    are polygons among them, and not just points.
+    """
+
+    owl_class: str
+    frame: str
+    has_area: bool
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A motion of the robot, by its name: where it is, how fast, and how it brakes."""
+
+    name: str
+
+
+@dataclass(frozen=True)
 class Message:
     """A ROS message, `sensor_msgs/Imu`, with the types of its fields (and constants left out).
     `names` is the field with the names of the elements of its arrays, if it has one.
@@ -140,6 +158,8 @@ Type = (
     | List
     | Interval
     | Box
+    | Region
+    | Motion
     | Message
     | Entry
     | Unsupported

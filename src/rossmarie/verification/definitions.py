@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from functools import reduce
 
-from rossmarie.core import Function, View, may_be_infinite, sampling_row
+from rossmarie.core import AnyFunction, View, may_be_infinite, sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.verification import elements, formulas, supports
 from rossmarie.verification.basics import CONSTANTS, HELPERS
@@ -333,7 +333,7 @@ def converted(raw: str, scale: float, offset: float) -> str:
     return raw if is_plain else f"(({raw} * {literal(scale)}) + {literal(offset)})"
 
 
-def applied(function: Function, operands: Sequence[str]) -> str:
+def applied(function: AnyFunction, operands: Sequence[str]) -> str:
     """S3 to S6: a function of numbers, unknown if the result is not finite."""
     return f"spec_finite({formulas.name(function, len(operands))}({', '.join(operands)}))"
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from rossmarie.core import Function, Sampling, defined, parameters, row, sampling_row
+from rossmarie.core import AnyFunction, Sampling, defined, parameters, row, sampling_row
 from rossmarie.core.expressions import (
     Applied,
     Chosen,
@@ -30,19 +30,19 @@ from rossmarie.core.expressions import (
 )
 
 
-def name(function: Function, count: int) -> str:
+def name(function: AnyFunction, count: int) -> str:
     """The C function that means a function of `count` operands."""
     return f"spec_{function.value}_{count}"
 
 
-def definition(function: Function, count: int) -> str:
+def definition(function: AnyFunction, count: int) -> str:
     """The definition in C of a function of `count` operands, before S4."""
     names = parameters(count)
     remark = f"{row(function).rule}: {row(function).worded(names)}"
     return _definition(name(function, count), names, defined(function, count), remark)
 
 
-def subfunctions(applied: Iterable[tuple[Function, int]]) -> tuple[Subfunction, ...]:
+def subfunctions(applied: Iterable[tuple[AnyFunction, int]]) -> tuple[Subfunction, ...]:
     """The functions that functions of so many operands apply, each after those that it applies."""
     return tuple(dict.fromkeys(each for one in applied for each in subfunctions_of(defined(*one))))
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 
 from rossmarie.core import (
-    Function,
+    AnyFunction,
     Sampling,
     View,
     defined,
@@ -29,7 +29,7 @@ from rossmarie.verification.supports import samplings
 _NOTHING = "nothing is known of what is not"
 
 
-def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[Function, int], ...]:
+def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[AnyFunction, int], ...]:
     """The functions with roots and angles: their values matter to no question but their own."""
     applied = {
         (node.function, len(node.operands)): None
@@ -39,12 +39,12 @@ def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[Function, int], 
     return tuple(applied)
 
 
-def name(function: Function, count: int) -> str:
+def name(function: AnyFunction, count: int) -> str:
     """The C function of a function."""
     return function_of(function, count)
 
 
-def _is_possible(function: Function, count: int) -> str:
+def _is_possible(function: AnyFunction, count: int) -> str:
     """The facts that are known of a result: of an unknown function there are none, and some results
     are never infinite.
     """
@@ -57,7 +57,7 @@ def _known(names: Iterable[str]) -> str:
     return " && ".join(f"!isnan({each})" for each in names)
 
 
-def contract(function: Function, count: int) -> str:
+def contract(function: AnyFunction, count: int) -> str:
     """The contract of a function where it does not matter which number it gives."""
     names = parameters(count)
     head = ", ".join(f"double {each}" for each in names)
@@ -69,7 +69,7 @@ def contract(function: Function, count: int) -> str:
     )
 
 
-def kept(function: Function, count: int) -> str:
+def kept(function: AnyFunction, count: int) -> str:
     """That a function keeps its contract."""
     names = parameters(count)
     lines = [f"const double {each} = nondet_double();" for each in names]
@@ -86,7 +86,7 @@ class Subfunctions:
     function that tells nothing of what is not known, and nothing infinite.
     """
 
-    def __init__(self, functions: Iterable[tuple[Function, int]]) -> None:
+    def __init__(self, functions: Iterable[tuple[AnyFunction, int]]) -> None:
         applied = (each for function in functions for each in applied_in(defined(*function)))
         self._functions = tuple(dict.fromkeys(applied))
 

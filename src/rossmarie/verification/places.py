@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rossmarie.core import Function, Sampling
+from rossmarie.core import AnyFunction, Sampling
 from rossmarie.core.expressions import Subfunction
 from rossmarie.ir import model as ir
 from rossmarie.targets import formulas
@@ -100,7 +100,7 @@ def name_of(machine: ir.Machine) -> str:
     return generated.lay_out(machine).name
 
 
-def function_of(function: Function, count: int) -> str:
+def function_of(function: AnyFunction, count: int) -> str:
     """The C function that computes a function of numbers."""
     return formulas.definition_of(function, count).name
 

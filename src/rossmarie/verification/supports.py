@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rossmarie.core import Function, Sampling, sampling_row
+from rossmarie.core import AnyFunction, Sampling, sampling_row
 from rossmarie.ir import model as ir
 
 Node = ir.SignalNode | ir.TruthNode
@@ -288,9 +288,9 @@ def is_leaf(node: ir.TruthNode) -> bool:
 # --- functions -------------------------------------------------------------------------------
 
 
-def functions(machine: ir.Machine) -> tuple[tuple[Function, int], ...]:
+def functions(machine: ir.Machine) -> tuple[tuple[AnyFunction, int], ...]:
     """The functions that signals apply, each with how many operands."""
-    found: dict[tuple[Function, int], None] = {}
+    found: dict[tuple[AnyFunction, int], None] = {}
     for signal in machine.signals:
         match signal.node:
             case ir.Apply(function=function, operands=operands):

@@ -58,6 +58,23 @@ rule contact: if force > 5 N then { halt; }
 """
 
 
+CORRIDOR = """
+@prefix geo: <http://www.opengis.net/ont/geosparql#> .
+skiros:Location-90 a skiros:Location ; rdfs:label "corridor" ; skiros:BaseFrameId "map" ;
+    geo:asWKT "POLYGON ((0 0, 9 0, 9 2, 0 2, 0 0))" .
+"""
+"""A place with a shape, which SkiROS2 reads beside the rest of the scene and has no word for."""
+
+
+FRAMES = """
+@prefix owl: <http://www.w3.org/2002/07/owl#> .
+@prefix skiros: <http://rvmi.aau.dk/ontologies/skiros.owl#> .
+<http://example.org/frames> a owl:Ontology .
+skiros:BaseFrameId a owl:DatatypeProperty .
+"""
+"""What the ontology of SkiROS2 has, and that of the example leaves out."""
+
+
 @pytest.fixture(scope="module")
 def robot(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a robot: its ontology and scene, its skills, their export, and its rules."""
@@ -66,7 +83,9 @@ def robot(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def made(folder: Path) -> Path:
     shutil.copytree(HALL, folder / "ontology")
-    shutil.copy(HALL.parent / "lab.turtle", folder)
+    (folder / "ontology" / "frames.ttl").write_text(FRAMES, encoding="utf-8")
+    scene = (HALL.parent / "lab.turtle").read_text(encoding="utf-8")
+    (folder / "lab.turtle").write_text(scene + CORRIDOR, encoding="utf-8")
     library = folder / "pushing_skills"
     library.mkdir()
     (library / "__init__.py").write_text("")
@@ -74,7 +93,8 @@ def made(folder: Path) -> Path:
     (folder / "pushing.ross").write_text(RULES)
     host = 'from ezskiros.hosts.skiros2 import host\n\nhost(__name__, context="../skills.json")\n'
     (library / "__init__.py").write_text(host)
-    command = ("export", "pushing_skills", "-o", "skills.json")
+    exported = ("pushing_skills", "lab.turtle", "--ontology", "ontology")
+    command = ("export", *exported, "-o", "skills.json")
     done = command_line.run("ezskiros", *command, folder=folder)
     assert done.returncode == 0, done.stdout + done.stderr
     files, found = owl_files(load(folder / "ontology", relations=False))

@@ -1,7 +1,6 @@
 """The functions of numbers: what their rows say besides their expressions is true of these."""
 
 import math
-from collections.abc import Callable, Mapping
 from fractions import Fraction
 
 import pytest
@@ -22,18 +21,14 @@ from rossmarie.core.expressions import (
     Applied,
     Chosen,
     Computed,
-    Condition,
-    Either,
     Expression,
-    IsEqual,
-    IsLess,
-    IsUnknown,
     Local,
     Number,
     Operand,
     Primitive,
 )
 from rossmarie.interpreter import arithmetic
+from support.exact_expressions import holds, value
 
 NUMBERS = st.floats(allow_nan=True, allow_infinity=True)
 MODERATE = st.floats(min_value=-1e100, max_value=1e100, allow_nan=False)
@@ -114,12 +109,14 @@ def test_bounds_hold_in_real_numbers(application: tuple[Function, list[float]]) 
 
 @given(st.sampled_from([each for each in Function if row(each).easy]), MODERATE)
 def test_what_is_easy_is_the_function_along_one_operand(function: Function, x: float) -> None:
-    easy = row(function).easy
+    easy, count = row(function).easy, count_of(function)
     assert easy is not None
-    operands = (x, *[0.0] * (count_of(function) - 1))
-    expected = value(easy(Operand(0)), [Fraction(x)])
-    found = arithmetic.apply(function, operands)
-    assert found == pytest.approx(float(expected), rel=1e-12, abs=1e-150)
+    for place, case in enumerate(easy(tuple(map(Operand, range(count))))):
+        operands = tuple(x if n == place else 0.0 for n in range(count))
+        numbers = [*map(Fraction, operands)]
+        assert all(holds(condition, numbers) for condition in case.conditions)
+        found = arithmetic.apply(function, operands)
+        assert found == pytest.approx(float(value(case.value, numbers)), rel=1e-12, abs=1e-150)
 
 
 @pytest.mark.parametrize("function", Function)
@@ -151,42 +148,3 @@ def operations_in(expression: Expression) -> list[Primitive]:
         case Applied(function=function, operands=operands):
             below = [each for operand in operands for each in operations_in(operand)]
             return [*operations_in(function.expression), *below]
-
-
-def value(expression: Expression, operands: list[Fraction]) -> Fraction:
-    """An expression in exact numbers."""
-    match expression:
-        case Number(value=number):
-            return Fraction(number)
-        case Operand(index=index):
-            return operands[index]
-        case Local(value=inner):
-            return value(inner, operands)
-        case Chosen(condition=condition, then=then, otherwise=otherwise):
-            return value(then if holds(condition, operands) else otherwise, operands)
-        case Computed(primitive=primitive, operands=parts):
-            return EXACT[primitive](*(value(part, operands) for part in parts))
-        case Applied(function=function, operands=parts):
-            return value(function.expression, [value(part, operands) for part in parts])
-
-
-EXACT: Mapping[Primitive, Callable[..., Fraction]] = {
-    Primitive.ADD: lambda a, b: a + b,
-    Primitive.SUBTRACT: lambda a, b: a - b,
-    Primitive.MULTIPLY: lambda a, b: a * b,
-    Primitive.NEGATE: lambda a: -a,
-    Primitive.ABSOLUTE: abs,
-}
-
-
-def holds(condition: Condition, operands: list[Fraction]) -> bool:
-    """A condition on exact numbers."""
-    match condition:
-        case IsLess(left=left, right=right):
-            return value(left, operands) < value(right, operands)
-        case IsEqual(left=left, right=right):
-            return value(left, operands) == value(right, operands)
-        case IsUnknown():
-            return False
-        case Either(left=one, right=other):
-            return holds(one, operands) or holds(other, operands)

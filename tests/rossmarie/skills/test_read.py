@@ -113,7 +113,7 @@ def twice(key: str) -> Change:
             put("skills", 0, "name", value="Push"),
             "`skills[2].name` is `Push`, which stands in the list before",
         ),
-        (twice("classes"), "`classes[8].name` is `sumo.Object`, which stands in the list before"),
+        (twice("classes"), "`classes[14].name` is `sumo.Object`, which stands in the list before"),
         (
             twice("properties"),
             "`properties[3].name` is `skiros.Weight`, which stands in the list before",

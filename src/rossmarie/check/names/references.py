@@ -20,13 +20,14 @@ from rossmarie.check.names.errors import (
 )
 from rossmarie.check.names.fields import select
 from rossmarie.check.names.message_constants import names_a_message, type_of_message_constant
+from rossmarie.check.names.regions import type_of_class
 from rossmarie.check.scopes.context import Context
-from rossmarie.check.scopes.declarations import ARTICLES, kind_of
+from rossmarie.check.scopes.declarations import ARTICLES, Named, kind_of
 from rossmarie.check.scopes.trees import text_of
 from rossmarie.check.units.spaced_units import is_rest_of_unit
 from rossmarie.check.wording.suggestions import near_name, rename, suggesting
 from rossmarie.syntax import ast
-from rossmarie.types import Boolean, List, Type, Unknown
+from rossmarie.types import Boolean, List, Motion, Type, Unknown
 
 
 def type_of_reference(node: ast.Reference, context: Context) -> Type:
@@ -43,6 +44,8 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
     if own is not None and not hides and _has_condition(own, name.text, context):
         _use_condition(own, name, context)
         return Boolean()
+    if declared is None and (region := type_of_class(node, context)) is not None:
+        return region
     if declared is None:
         if context.declarations.is_whole and not is_rest_of_unit(node, context):
             _report_undeclared(node, context)
@@ -57,8 +60,18 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         context.uses.inputs.add(name.text)
         found = context.inputs.get(name.text)
         return Unknown() if found is None else found.type
-    _report_wrong_kind(name, declared, "a value", context)
+    if isinstance(declared, ast.Motion):
+        return _motion_of(name.text, context)
+    report_wrong_kind(name, declared, "a value", context)
     return Unknown()
+
+
+def _motion_of(name: str, context: Context) -> Type:
+    found = context.motions.get(name)
+    if found is None:
+        return Unknown()
+    context.uses.inputs.update(found.inputs)
+    return Motion(name)
 
 
 def type_of_member(node: ast.Member, context: Context) -> Type:
@@ -73,7 +86,9 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
         return _condition_of(name.text, node.member, context)
     if declared is not None:
         context.used_names.add(name.text)
-        _report_wrong_kind(name, declared, "an entity or an input", context)
+        report_wrong_kind(name, declared, "an entity or an input", context)
+    elif (region := type_of_class(node, context)) is not None:
+        return region
     elif names_a_message(name.text, context):
         return type_of_message_constant(node, name, context)
     elif context.declarations.is_whole:
@@ -113,7 +128,7 @@ def use_action(name: ast.Name, context: Context) -> None:
     if isinstance(declared, ast.Action):
         context.used_names.add(name.text)
     elif declared is not None:
-        _report_wrong_kind(name, declared, "an action", context)
+        report_wrong_kind(name, declared, "an action", context)
     elif context.declarations.is_whole:
         _report_undeclared_action(name, context)
 
@@ -240,12 +255,13 @@ def _report_undeclared_action(name: ast.Name, context: Context) -> None:
     context.collector.add(suggesting(finding, name, near, place))
 
 
-def _report_wrong_kind(
+def report_wrong_kind(
     name: ast.Name,
-    declared: ast.Action | ast.Constant | ast.Input | ast.Entity,
+    declared: Named,
     expected: str,
     context: Context,
 ) -> None:
+    """Report a name that stands for something else than what is needed."""
     finding = WrongKindOfName(
         identifier=name.text, found=ARTICLES[kind_of(declared)], expected=expected
     )

@@ -16,6 +16,7 @@ _REASONS: Mapping[str, str] = {
     "input": "no condition reads it",
     "action": "no rule starts it",
     "entity": "no rule rests on it",
+    "motion": "no rule rests on it",
     "condition": "no rule rests on it",
 }
 

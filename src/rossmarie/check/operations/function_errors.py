@@ -133,6 +133,16 @@ class ChangedMisused(Error, code="ROSS236", name="changed-misused"):
         text: str
 
 
+class UnfitMotionPart(Error, code="ROSS265", name="unfit-motion-part"):
+    """A part of a motion, or a speed to keep, that is not what it has to be."""
+
+    title = "{part} has to be {expected}"
+    label = "this is {found}"
+    part: str
+    expected: str
+    found: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownFunction,
     WrongArgumentCount,
@@ -143,4 +153,5 @@ ALL: tuple[type[Template], ...] = (
     EdgesMisused,
     EdgeCount,
     ChangedMisused,
+    UnfitMotionPart,
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
+from rossmarie.check.names.regions import check_frame
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
@@ -26,6 +27,7 @@ from rossmarie.check.operations.operands import (
     scalar_operand,
 )
 from rossmarie.check.operations.operators import applied
+from rossmarie.check.operations.stopping import wanted_speed
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped, text_of
 from rossmarie.check.units.quantities import check_fit
@@ -39,9 +41,11 @@ from rossmarie.types import (
     Fault,
     List,
     Message,
+    Motion,
     Operator,
     Quantity,
     Quaternion,
+    Region,
     Type,
     Unknown,
     Vector,
@@ -64,6 +68,7 @@ USAGES: Mapping[Operator, str] = {
     Operator.PITCH: "orientation.pitch()",
     Operator.YAW: "orientation.yaw()",
     Operator.DISTANCE: "distance(a, b)",
+    Operator.STOPPING: "stopping(motion, 0.3 m/s)",
     Operator.RATE: "rate(x)",
     Operator.PREVIOUS: "previous(x)",
     Operator.MEDIAN: "median(x, 0.2 sec)",
@@ -80,7 +85,8 @@ _NEEDS: Mapping[Operator, str] = {
     Operator.ROLL: "an orientation",
     Operator.PITCH: "an orientation",
     Operator.YAW: "an orientation",
-    Operator.DISTANCE: "two vectors",
+    Operator.DISTANCE: "two vectors, or a position and a class of things",
+    Operator.STOPPING: "a motion",
 }
 _FIELDS: Mapping[Operator, type[object]] = {
     Operator.NORM: Vector,
@@ -148,6 +154,8 @@ def _check_count(node: ast.Call, operator: Operator, context: Context) -> bool:
     expected = {0: "no argument here", 1: "one argument"}.get(least, f"{least} arguments")
     if signature.most is None:
         expected = "at least one argument"
+    elif signature.most > signature.least:
+        expected = f"{least} or {signature.most - before_dot} arguments"
     finding = WrongArgumentCount(
         function=operator.value,
         expected=expected,
@@ -224,10 +232,17 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
     if operator in _NEEDS:
         outcome = apply(operator, *types)
         if Fault.OPERANDS in outcome.faults:
-            for argument, type_ in zip(node.arguments, types, strict=True):
+            # If a class is named, it is the position that does not fit.
+            is_of_region = any(isinstance(type_, Region) for type_ in types)
+            asked = list(zip(node.arguments, types, strict=True))[: 1 if is_of_region else None]
+            for argument, type_ in asked:
                 if apply(operator, *[type_ for _ in types]).faults:
                     _report_argument(node, argument, _NEEDS[operator], context)
             return outcome.type
+        if operator is Operator.STOPPING:
+            return _stopping(node, outcome.type, context)
+        if operator is Operator.DISTANCE and isinstance(types[1], Region):
+            return outcome.type if check_frame(node.arguments[0], context) else Unknown()
     elif operator is not Operator.ABS:
         arrays = [
             argument
@@ -239,6 +254,15 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
         if arrays:
             return Unknown()
     return applied(operator, node.arguments, context)
+
+
+def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:
+    """The type of the way on which a motion stops; of `Unknown` the motion is reported already."""
+    motion = context.type_of(node.arguments[0])
+    if not isinstance(motion, Motion) or len(node.arguments) == 1:
+        return type_
+    speed = wanted_speed(node.arguments[1], context.motions[motion.name], context)
+    return Unknown() if speed is None else type_
 
 
 def _report_argument(

@@ -15,8 +15,10 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Motion,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -37,7 +39,7 @@ def element_of(owner: Type, index: int | str) -> Type | None:
             return Entry(owner)
         case (
             Boolean() | Text() | Quantity() | Vector() | Quaternion() | Interval() | Box()
-            | Message() | List() | Entry() | Unsupported() | Unknown()
+            | Region() | Motion() | Message() | List() | Entry() | Unsupported() | Unknown()
         ):  # fmt: skip
             return None
 

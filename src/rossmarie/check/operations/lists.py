@@ -173,7 +173,7 @@ def _others(
     pending = [fold.body]
     while pending:
         node = pending.pop()
-        if node in context.values:
+        if node in context.values or node in context.regions:
             continue
         other = _other(node, fold, context)
         if other is None:

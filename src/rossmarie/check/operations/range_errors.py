@@ -40,13 +40,18 @@ class RangeMismatch(Error, code="ROSS213", name="range-mismatch"):
 
     title = "{value} cannot be in {container}"
     label = "this is {container}"
-    note = "an interval holds numbers; a box holds vectors"
+    note = "an interval holds numbers, a box vectors, and the places of a class positions in m"
     value: str
     container: str
 
     class Value(Remark):
         says = "this is {value}"
         value: str
+
+    class OfPoints(Remark):
+        says = "nothing is in a point; ask `distance({value}, {container}) < 1 m`"
+        value: str
+        container: str
 
     class Position(Remark):
         says = "write a position before `in`, or an interval, `[low, high]`, after it"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Edit, Fix, Label, Write
+from dslkit.diagnostics import Edit, Fix, Label, Remark, Write
 from rossmarie.check.model import Value
+from rossmarie.check.names.regions import check_frame
 from rossmarie.check.operations.constants import record
 from rossmarie.check.operations.operands import (
     report_not_a_number,
@@ -33,6 +34,7 @@ from rossmarie.types import (
     Interval,
     Operator,
     Quantity,
+    Region,
     Text,
     Type,
     Unknown,
@@ -132,7 +134,9 @@ def type_of_membership(node: ast.Membership, context: Context) -> Type:
         _report_unfit(node, value, container, context)
     if Fault.UNITS in outcome.faults or Fault.UNSTATED_UNIT in outcome.faults:
         check_fit_of(node.value, node.container, "compared", context)
-    if not outcome.faults:
+    if not outcome.faults and isinstance(container, Region):
+        check_frame(node.value, context)
+    elif not outcome.faults:
         check_ratio(node.value, node.container, context)
     return outcome.type
 
@@ -143,8 +147,15 @@ def _report_unfit(node: ast.Membership, value: Type, container: Type, context: C
         return
     finding = RangeMismatch(value=describe(value), container=describe(container))
     place = finding.Value(value=describe(value)).at(node.value.span)
-    help = finding.Position() if isinstance(container, Box) else finding.Range()
+    help = _help_with(node, container, finding)
     context.collector.add(finding.at(node.container.span, place, help=help))
+
+
+def _help_with(node: ast.Membership, container: Type, finding: RangeMismatch) -> Remark:
+    if isinstance(container, Region) and not container.has_area:
+        sides = (text_of(node.value), text_of(node.container))
+        return finding.OfPoints(value=sides[0], container=sides[1])
+    return finding.Position() if isinstance(container, Box | Region) else finding.Range()
 
 
 def _report_scalar(node: ast.Membership, scalar: Type, context: Context) -> None:

@@ -101,6 +101,7 @@ def _reduced(
         ),
         feedback=tuple(program.feedback[number] for number in kept),
         categories=tuple(program.categories[number] for number in kept),
+        keeps=tuple(program.keeps[number] for number in kept),
         left_out=left_out,
         tests=(),
     )

@@ -12,6 +12,7 @@ from dslkit.source import Span
 from rossmarie.check.model import (
     CheckedDoing,
     CheckedInput,
+    CheckedMotion,
     CheckedSkills,
     ConditionKey,
     Value,
@@ -19,6 +20,7 @@ from rossmarie.check.model import (
 from rossmarie.check.scopes.declarations import Declarations
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.check.wording.suggestions import Suggestions, near_name, suggesting
+from rossmarie.core import Region
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import walk
@@ -42,8 +44,9 @@ class Context:
 
     `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
     of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
-    what each question to the skills asks. `entity` and `uses`
-    belong to what is being checked at the moment.
+    what each question to the skills asks, `regions` the places of each class that is named,
+    `motions` the motions that are right. `entity` and `uses` belong to what is being checked at
+    the moment.
     """
 
     collector: Collector
@@ -61,6 +64,8 @@ class Context:
     skills: CheckedSkills | None = None
     names_skills: bool = False
     doing: NodeMap[CheckedDoing] = field(default_factory=NodeMap)
+    regions: NodeMap[Region] = field(default_factory=NodeMap)
+    motions: dict[str, CheckedMotion] = field(default_factory=dict)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
 

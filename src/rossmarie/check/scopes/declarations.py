@@ -14,19 +14,21 @@ from rossmarie.check.scopes.exemptions import with_exemptions
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import expressions
 
-Named = ast.Action | ast.Constant | ast.Input | ast.Entity
+Named = ast.Action | ast.Constant | ast.Input | ast.Entity | ast.Motion
 
 KINDS: Mapping[type[object], str] = {
     ast.Action: "action",
     ast.Constant: "constant",
     ast.Input: "input",
     ast.Entity: "entity",
+    ast.Motion: "motion",
 }
 ARTICLES: Mapping[str, str] = {
     "action": "an action",
     "constant": "a constant",
     "input": "an input",
     "entity": "an entity",
+    "motion": "a motion",
 }
 
 
@@ -37,10 +39,11 @@ def kind_of(item: Named) -> str:
 
 @dataclass(frozen=True)
 class Declarations:
-    """The declarations. `names` is the one namespace of constants, inputs, entities and actions;
-    `conditions` are those of each entity. `items` holds every item, also second declarations;
-    `rules` are all rules, imported files first, each before those that its exemptions stand for.
-    `is_whole` is False if a file could not be read: what is not declared here may be there.
+    """The declarations. `names` is the one namespace of constants, inputs, entities, motions and
+    actions; `conditions` are those of each entity. `items` holds every item, also second
+    declarations; `rules` are all rules, imported files first, each before those that its
+    exemptions stand for. `is_whole` is False if a file could not be read: what is not declared here
+    may be there.
     """
 
     items: tuple[ast.Item, ...]
@@ -102,7 +105,7 @@ def _report_second(item: Named, first: Named, collector: Collector) -> None:
         identifier=item.name.text,
         kind=kind_of(item),
         other=ARTICLES[kind_of(first)],
-        reason="constants, inputs, entities and actions share one set of names",
+        reason="constants, inputs, entities, motions and actions share one set of names",
     )
     collector.add(finding.at(item.name.span, finding.First().at(first.name.span)))
 

@@ -58,6 +58,7 @@ def _made(
         span=exemption.span,
         always=None,
         exemptions=(),
+        keeps=None,
         made_from=exemption,
     )
 

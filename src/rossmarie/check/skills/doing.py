@@ -19,7 +19,7 @@ from rossmarie.check.skills.errors import (
     UnknownSkillParameter,
 )
 from rossmarie.check.wording.suggestions import near_name, suggesting
-from rossmarie.skills import Parameter, Place, Skill
+from rossmarie.skills import Parameter, Place, Skill, among
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Type, Unknown
 
@@ -65,7 +65,9 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
     )
 
 
-def known_skills(node: ast.Doing | ast.SkillNumber, context: Context) -> CheckedSkills | None:
+def known_skills(
+    node: ast.Doing | ast.SkillNumber | ast.Keeps, context: Context
+) -> CheckedSkills | None:
     """The file of skills; None, after reporting if it is named nowhere."""
     if context.skills is None and not context.names_skills and context.declarations.is_whole:
         context.collector.add(NoSkills().at(node.span))
@@ -176,12 +178,6 @@ def find_class(name: ast.Name, skills: CheckedSkills, context: Context) -> str |
         places = {full.rpartition(".")[2]: place for full, place in places.items()}
     report_unlike(finding, name, places, skills, context)
     return None
-
-
-def among(name: str, full_names: Iterable[str]) -> tuple[str, ...]:
-    """The full names that a name may stand for: itself, else all that end with it."""
-    names = tuple(full_names)
-    return (name,) if name in names else tuple(n for n in names if n.endswith(f".{name}"))
 
 
 def kind_of(type_: str) -> str:

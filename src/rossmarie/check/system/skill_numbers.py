@@ -8,7 +8,6 @@ from rossmarie.check.model import CheckedInput, CheckedSkills
 from rossmarie.check.operations.operands import duration_ns
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.skills.doing import (
-    among,
     find_parameter,
     find_skill,
     kind_of,
@@ -22,7 +21,7 @@ from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import end_of_field, read_unit
 from rossmarie.check.wording.gaps import without
 from rossmarie.ir import Quantity as Question
-from rossmarie.skills import Parameter, Property
+from rossmarie.skills import Parameter, Property, among
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Quantity, Type, Unknown
 from rossmarie.units import Unit, UnknownUnitError, parse_unit, si_unit

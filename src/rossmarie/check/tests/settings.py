@@ -7,8 +7,9 @@ from collections.abc import Sequence
 from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.check.actions.whole_numbers import is_whole
 from rossmarie.check.expressions.infer import infer
+from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import members, select, unit_of
-from rossmarie.check.names.parts import part_at
+from rossmarie.check.names.parts import Part, part_at
 from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.scopes.context import Context
@@ -30,6 +31,7 @@ from rossmarie.types import (
     Type,
     Unknown,
     Vector,
+    message_value,
 )
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
@@ -106,7 +108,11 @@ class _SettingChecker:
         """The type of the field, the path from the message, and the angle that is meant."""
         first, *rest = self._setting.path.steps
         assert isinstance(first, ast.Name)
-        part = part_at(self._context.inputs[first.text].base, type_)
+        used = self._context.inputs[first.text]
+        if _names_header(rest, type_):
+            type_, part = self._message(used, type_)
+        else:
+            part = part_at(used.base, type_)
         text, before = first.text, first.span
         for step in rest:
             if isinstance(step, ast.Position):
@@ -126,6 +132,15 @@ class _SettingChecker:
             type_, text, before = found, f"{text}.{step.text}", step.span
             part = part.field(step.text, type_)
         return type_, part.path, None
+
+    def _message(self, used: CheckedInput, type_: Type) -> tuple[Type, Part]:
+        """The whole message of an input, and where it begins; a number of a skill is in none."""
+        messages = self._context.messages
+        found = None if messages is None else messages.find(used.message_type)
+        if found is None or used.question is not None:
+            return type_, part_at(used.base, type_)
+        whole = message_value(found)
+        return whole, part_at((), whole)
 
     def _unknown(self, type_: Type, path: Path, angle: str | None) -> tuple[Setting, ...] | None:
         parts = "xyz" if isinstance(type_, Vector) else "xyzw"
@@ -263,6 +278,13 @@ class _SettingChecker:
 
     def _add(self, finding: Diagnostic) -> None:
         self._context.collector.add(finding)
+
+
+def _names_header(steps: Sequence[ast.Name | ast.Position], type_: Type) -> bool:
+    """Say whether a setting names the header of the message, of which an input selects a part."""
+    first = steps[0] if steps else None
+    is_header = isinstance(first, ast.Name) and first.text == "header"
+    return is_header and "header" not in members(type_)
 
 
 def _element_of(owner: Type, index: int | str) -> Type | None:

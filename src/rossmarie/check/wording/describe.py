@@ -10,9 +10,11 @@ from rossmarie.types import (
     Interval,
     List,
     Message,
+    Motion,
     Point,
     Quantity,
     Quaternion,
+    Region,
     Text,
     Type,
     Unknown,
@@ -48,6 +50,10 @@ def describe(type_: Type) -> str:
             return f"a message {name}"
         case Entry(message=message):
             return f"all that {message.name} has under one name"
+        case Motion(name=name):
+            return f"the motion {name}"
+        case Region(owl_class=owl_class, has_area=has_area):
+            return f"the {'places' if has_area else 'points'} of {owl_class}"
         case (
             Boolean() | Text() | Quaternion() | Interval() | Box() | Unsupported() | Unknown()
         ):  # fmt: skip

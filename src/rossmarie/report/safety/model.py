@@ -45,6 +45,7 @@ class SafetyFile:
     findings: tuple[Finding, ...]
     is_thorough: bool
     losses: tuple[Loss, ...]
+    requirements: tuple[ir.Requirement, ...]
     tool: str
     date: str
     verification: Evidence | None

@@ -136,7 +136,7 @@ class Numbers:
         assert isinstance(signal.node, ir.Constant), "asked before"
         return quantity(signal.node.value * signal.scale + signal.offset, signal.unit)
 
-    def _applied(self, function: ir.Function, operands: tuple[int, ...]) -> str:
+    def _applied(self, function: ir.AnyFunction, operands: tuple[int, ...]) -> str:
         words = [self.words(operand) for operand in operands]
         return row(function).worded(words, _vector(words))
 

@@ -21,6 +21,7 @@ from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.path import path_words
 from rossmarie.report.safety.conditions import Conditions
 from rossmarie.report.safety.evidence import Evidence, EvidenceKind, Hashed
+from rossmarie.report.safety.kept import kept
 from rossmarie.report.safety.model import SafetyFile
 from rossmarie.report.safety.phrase import Phrase, listed
 from rossmarie.report.safety.rules import RuleText, claims, rule_texts
@@ -53,6 +54,7 @@ def render_safety_file(content: SafetyFile) -> str:
         coded=_coded,
         drawn=lambda witness: Markup(witness_svg(machine, witness)),
         losses=content.losses,
+        kept=[kept(each, content.findings) for each in content.requirements],
         effects=(Effect.ACTIVATES, Effect.DEPENDS),
         claims=_claims(machine),
         exemptions=_exemptions(machine, rules),

@@ -215,6 +215,26 @@ class Entity:
 
 
 @dataclass(frozen=True)
+class Motion:
+    """`motion drive { position : pose; ... }`: a motion of the robot, and how it brakes."""
+
+    name: Name
+    parts: tuple[Condition, ...]
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Keeps:
+    """`keeps MOTION below SPEED in CLASS`."""
+
+    motion: Name
+    speed: Expression
+    place: Name
+    span: Span
+
+
+@dataclass(frozen=True)
 class ClearWhen:
     """`clear when COND`: released once the rule's condition is false and COND is true."""
 
@@ -278,8 +298,8 @@ class Exemption:
 @dataclass(frozen=True)
 class Rule:
     """`rule NAME: always if COND while doing SKILL unless RULE then { STEP; ... } EXEMPTION
-    CONTRACT category WORD task WORD feedback AMOUNT mitigates HAZARD` -- all but the condition and
-    the steps is optional.
+    CONTRACT keeps MOTION below SPEED in CLASS category WORD task WORD feedback AMOUNT mitigates
+    HAZARD` -- all but the condition and the steps is optional.
 
     More than one contract is reported by the checker. `always` is the place of that word. A rule
     that was `made_from` an exemption stands for it; nobody wrote it.
@@ -300,6 +320,7 @@ class Rule:
     scope: tuple[Doing, ...] = ()
     exemptions: tuple[Exemption, ...] = ()
     made_from: Exemption | None = None
+    keeps: Keeps | None = None
 
     @property
     def actions(self) -> tuple[Name, ...]:
@@ -331,7 +352,18 @@ class Hazard:
 
 
 Item = (
-    Import | System | Action | Skills | Constant | Input | Entity | Rule | Priority | Hazard | Test
+    Import
+    | System
+    | Action
+    | Skills
+    | Constant
+    | Input
+    | Entity
+    | Motion
+    | Rule
+    | Priority
+    | Hazard
+    | Test
 )
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.core import Function, View, may_be_infinite, sampling_row
+from rossmarie.core import AnyFunction, View, may_be_infinite, sampling_row
 from rossmarie.targets.c99.functions import C
 from rossmarie.targets.c99.layout import Layout, Window
 from rossmarie.targets.c99.types import number
@@ -152,7 +152,7 @@ class Expressions:
             return text
         return f"known({text})"
 
-    def called(self, function: Function, operands: list[str]) -> str:
+    def called(self, function: AnyFunction, operands: list[str]) -> str:
         """A function of operands as they are written, before S4."""
         return self._call(definition_of(function, len(operands)), operands)
 

@@ -61,7 +61,19 @@ class Page(HTMLParser):
 
 def content_of(machine: ir.Machine) -> SafetyFile:
     return SafetyFile(
-        machine, "rules.ross", (), (), (), (), False, (), "rossmarie 1", "2026-01-01", None, None
+        machine,
+        "rules.ross",
+        (),
+        (),
+        (),
+        (),
+        False,
+        (),
+        (),
+        "rossmarie 1",
+        "2026-01-01",
+        None,
+        None,
     )
 
 

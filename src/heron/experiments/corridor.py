@@ -1,0 +1,264 @@
+"""Experiment V: along a corridor, of which a part belongs to a school. A child runs out of a
+door.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from heron.experiments.arms import CORRIDOR_RULES, machine_of
+from heron.experiments.child import Child, Dash, varied
+from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.measures import Flags, onsets, time_of, without_need
+from heron.experiments.observer import Observer, attended
+from heron.experiments.runner import Node, run
+from heron.experiments.settings import USUAL, Settings
+from heron.experiments.trace import Trace
+from heron.guard import InProcessGuard, unfiltered
+from heron.robot import (
+    Base,
+    Drive,
+    DriveParameters,
+    Localization,
+    LocalizationParameters,
+    RangeScan,
+    RangeScanParameters,
+    WheelOdometry,
+    WheelOdometryParameters,
+)
+from heron.scene import CHILD, BaseParameters, CorridorParameters, build_corridor
+from heron.scene.person import LEGS, PERSON
+from heron.scene.scene import STEP_NS
+from heron.tasks import (
+    Navigation,
+    NavigationParameters,
+    Outcome,
+    SkillContext,
+    SkillTask,
+    TreeSkill,
+)
+from heron.topics import COMMAND, Carrier, InProcess, Remapped
+from heron.variants import Arm, Passage
+from rossmarie.ir import OrderKind
+
+LONGEST_S = 120.0
+BRISK = NavigationParameters(cruise=1.0)
+"""As fast as a base drives where nobody is."""
+FAR = 2.0
+"""m; what is further away than this is not measured."""
+_EVERY = 5  # steps: nobody comes nearer by more than 3 cm meanwhile
+_TOUCHING = 0.02  # m
+_NEAR = 0.5  # m
+_STANDS = 0.02  # m/s
+_SETTLING_STEPS = 500
+_SEEDED = ("child", "odometry", "localization", "scan")
+_COLUMNS = ("x", "y", "speed", "distance", "is_there", "is_restricted")
+
+
+@dataclass(frozen=True)
+class CorridorMeasures:
+    """Times in s, lengths in m, speeds in m/s.
+
+    `nearest` is the least distance between the base and the child, `fastest_near` the greatest
+    speed of the base while that is less than half a metre, and `impact` that while they touch: 0
+    where the base stands before. They are None where there is no child.
+    """
+
+    is_completed: bool
+    duration: float
+    interventions: int
+    nearest: float | None
+    fastest_near: float | None
+    impact: float | None
+    reactions: Mapping[str, float]
+    time_restricted: float
+    time_restricted_without_need: float
+
+
+@dataclass(frozen=True)
+class CorridorEpisode:
+    """One run: what was run, how it went, and what the guard had to say."""
+
+    arm: Arm
+    passage: Passage
+    seed: int
+    dash: Dash | None
+    outcome: Outcome
+    measures: CorridorMeasures
+    told: tuple[tuple[float, str], ...]
+    onsets: Mapping[str, float]
+    tree: tuple[TreeSkill, ...]
+    trace: Trace
+
+
+class CorridorWitness:
+    """Writes down every step of the base and of the child."""
+
+    period_ns = STEP_NS
+
+    def __init__(self, physics: Base, child: Child, guard: InProcessGuard | None) -> None:
+        self._physics = physics
+        self._child = child
+        self._is_acting = acting(guard)
+        chassis = physics.model.geom("chassis").id
+        self._pairs = [(chassis, geom) for geom in physics.geoms((PERSON, *LEGS))]
+        self._distance = FAR
+        self._rows: list[tuple[float, ...]] = []
+
+    def tick(self, now_ns: int) -> None:
+        """One step later."""
+        physics = self._physics
+        x, y, _ = physics.position.tolist()
+        if now_ns // STEP_NS % _EVERY == 0:
+            is_near = abs(x - self._child.place[0]) < 2 * FAR
+            self._distance = self._measured() if is_near else FAR
+        speed = float(np.linalg.norm(physics.data.qvel[:2]))
+        self._rows.append(
+            (
+                now_ns * 1e-9,
+                x,
+                y,
+                speed,
+                self._distance,
+                self._child.is_in_corridor,
+                self._is_acting(),
+            )
+        )
+
+    def trace(self) -> Trace:
+        """All of it."""
+        times, *columns = np.array(self._rows).T
+        return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
+
+    def _measured(self) -> float:
+        model, data = self._physics.model, self._physics.data
+        found = (mujoco.mj_geomDistance(model, data, a, b, FAR, None) for a, b in self._pairs)
+        return float(min(found))
+
+
+@dataclass
+class _Robot:
+    """All that takes part in an episode."""
+
+    physics: Base
+    navigation: Navigation
+    task: SkillTask
+    guard: InProcessGuard | None
+    witness: CorridorWitness
+    nodes: list[Node]
+
+
+def run_corridor(
+    arm: Arm,
+    passage: Passage,
+    seed: int,
+    observers: Sequence[Observer] = (),
+    settings: Settings = USUAL,  # noqa: ARG001
+) -> CorridorEpisode:
+    """One episode. The same arguments give the same episode, number for number."""
+    generators = seeded(_SEEDED, seed)
+    dash = varied(passage, generators["child"])
+    robot = _assembled(arm, dash, generators, observers)
+    run(
+        robot.physics,
+        robot.nodes,
+        round(LONGEST_S * 1e9),
+        lambda: robot.task.outcome is not Outcome.RUNNING,
+    )
+    trace = robot.witness.trace()
+    return CorridorEpisode(
+        arm=arm,
+        passage=passage,
+        seed=seed,
+        dash=dash,
+        outcome=robot.task.outcome,
+        measures=_measured(robot, dash, trace),
+        told=told_by(robot.guard),
+        onsets=onsets(trace, hazards(trace)),
+        tree=robot.task.tree,
+        trace=trace,
+    )
+
+
+def _assembled(
+    arm: Arm,
+    dash: Dash | None,
+    generators: Mapping[str, np.random.Generator],
+    observers: Sequence[Observer],
+) -> _Robot:
+    base, corridor = BaseParameters(), CorridorParameters()
+    physics = Base(build_corridor(corridor, base, CHILD))
+    physics.settle(_SETTLING_STEPS)
+    carrier = InProcess()
+    half = base.chassis_half[0]
+    child = Child(physics, corridor, CHILD, dash, lambda: float(physics.position[0]) + half)
+    nodes: list[Node] = [
+        child,
+        WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
+        Localization(physics, carrier, generators["localization"], LocalizationParameters()),
+        RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
+        Drive(physics, carrier, base, DriveParameters()),
+    ]
+    guard = None
+    view: Carrier = carrier
+    if arm in CORRIDOR_RULES:
+        guard = InProcessGuard(machine_of(CORRIDOR_RULES[arm]), carrier, lambda: physics.now_ns)
+        nodes.append(guard)
+        view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
+    route = ((corridor.begin, 0.0), (corridor.end, 0.0))
+    navigation = Navigation(view, (route,), BRISK, lambda: physics.now_ns)
+    task = SkillTask(carrier, "Drive", "corridor.turtle", ["Target=classroom"])
+    witness = CorridorWitness(physics, child, guard)
+    nodes += [task, SkillContext(carrier, task), navigation, witness]
+    nodes += attended(observers, physics, carrier, guard)
+    return _Robot(physics, navigation, task, guard, witness, nodes)
+
+
+def hazards(trace: Trace) -> dict[str, Flags]:
+    """When each hazard is there: a child in the corridor."""
+    return {"child": trace.columns["is_there"] > 0}
+
+
+def _measured(robot: _Robot, dash: Dash | None, trace: Trace) -> CorridorMeasures:
+    distance, speed = trace.columns["distance"], trace.columns["speed"]
+    present = hazards(trace)
+    is_moving = speed > _STANDS
+
+    def fastest(within: float) -> float | None:
+        near = (distance < within) & is_moving
+        return None if dash is None else float(speed[near].max(initial=0.0))
+
+    return CorridorMeasures(
+        is_completed=robot.task.outcome is Outcome.COMPLETED,
+        duration=robot.physics.now_ns * 1e-9,
+        interventions=0,
+        nearest=None if dash is None else float(distance.min()),
+        fastest_near=fastest(_NEAR),
+        impact=fastest(_TOUCHING),
+        reactions=_reactions(robot.guard, trace, present),
+        time_restricted=time_of(trace.columns["is_restricted"] > 0),
+        time_restricted_without_need=time_of(without_need(trace, present)),
+    )
+
+
+def _reactions(
+    guard: InProcessGuard | None, trace: Trace, present: Mapping[str, Flags]
+) -> dict[str, float]:
+    """From when a child ran out to the first action of the rule that stops the base."""
+    if guard is None:
+        return {}
+    starts = [
+        each.at_ns * 1e-9
+        for each in guard.occurrences
+        if each.kind is OrderKind.START and each.rule == "stop_when_close"
+    ]
+    found = {}
+    for hazard, onset in onsets(trace, present).items():
+        after = [at for at in starts if at >= onset]
+        if after:
+            found[hazard] = after[0] - onset
+    return found

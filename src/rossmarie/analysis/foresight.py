@@ -1,0 +1,47 @@
+"""Requirements of rules: a rule is active before it is too late to brake, or a counterexample shows
+when it is not.
+
+The question is about one instant: the condition of the rule is false by the last messages, though
+the motion, as they tell of it, could not slow down before the places any more if the next message
+came as late as its timeout allows, and the brakes held as late and as weakly as declared.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rossmarie.analysis.errors import InTime, NotInTime, Undecided
+from rossmarie.analysis.finding import Finding, witness_note
+from rossmarie.analysis.inquiry import Inquiry, has_value
+from rossmarie.analysis.solver import Outcome
+from rossmarie.ir import Requirement, TruthValue
+
+
+def find_late(inquiry: Inquiry, required: Requirement, *, thorough: bool) -> Iterator[Finding]:
+    """An error if a requirement does not hold, with what shows it; a note if nobody knows, and, if
+    it is to be `thorough`, one that it is proved. The inquiry is about the machine of it.
+    """
+    below = inquiry.below(required.truth)
+    last = len(below.machine.truths) - 1
+    result = below.decide(has_value(last, TruthValue.TRUE))
+    if result.outcome is Outcome.IMPOSSIBLE:
+        if thorough:
+            proved = InTime(rule=required.rule, text=required.text)
+            yield Finding(proved.at(required.span))
+    elif result.witness is None:
+        undecided = Undecided(
+            question=f"does rule `{required.rule}` act in time?",
+            reason="no short course of events shows that it is late, and no proof excludes it",
+        )
+        yield Finding(undecided.at(required.span))
+    else:
+        braking, speed = required.braking, f"{required.speed:g} m/s"
+        finding = NotInTime(rule=required.rule, motion=braking.motion, speed=speed)
+        reaction = finding.Reaction(
+            motion=braking.motion,
+            reaction=f"{braking.reaction_s:g} s",
+            timeout=f"{braking.timeout_s:g} s",
+            latency=f"{braking.latency_s:g} s",
+        )
+        note = witness_note(below.machine, result.witness, (last,))
+        yield Finding(finding.at(required.span, notes=(note, reaction)), result.witness)

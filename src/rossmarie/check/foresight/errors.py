@@ -1,0 +1,56 @@
+"""Mistakes about motions, and about what rules keep."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class UnknownMotionPart(Error, code="ROSS263", name="unknown-motion-part"):
+    """A part that no motion has."""
+
+    title = "a motion has no part `{identifier}`"
+    label = "its parts are {known}"
+    identifier: str
+    known: str
+
+
+class IncompleteMotion(Error, code="ROSS264", name="incomplete-motion"):
+    """A motion of which something is not said."""
+
+    title = "motion `{motion}` lacks {missing}"
+    label = "the way on which it stops cannot be worked out"
+    help = "add {form}"
+    motion: str
+    missing: str
+    form: str
+
+
+class UnlimitedReaction(Error, code="ROSS266", name="unlimited-reaction"):
+    """A motion that is seen by an input whose loss nobody notices."""
+
+    title = "motion `{motion}` is seen by `{input}`, which has no timeout"
+    label = "nobody notices when its messages end, so no way to stop is long enough"
+    help = "say how long a message may be awaited: `input {input} = ... timeout 0.2 sec;`"
+    motion: str
+    input: str
+
+
+class UndeclaredMotion(Error, code="ROSS267", name="undeclared-motion"):
+    """A rule that keeps a motion that does not exist."""
+
+    title = "motion `{identifier}` is not declared"
+    label = "no motion has this name"
+    help = "declare it: `motion {identifier} {{ position : INPUT; speed : INPUT; ... }}`"
+    identifier: str
+
+    class Declared(Remark):
+        says = "declared are {known}"
+        known: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownMotionPart,
+    IncompleteMotion,
+    UnlimitedReaction,
+    UndeclaredMotion,
+)

@@ -1,0 +1,47 @@
+"""Requirements of rules: each keeps a motion below a speed in the places of a class."""
+
+from __future__ import annotations
+
+from rossmarie.check.expressions.infer import infer
+from rossmarie.check.foresight.errors import UndeclaredMotion
+from rossmarie.check.model import CheckedKeeps, CheckedMotion
+from rossmarie.check.names.references import report_wrong_kind
+from rossmarie.check.names.regions import places_of
+from rossmarie.check.operations.stopping import wanted_speed
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.skills.doing import find_class, known_skills
+from rossmarie.syntax import ast
+
+
+def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
+    """The speed that a rule keeps, and where; None if it keeps none, or after reporting."""
+    written = rule.keeps
+    if written is None:
+        return None
+    motion = _motion(written.motion, context)
+    infer(written.speed, context)
+    speed = wanted_speed(written.speed, motion, context)
+    skills = known_skills(written, context)
+    owl_class = None if skills is None else find_class(written.place, skills, context)
+    if skills is None or owl_class is None or motion is None or speed is None:
+        return None
+    places = places_of(owl_class, written.place.span, skills, context)
+    if places is None:
+        return None
+    region, type_ = places
+    return CheckedKeeps(motion, speed, region, type_.frame, written)
+
+
+def _motion(name: ast.Name, context: Context) -> CheckedMotion | None:
+    declared = context.declarations.names.get(name.text)
+    if isinstance(declared, ast.Motion):
+        context.used_names.add(name.text)
+        return context.motions.get(name.text)
+    if declared is not None:
+        report_wrong_kind(name, declared, "a motion", context)
+    elif context.declarations.is_whole:
+        known = [
+            item.name.text for item in context.declarations.items if isinstance(item, ast.Motion)
+        ]
+        context.report_unknown(UndeclaredMotion(identifier=name.text), name, known)
+    return None

@@ -1,0 +1,66 @@
+"""Mistakes about the places of things."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class NoLocation(Error, code="ROSS258", name="no-location"):
+    """A class of which the scene has no thing, or that was exported without a scene."""
+
+    title = "there is no {owl_class} in {path}"
+    label = "its places are asked for"
+    help = "export the scene with the skills: `ezskiros export SKILLS SCENE.turtle -o {path}`"
+    owl_class: str
+    path: str
+
+
+class UnknownLocation(Error, code="ROSS259", name="unknown-location"):
+    """A thing of which the scene does not say where it is."""
+
+    title = "nobody knows where {thing} is, which is a {owl_class}"
+    label = "this would leave it out"
+    help = "give it a polygon, or a position, in the scene; then run `ezskiros export` again"
+    thing: str
+    owl_class: str
+
+    class Described(Remark):
+        says = "the scene describes it here"
+
+
+class SeveralFrames(Error, code="ROSS260", name="several-frames"):
+    """A class with things in more than one frame."""
+
+    title = "the places of {owl_class} are in several frames: {frames}"
+    label = "a position is in one of them only"
+    help = "describe all of them in one frame, or ask for a class of things in one frame"
+    owl_class: str
+    frames: str
+
+
+class NoFrame(Error, code="ROSS261", name="no-frame"):
+    """A position of which no header says the frame."""
+
+    title = "the frame of `{text}` is not known"
+    label = "{reason}"
+    help = "use a field of a message with a header, such as nav_msgs/Odometry.pose.pose"
+    text: str
+    reason: str
+
+
+class SeveralClasses(Error, code="ROSS262", name="several-classes"):
+    """A name that several classes have."""
+
+    title = "several classes are called `{identifier}`"
+    help = "say which one is meant: {known}"
+    identifier: str
+    known: str
+
+
+ALL: tuple[type[Template], ...] = (
+    NoLocation,
+    UnknownLocation,
+    SeveralFrames,
+    NoFrame,
+    SeveralClasses,
+)

@@ -1,0 +1,136 @@
+"""The places of a class of things: `pose in Corridor`, `distance(pose, skiros.Location)`."""
+
+from __future__ import annotations
+
+import re
+
+from dslkit.diagnostics import listed
+from dslkit.source import Span
+from rossmarie import core
+from rossmarie.check.model import CheckedSkills
+from rossmarie.check.names.region_errors import (
+    NoFrame,
+    NoLocation,
+    SeveralClasses,
+    SeveralFrames,
+    UnknownLocation,
+)
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import stripped, text_of
+from rossmarie.skills import Location, among
+from rossmarie.syntax import ast
+from rossmarie.types import Message, Region, Text, Type, Unknown
+
+FRAME_OF_HEADER = ("header", "frame_id")
+"""The way from a message to the frame that it is seen from (REP 105)."""
+
+
+def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | None:
+    """The places of the class that a name stands for, recorded in `context.regions`; None if it is
+    the name of no class.
+    """
+    skills = context.skills
+    name = text_of(node)
+    found = () if skills is None else among(name, skills.file.classes)
+    if skills is None and context.names_skills and _is_asked_for(node, context):
+        return Unknown()  # the file that may have the class could not be read
+    if skills is None or not found:
+        return None
+    if len(found) > 1:
+        several = SeveralClasses(identifier=name, known=listed(found))
+        context.collector.add(several.at(node.span))
+        return Unknown()
+    places = places_of(found[0], node.span, skills, context)
+    if places is None:
+        return Unknown()
+    context.regions[node], type_ = places
+    return type_
+
+
+def _is_asked_for(node: ast.Expression, context: Context) -> bool:
+    """Say whether a name stands where that of a class can stand."""
+    around = context.parents.get(node)
+    match around:
+        case ast.Parenthesized():
+            return _is_asked_for(around, context)
+        case ast.Membership(container=container):
+            return container is node
+        case ast.Call(function=function, arguments=[_, second]):
+            return function.text == "distance" and second is node
+        case _:  # open: it stands in something else
+            return False
+
+
+def places_of(
+    owl_class: str, named: Span, skills: CheckedSkills, context: Context
+) -> tuple[core.Region, Region] | None:
+    """The places of a class that is `named` somewhere, and their type; None after reporting."""
+    below = {*skills.classes.below(owl_class)}
+    known = [each for each in skills.file.locations if below & {*each.classes}]
+    nowhere = [each for each in known if not each.corners]
+    frames = sorted({each.frame for each in known if each.corners})
+    if not known:
+        path = skills.declaration.path.value
+        context.collector.add(NoLocation(owl_class=owl_class, path=path).at(named))
+    for each in nowhere:
+        finding = UnknownLocation(thing=_called(each), owl_class=owl_class)
+        span = skills.span_at(each.place)
+        places = () if span is None else (finding.Described().at(span),)
+        context.collector.add(finding.at(named, *places))
+    if len(frames) > 1:
+        several = SeveralFrames(owl_class=owl_class, frames=listed(frames))
+        context.collector.add(several.at(named))
+    if not known or nowhere or len(frames) > 1:
+        return None
+    region = core.Region(
+        name=_word(owl_class),
+        about=f"the places of {owl_class}",
+        polygons=tuple(_polygon(each, skills) for each in known),
+    )
+    return region, Region(owl_class, frames[0], any(len(each.corners) > 1 for each in known))
+
+
+def _polygon(location: Location, skills: CheckedSkills) -> core.Polygon:
+    number = skills.file.locations.index(location)
+    about = _called(location)
+    return core.Polygon(f"location_{number}_{_word(about)}", about, location.corners)
+
+
+def _called(location: Location) -> str:
+    """The label of a thing, else the last part of its IRI: characters that comments may hold."""
+    name = location.label or re.split("[#/]", location.iri)[-1]
+    return re.sub(r"[^\w .-]", "_", name, flags=re.ASCII) or "it"
+
+
+def _word(name: str) -> str:
+    return re.sub(r"\W", "_", name, flags=re.ASCII).lower()
+
+
+# --- frames ----------------------------------------------------------------------------------
+
+
+def check_frame(position: ast.Expression, context: Context) -> bool:
+    """Say whether a message tells the frame of a position; it is reported if not."""
+    reason = _without_frame(position, context)
+    if reason is not None:
+        text = text_of(position)
+        context.collector.add(NoFrame(text=text, reason=reason).at(position.span))
+    return reason is None
+
+
+def _without_frame(position: ast.Expression, context: Context) -> str | None:
+    """The reason why nobody knows the frame of a position; None if a header says it."""
+    node = stripped(position)
+    while isinstance(node, ast.Member | ast.Index):
+        node = stripped(node.value)
+    if not isinstance(node, ast.Reference) or context.folds_around(node).get(node.name.text):
+        return "it is no field of an input"
+    used = context.inputs.get(node.name.text)
+    if used is None or context.messages is None:
+        return "it is no field of an input"
+    message = context.messages.find(used.message_type)
+    header = None if message is None else message.fields.get(FRAME_OF_HEADER[0])
+    has_frame = isinstance(header, Message) and isinstance(
+        header.fields.get(FRAME_OF_HEADER[1]), Text
+    )
+    return None if has_frame else f"{used.message_type} has no header"

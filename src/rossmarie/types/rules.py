@@ -1,0 +1,318 @@
+"""The types that operators and functions take and give, a rule for each.
+
+A rule goes from the types of the operands, of which none is `Unknown`, to the type of the result
+and what is wrong with the operands.
+"""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from rossmarie.types.model import (
+    Array,
+    Boolean,
+    Box,
+    Interval,
+    Message,
+    Motion,
+    Quantity,
+    Quaternion,
+    Region,
+    Text,
+    Type,
+    Unknown,
+    Vector,
+)
+from rossmarie.units import DIMENSIONLESS, Unit, divide, multiply, parse_unit, unit_of_differences
+
+_SECONDS = Quantity(parse_unit("s"))
+_METRES = Quantity(parse_unit("m"))
+_SPEED = Quantity(parse_unit("m/s"))
+
+
+class Fault(enum.Enum):
+    """Why an operator cannot be applied to its operands."""
+
+    OPERANDS = "the operator does not take operands of such types"
+    VECTOR = "a vector stands where a single number is needed"
+    RANGE = "an interval or box stands where a single number is needed"
+    NOT_A_RANGE = "what follows `in` is a single number"
+    UNITS = "the dimensions of the units differ"
+    UNSTATED_UNIT = "one operand has a unit and that of the other, a message field, is not known"
+    TEMPERATURE = "a temperature in degC is no amount that can be added, scaled or negated"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """The type of the result, and what is wrong with the operands; with faults it is `Unknown`."""
+
+    type: Type
+    faults: tuple[Fault, ...] = ()
+
+
+Rule = Callable[..., Outcome]
+"""From the types of the operands, of which none is `Unknown`."""
+
+
+def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:
+    """The reasons why two numbers may not be compared. A number of unstated unit goes with plain
+    numbers.
+    """
+    if left.unit is None or right.unit is None:
+        other = left.unit or right.unit or DIMENSIONLESS
+        return () if other.dimension == DIMENSIONLESS.dimension else (Fault.UNSTATED_UNIT,)
+    return () if left.unit.dimension == right.unit.dimension else (Fault.UNITS,)
+
+
+def fault(*faults: Fault) -> Outcome:
+    """Nothing, with what is wrong."""
+    return Outcome(Unknown(), faults)
+
+
+def _unfit(*operands: Type) -> Outcome:
+    """The finding on operands of which at least one is no number."""
+    if any(isinstance(operand, (Interval, Box)) for operand in operands):
+        return fault(Fault.RANGE)
+    numbers = all(isinstance(operand, (Vector, Quantity)) for operand in operands)
+    return fault(Fault.VECTOR if numbers else Fault.OPERANDS)
+
+
+def elementwise(rule: Rule, *operands: Type) -> Outcome:
+    """The outcome for arrays that follows from a rule for scalars."""
+    if not any(isinstance(operand, Array) for operand in operands):
+        return rule(*operands)
+    elements = (operand.element if isinstance(operand, Array) else operand for operand in operands)
+    outcome = rule(*elements)
+    if isinstance(outcome.type, (Quantity, Boolean)):
+        return Outcome(Array(outcome.type), outcome.faults)
+    return fault(*(outcome.faults or (Fault.OPERANDS,)))
+
+
+# --- booleans --------------------------------------------------------------------------------
+
+
+def logical(*operands: Type) -> Outcome:
+    """`and`, `or` and `not`: of truths."""
+    fits = all(isinstance(operand, Boolean) for operand in operands)
+    return Outcome(Boolean()) if fits else fault(Fault.OPERANDS)
+
+
+def held(condition: Type, duration: Type) -> Outcome:
+    """`C for d`."""
+    faults = (*logical(condition).faults, *ordered(duration, _SECONDS).faults)
+    return Outcome(Boolean(), faults)
+
+
+def fold(result: Type, elements: Type) -> Outcome:
+    """`any`, `all` and `count` of the truths of an array."""
+    fits = isinstance(elements, Array) and isinstance(elements.element, Boolean)
+    return Outcome(result) if fits else fault(Fault.OPERANDS)
+
+
+# --- comparison ------------------------------------------------------------------------------
+
+
+def ordered(left: Type, right: Type) -> Outcome:
+    """`a < b` and the like: of numbers whose units fit."""
+    if isinstance(left, Quantity) and isinstance(right, Quantity):
+        return Outcome(Boolean(), unit_faults(left, right))
+    if isinstance(left, Vector) and isinstance(right, Quantity):
+        return fault(Fault.VECTOR, *unit_faults(left.element, right))
+    if isinstance(left, Quantity) and isinstance(right, Vector):
+        return fault(Fault.VECTOR, *unit_faults(left, right.element))
+    return _unfit(left, right)
+
+
+def equal(left: Type, right: Type) -> Outcome:
+    """`==` and `!=`: of truths, of texts, or of numbers."""
+    for kind in (Boolean, Text):
+        if isinstance(left, kind) and isinstance(right, kind):
+            return Outcome(Boolean())
+    return ordered(left, right)
+
+
+def contained(value: Type, container: Type) -> Outcome:
+    """`in`: a range, or the places of a class."""
+    if isinstance(container, Quantity):
+        return fault(Fault.NOT_A_RANGE, *ordered(value, container).faults)
+    if isinstance(container, Interval) and isinstance(value, (Quantity, Vector)):
+        return ordered(value, container.element)
+    if isinstance(container, Box) and isinstance(value, Vector):
+        return Outcome(Boolean(), unit_faults(value.element, container.element))
+    if isinstance(container, Region) and container.has_area:
+        return Outcome(Boolean(), faults_of_position(value))
+    return fault(Fault.OPERANDS)
+
+
+# --- arithmetic ------------------------------------------------------------------------------
+
+
+def additive(unit_rule: Callable[[Unit, Unit], Unit | None], left: Type, right: Type) -> Outcome:
+    """A sum or difference; `unit_rule` gives None where temperatures make no sense."""
+    if isinstance(left, Vector) and isinstance(right, Vector):
+        return _as_vector(additive(unit_rule, left.element, right.element))
+    if not (isinstance(left, Quantity) and isinstance(right, Quantity)):
+        return ordered(left, right)
+    faults = unit_faults(left, right)
+    if faults or left.unit is None or right.unit is None:
+        return Outcome(Quantity(None), faults)
+    unit = unit_rule(left.unit, right.unit)
+    return fault(Fault.TEMPERATURE) if unit is None else Outcome(Quantity(unit))
+
+
+def unit_of_sum(left: Unit, right: Unit) -> Unit | None:
+    """The unit of a sum; None if both are temperatures."""
+    if left.offset and right.offset:
+        return None
+    return right if right.offset else left
+
+
+def unit_of_difference(left: Unit, right: Unit) -> Unit | None:
+    """The unit of a difference; None if a temperature is taken from none."""
+    if right.offset:
+        return unit_of_differences(left) if left.offset else None
+    return left
+
+
+def _multiplicative(unit_rule: Callable[[Unit, Unit], Unit], left: Type, right: Type) -> Outcome:
+    """A product or quotient; one with a factor of unstated unit is of unstated unit."""
+    if not (isinstance(left, Quantity) and isinstance(right, Quantity)):
+        return _unfit(left, right)
+    if left.unit is None or right.unit is None:
+        return Outcome(Quantity(None))
+    if left.unit.offset or right.unit.offset:
+        return fault(Fault.TEMPERATURE)
+    return Outcome(Quantity(unit_rule(left.unit, right.unit)))
+
+
+def product(left: Type, right: Type) -> Outcome:
+    """`a * b`; of a vector, each component."""
+    if isinstance(left, Vector) and isinstance(right, Quantity):
+        return _as_vector(_multiplicative(multiply, left.element, right))
+    if isinstance(left, Quantity) and isinstance(right, Vector):
+        return _as_vector(_multiplicative(multiply, left, right.element))
+    return _multiplicative(multiply, left, right)
+
+
+def quotient(left: Type, right: Type) -> Outcome:
+    """`a / b`; of a vector, each component."""
+    if isinstance(left, Vector) and isinstance(right, Quantity):
+        return _as_vector(_multiplicative(divide, left.element, right))
+    return _multiplicative(divide, left, right)
+
+
+def negative(value: Type) -> Outcome:
+    """`-a`; of a vector, each component."""
+    return _as_vector(magnitude(value.element)) if isinstance(value, Vector) else magnitude(value)
+
+
+def magnitude(value: Type) -> Outcome:
+    """A number with the same unit, which no temperature has."""
+    if not isinstance(value, Quantity):
+        return _unfit(value)
+    return fault(Fault.TEMPERATURE) if value.unit and value.unit.offset else Outcome(value)
+
+
+def _as_vector(outcome: Outcome) -> Outcome:
+    if isinstance(outcome.type, Quantity) and not outcome.faults:
+        return Outcome(Vector(outcome.type))
+    return outcome
+
+
+# --- functions -------------------------------------------------------------------------------
+
+
+def norm(value: Type) -> Outcome:
+    """The length of a vector."""
+    return magnitude(value.element) if isinstance(value, Vector) else fault(Fault.OPERANDS)
+
+
+def hypot(left: Type, right: Type) -> Outcome:
+    """The length of two components."""
+    if isinstance(left, Quantity) and isinstance(right, Quantity):
+        return additive(lambda one, other: None if other.offset else one, left, right)
+    return _unfit(left, right)
+
+
+def distance(left: Type, right: Type) -> Outcome:
+    """The distance of two points, or of a point from the places of a class."""
+    if isinstance(left, Vector) and isinstance(right, Vector):
+        return additive(unit_of_difference, left.element, right.element)
+    if isinstance(right, Region):
+        return Outcome(_METRES, faults_of_position(left))
+    return fault(Fault.OPERANDS)
+
+
+def stopping(motion: Type, *speed: Type) -> Outcome:
+    """The way on which a motion slows down to a speed, or stops."""
+    if not isinstance(motion, Motion):
+        return fault(Fault.OPERANDS)
+    faults = (fault for each in speed for fault in ordered(each, _SPEED).faults)
+    return Outcome(_METRES, tuple(faults))
+
+
+def faults_of_position(value: Type) -> tuple[Fault, ...]:
+    """The reasons why something is no point in a plane; a pose is one by its position."""
+    position = value.fields.get("position") if isinstance(value, Message) else value
+    is_position = isinstance(position, Vector) and not unit_faults(position.element, _METRES)
+    return () if is_position else (Fault.OPERANDS,)
+
+
+def extreme(*values: Type) -> Outcome:
+    """The least or greatest of one array, or of several scalars."""
+    if len(values) == 1:
+        (array,) = values
+        if isinstance(array, Array) and isinstance(array.element, Quantity):
+            return Outcome(array.element)
+        return fault(Fault.OPERANDS)
+    faults = tuple(fault for value in values[1:] for fault in ordered(values[0], value).faults)
+    unstated = Quantity(None) in values
+    return Outcome(Quantity(None) if unstated else values[0], faults)
+
+
+def angle(value: Type) -> Outcome:
+    """An angle of an orientation."""
+    fits = isinstance(value, Quaternion)
+    return Outcome(Quantity(parse_unit("rad"))) if fits else fault(Fault.OPERANDS)
+
+
+def rate(value: Type) -> Outcome:
+    """The change of a number in a second."""
+    if not isinstance(value, Quantity):
+        return _unfit(value)
+    unit = value.unit and divide(unit_of_differences(value.unit), parse_unit("s"))
+    return Outcome(Quantity(unit))
+
+
+def previous(value: Type) -> Outcome:
+    """The number or vector that was there before."""
+    return Outcome(value) if isinstance(value, (Quantity, Vector)) else _unfit(value)
+
+
+def filtered(value: Type, window: Type) -> Outcome:
+    """A number, smoothed over a time."""
+    if not isinstance(value, Quantity):
+        return _unfit(value)
+    return Outcome(value, ordered(window, _SECONDS).faults)
+
+
+def changed(value: Type) -> Outcome:
+    """Say whether something is not as it was."""
+    if isinstance(value, (Quantity, Vector, Boolean)):
+        return Outcome(Boolean())
+    return _unfit(value)
+
+
+def age(_value: Type) -> Outcome:
+    """The time since the last message."""
+    return Outcome(_SECONDS)
+
+
+def oscillating(value: Type, window: Type, *swing: Type) -> Outcome:
+    """Say whether a number goes up and down."""
+    if not isinstance(value, Quantity):
+        return _unfit(value)
+    faults = [fault for width in swing for fault in ordered(value, width).faults]
+    return Outcome(Boolean(), (*faults, *ordered(window, _SECONDS).faults))
