@@ -92,8 +92,8 @@ REACTOR = (
     _reactor("a report is remembered from the last time", "    r->reported[task] = false;\n", ""),
     _reactor(
         "what started first is stopped first",
-        "const unsigned task = started[i - 1];",
-        "const unsigned task = started[r->started_count[rule] - i];",
+        "r->started[rule_tasks[rule] + i - 1];",
+        "r->started[rule_tasks[rule] + r->started_count[rule] - i];",
     ),
     _reactor("a release undoes nothing", "            decide(r, task, NAMED(STOP), -1);\n", ""),
     _reactor("`unless` is overlooked", "if (engages(m, exempted, others[i]))", "if (false)"),
@@ -118,7 +118,9 @@ REACTOR = (
         "r->poses_kept[k] == 0 || !r->poses_known[k]",
         "r->poses_kept[k] == 0",
     ),
-    _reactor("a distance along one axis", "axis != 3", "axis != 1"),
+    _reactor(
+        "a distance along one axis", "const double y = pose[1] - last[1];", "const double y = 0.0;"
+    ),
     _reactor("the time between poses is not kept", ">= memories[k].pose_gap_ns", ">= 0"),
     _reactor(
         "a full memory takes nothing more", "r->poses_kept[k]--;\n        }", "continue;\n        }"

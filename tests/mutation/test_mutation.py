@@ -39,6 +39,11 @@ def test_undamaged_c_is_the_interpreter(bench: Bench) -> None:
     assert found == wanted
 
 
+def test_each_fault_is_made_at_one_place(bench: Bench) -> None:
+    for fault in FAULTS:
+        bench.damaged(fault)
+
+
 @pytest.mark.parametrize(
     "fault",
     [*IN_EACH_RUN, *deep(fault for fault in FAULTS if fault not in IN_EACH_RUN)],

@@ -135,7 +135,8 @@ def _number(random: Random, limits: Sequence[float]) -> float:
 
 def chosen_traces(machine: ir.Machine) -> list[list[Step]]:
     """Traces for cases that chance meets too seldom: a limit that is reached, an unknown beside
-    a truth, and a swing that is just wide enough.
+    a truth, a swing that is just wide enough, a number that leaps over an interval and stays there,
+    and an edge that falls out of its window before any other timer.
     """
     swinging = [
         Update(n * 5 * _TICK, _messages(machine, {"/imu": (0.0, 0.0, 0.0, 1.0, y)}))
@@ -143,7 +144,18 @@ def chosen_traces(machine: ir.Machine) -> list[list[Step]]:
     ]
     near = Update(0, _messages(machine, {"/scan": (0.4, 0.7)}))
     crowded = Update(0, _messages(machine, {"/scan": (0.7, 0.7, 0.7), "/odom": (0.0,)}))
-    return [[near], [crowded], [*swinging]]
+    leaping = [
+        Update(n * 10 * _TICK, _messages(machine, {"/odom": (speed,)}))
+        for n, speed in enumerate((-1.5, *[1.5] * 8))
+    ]
+    level = {"/imu": (0.0, 0.0, 0.0, 1.0, 0.0), "/docked": (0.0,)}
+    docked = _messages(machine, {"/docked": (1.0,)})
+    docking = [
+        Update(0, _messages(machine, level)),
+        Update(2 * _TICK, docked),
+        Update(2 * _TICK + 155_000_000, docked),
+    ]
+    return [[near], [crowded], [*swinging], [*leaping], [*docking]]
 
 
 def _messages(

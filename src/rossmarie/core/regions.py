@@ -116,6 +116,8 @@ def define(function: RegionFunction, operands: Sequence[Expression]) -> Expressi
 def _inside(region: Region, x: Expression, y: Expression) -> Expression:
     """S63: in one polygon at least."""
     parts = [_inside_of(each)(_X, _Y) for each in region.polygons if len(each.corners) > 1]
+    if not parts:
+        return Number(0.0)
     return _together(f"in_{region.name}", f"polygons of {region.about}", parts, _first)(x, y)
 
 

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from rossmarie.core import Measure, Polygon, Region, RegionFunction, row
 from rossmarie.core.expressions import Operand
+from rossmarie.core.regions import define
 from rossmarie.interpreter.arithmetic import apply
 from support.exact_expressions import holds, value
 
@@ -137,3 +138,10 @@ def test_a_distance_is_easy_beyond_the_last_corner(polygons: list[Corners], beyo
     (case,) = (each for each in cases if all(holds(one, numbers) for one in each.conditions))
     found = float(value(case.value, numbers))
     assert apply(of_region, operands) == pytest.approx(found, abs=1e-9)
+
+
+def test_a_region_of_points_has_no_function_that_reads_no_operand() -> None:
+    x, y, seen, wanted = map(Operand, range(4))
+    asked = define(function(Measure.INSIDE, ((1.0, 1.0),)), (x, y, seen, wanted))
+    assert "Subfunction" not in repr(asked)  # compilers warn of parameters that nobody reads
+    assert inside(1.0, 1.0, ((1.0, 1.0),)) == 0.0
