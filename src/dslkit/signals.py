@@ -6,10 +6,13 @@ Imports little, so that a command can call `end_at_once` before it imports the r
 
 from __future__ import annotations
 
+import _thread
 import os
 import signal
 import sys
+import time
 from collections.abc import Callable
+from types import FrameType
 
 _BASE = 128
 _AGAIN_S = 0.02
@@ -51,8 +54,13 @@ def _end(number: int, _frame: object) -> None:
     os._exit(_BASE + (_came[0] if _came else number))
 
 
-def _interrupt(number: int, _frame: object) -> None:
+def _interrupt(number: int, frame: FrameType | None) -> None:
     _came.append(number)
+    while frame is not None:
+        if frame.f_code is _interrupt_again.__code__:  # an interrupt of this would be lost as well
+            _ask_again()
+            return
+        frame = frame.f_back
     raise KeyboardInterrupt
 
 
@@ -61,8 +69,16 @@ def _interrupt_again(lost: sys.UnraisableHookArgs) -> None:
     a traceback and go on.
     """
     if _came and issubclass(lost.exc_type, KeyboardInterrupt):
-        from threading import Timer, main_thread
-
-        Timer(_AGAIN_S, signal.pthread_kill, (main_thread().ident, _came[0])).start()
+        _ask_again()
     else:
         sys.__unraisablehook__(lost)
+
+
+def _ask_again() -> None:
+    # Not by `threading`: the interrupt may have come where the main thread holds its locks.
+    _thread.start_new_thread(_signal_later, (_thread.get_ident(), _came[0]))
+
+
+def _signal_later(thread: int, number: int) -> None:
+    time.sleep(_AGAIN_S)
+    signal.pthread_kill(thread, number)

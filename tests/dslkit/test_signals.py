@@ -5,6 +5,8 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
+
 from support.command_line import TIME_LIMIT_S
 
 LOST = """
@@ -25,9 +27,30 @@ except KeyboardInterrupt:
 """
 
 
-def test_an_interrupt_that_python_loses_comes_again() -> None:
+SLOWLY = LOST.replace(
+    "signals.raise_interrupts()",
+    """
+at_once = signals._thread
+class SlowThread:
+    get_ident = signals._thread.get_ident
+
+    def start_new_thread(self, *given):
+        at_once.start_new_thread(*given)
+        signals._thread = at_once
+        for _ in range(10):
+            time.sleep(0.01)
+
+signals._thread = SlowThread()
+signals.raise_interrupts()
+""",
+)
+"""On a busy machine the interrupt comes again before the last one is told of."""
+
+
+@pytest.mark.parametrize("code", [LOST, SLOWLY])
+def test_an_interrupt_that_python_loses_comes_again(code: str) -> None:
     done = subprocess.run(
-        [sys.executable, "-c", LOST],
+        [sys.executable, "-c", code],
         capture_output=True,
         text=True,
         timeout=TIME_LIMIT_S,

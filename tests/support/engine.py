@@ -71,6 +71,10 @@ class Ran:
         ]
 
 
+class FaultyTreeError(AssertionError):
+    """A check refuses the skills; the text says why."""
+
+
 @dataclass
 class Skills:
     """Skills of a text, and the scene that they run in."""
@@ -92,7 +96,7 @@ class Skills:
             ready = prepare(skill, [path], scene, texts)
         except FaultyError as problem:
             found = [f"{each.title} ({each.primary.span})" for each in problem.diagnostics]
-            raise AssertionError(found) from None
+            raise FaultyTreeError(found) from None
         events: list[Event] = []
         clock = Clock()
         setting = Setting(
