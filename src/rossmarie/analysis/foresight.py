@@ -17,17 +17,16 @@ from rossmarie.analysis.solver import Outcome
 from rossmarie.ir import Requirement, TruthValue
 
 
-def find_late(inquiry: Inquiry, required: Requirement, *, thorough: bool) -> Iterator[Finding]:
-    """An error if a requirement does not hold, with what shows it; a note if nobody knows, and, if
-    it is to be `thorough`, one that it is proved. The inquiry is about the machine of it.
+def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
+    """An error if a requirement does not hold, with a witness; a note if it is proved, and another
+    one if it is not decided. The inquiry is about the machine of the requirement.
     """
     below = inquiry.below(required.truth)
     last = len(below.machine.truths) - 1
     result = below.decide(has_value(last, TruthValue.TRUE))
     if result.outcome is Outcome.IMPOSSIBLE:
-        if thorough:
-            proved = InTime(rule=required.rule, text=required.text)
-            yield Finding(proved.at(required.span))
+        proved = InTime(rule=required.rule, text=required.text)
+        yield Finding(proved.at(required.span))
     elif result.witness is None:
         undecided = Undecided(
             question=f"does rule `{required.rule}` act in time?",

@@ -60,7 +60,7 @@ def ask_required(
     limit_s = THOROUGH_S if thorough else QUICK_S
     inquiry = Inquiry(required.machine, time.process_time() + limit_s)
     try:
-        yield from find_late(inquiry, required, thorough=thorough)
+        yield from find_late(inquiry, required)
     except OutOfTimeError:
         yield Finding(_out_of_time(question, limit_s).at(required.span))
 
