@@ -52,7 +52,7 @@ def _outcome(required: ir.Requirement, content: SafetyFile) -> str:
 
 
 def _assumptions(braking: ir.Braking) -> Iterator[str]:
-    yield f"The position is {braking.position}, the speed {braking.speed}."
+    yield f"The position comes from “{braking.position}”, the speed from “{braking.speed}”."
     yield (
         f"The brakes hold {braking.reaction_s:g} s after a message at the latest: a message is "
         f"missed after {braking.timeout_s:g} s, and the latency is {braking.latency_s:g} s."
