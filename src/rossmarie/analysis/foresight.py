@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.analysis.errors import InTime, NotInTime, Undecided
+from rossmarie.analysis.errors import InTime, NotInTime, NotProved
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, has_value
 from rossmarie.analysis.solver import Outcome
@@ -18,8 +18,8 @@ from rossmarie.ir import Requirement, TruthValue
 
 
 def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
-    """An error if a requirement does not hold, with a witness; a note if it is proved, and another
-    one if it is not decided. The inquiry is about the machine of the requirement.
+    """A note if a requirement is proved; an error if it does not hold, with a witness, and if it is
+    not decided. The inquiry is about the machine of the requirement.
     """
     below = inquiry.below(required.truth)
     last = len(below.machine.truths) - 1
@@ -28,14 +28,10 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
         proved = InTime(rule=required.rule, text=required.text)
         yield Finding(proved.at(required.span))
     elif result.witness is None:
-        undecided = Undecided(
-            question=f"does rule `{required.rule}` act in time?",
-            reason="no short course of events shows that it is late, and no proof excludes it",
-        )
-        yield Finding(undecided.at(required.span))
+        yield not_proved(required, "no proof was found, and no counterexample either")
     else:
-        braking, speed = required.braking, f"{required.speed:g} m/s"
-        finding = NotInTime(rule=required.rule, motion=braking.motion, speed=speed)
+        braking = required.braking
+        finding = NotInTime(rule=required.rule, motion=braking.motion, speed=_speed(required))
         reaction = finding.Reaction(
             motion=braking.motion,
             reaction=f"{braking.reaction_s:g} s",
@@ -44,3 +40,19 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
         )
         note = witness_note(below.machine, result.witness, (last,))
         yield Finding(finding.at(required.span, notes=(note, reaction)), result.witness)
+
+
+def not_proved(required: Requirement, reason: str) -> Finding:
+    """The finding on a requirement that is not decided: a promise that nobody can show is none."""
+    finding = NotProved(
+        rule=required.rule,
+        reason=reason,
+        places=required.places,
+        motion=required.braking.motion,
+        speed=_speed(required),
+    )
+    return Finding(finding.at(required.span))
+
+
+def _speed(required: Requirement) -> str:
+    return f"{required.speed:g} m/s"

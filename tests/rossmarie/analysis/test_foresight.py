@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 
+from rossmarie.analysis import questions
 from rossmarie.analysis.questions import ask_required
 from rossmarie.analysis.witness import views
 from rossmarie.driver.analyze import analyze_file
@@ -44,7 +45,8 @@ def found(folder: Path, condition: str, behind: str = "", *, thorough: bool = Tr
         f"{HEAD}rule r: if {condition} then {{ slow; }} {behind} {KEEPS};\n", encoding="utf-8"
     )
     about = analyze_file(path, thorough=thorough).diagnostics
-    return {each.code for each in about if each.code in ("ROSS721", "ROSS722", "ROSS729")}
+    codes = ("ROSS721", "ROSS722", "ROSS723", "ROSS729")
+    return {each.code for each in about if each.code in codes}
 
 
 @pytest.mark.parametrize(
@@ -109,6 +111,27 @@ def test_a_rule_that_some_skills_switch_off_is_refuted(
     codes = {each.code for each in analyze_file(path, thorough=True).diagnostics}
     assert "ROSS721" in codes
     assert "ROSS722" not in codes
+
+
+def test_a_rule_of_which_nobody_knows_is_an_error(tmp_path: Path) -> None:
+    """The solver does not know that all of the school's corridor is in a corridor."""
+    condition = "distance(pose, Corridor) < stopping(drive, 0.3 m/s)"
+    assert found(tmp_path, condition) == {"ROSS723"}
+    content, _ = safety_file(tmp_path / "rules.ross", tool="rossmarie 1", date="2026-01-01")
+    (required,) = content.requirements
+    assert kept(required, content).outcome == "not decided"
+
+
+def test_a_requirement_for_which_there_is_no_time_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(questions, "QUICK_S", 0.0)
+    path = tmp_path / "rules.ross"
+    found(tmp_path, "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s)")
+    (required,) = compile_file(path).requirements
+    (late,) = ask_required(required, thorough=False)
+    assert late.diagnostic.code == "ROSS723"
+    assert "within 0 s" in late.diagnostic.primary.text
 
 
 def test_an_undecided_requirement_is_no_proved_one(tmp_path: Path) -> None:
