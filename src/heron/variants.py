@@ -49,7 +49,7 @@ class Encounter(str, enum.Enum):
 
 
 class Passage(str, enum.Enum):
-    """Who is in the corridor of a school."""
+    """The person in the corridor of a school, if there is one."""
 
     CHILD = "child"  # a child runs out of a door, in front of the base
     EMPTY = "empty"  # nobody

@@ -20,6 +20,7 @@ import numpy as np
 from PIL import Image
 from typer.testing import CliRunner
 
+from heron import demo
 from heron.cli import main
 from heron.cli.main import app
 from heron.demo import Shot, page_of, shoot
@@ -310,3 +311,10 @@ def test_the_comparison_is_printed_and_the_page_is_written(
     found = CliRunner().invoke(app, ["demo", "--out", str(tmp_path)])
     assert found.exit_code == 2
     assert "cannot write" in found.output
+
+
+@pytest.mark.parametrize("arm", Arm)
+def test_each_arm_has_a_color_in_light_and_in_dark(arm: Arm) -> None:
+    style = (Path(demo.__file__).parent / "assets" / "demo.css").read_text(encoding="utf-8")
+    assert len(re.findall(rf"--{arm.value}: #", style)) == 2
+    assert f".{arm.value} {{ --arm: var(--{arm.value}); }}" in style

@@ -36,7 +36,7 @@ def _everybody_arrives(sample: Sample) -> Claim:
     found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
     return Claim(
         "arrives",
-        "the base arrives in every arm, and no operator comes",
+        "the base arrives in every arm",
         "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items()),
         Verdict.HOLDS if all(a == b for a, b in found.values()) else Verdict.FAILS,
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Callable, Sequence
 from io import BytesIO
+from itertools import pairwise
 from typing import Any
 
 import matplotlib as mpl
@@ -31,6 +32,7 @@ _COLORS = {
 _MARKERS = "os^Dv"
 _WIDTH, _HEIGHT = 2.5, 2.3
 _LETTERS = 30  # that a title has room for
+_MOST_ARMS, _LETTERS_OF_TWO = 3, 16  # of more arms, the names of two have room for so many letters
 _STYLE: Any = {
     "font.size": 8,
     "svg.hashsalt": "heron",  # the same rows give the same file
@@ -104,7 +106,9 @@ def _draw(axes: Axes, sample: Sample, measure: Measure) -> None:
     title = textwrap.fill(f"{measure.label} ({measure.unit})", _LETTERS)
     axes.set_title(title, fontsize=8)
     names = [ARM_NAMES[arm].replace(" ", "\n") for arm in sample.arms]
-    axes.set_xticks(range(len(names)), names, fontsize=7)
+    letters = [max(map(len, name.split())) for name in names]
+    is_tight = len(names) > _MOST_ARMS and max(map(sum, pairwise(letters))) > _LETTERS_OF_TWO
+    axes.set_xticks(range(len(names)), names, fontsize=5.5 if is_tight else 7)
     axes.set_ylim(bottom=0)
 
 

@@ -145,7 +145,6 @@ class _Robot:
     """All that takes part in an episode."""
 
     physics: Base
-    navigation: Navigation
     task: SkillTask
     guard: InProcessGuard | None
     witness: CorridorWitness
@@ -215,11 +214,11 @@ def _assembled(
     witness = CorridorWitness(physics, child, guard)
     nodes += [task, SkillContext(carrier, task), navigation, witness]
     nodes += attended(observers, physics, carrier, guard)
-    return _Robot(physics, navigation, task, guard, witness, nodes)
+    return _Robot(physics, task, guard, witness, nodes)
 
 
 def hazards(trace: Trace) -> dict[str, Flags]:
-    """When each hazard is there: a child in the corridor."""
+    """The instants at which each hazard is there: a child in the corridor."""
     return {"child": trace.columns["is_there"] > 0}
 
 
@@ -248,7 +247,7 @@ def _measured(robot: _Robot, dash: Dash | None, trace: Trace) -> CorridorMeasure
 def _reactions(
     guard: InProcessGuard | None, trace: Trace, present: Mapping[str, Flags]
 ) -> dict[str, float]:
-    """From when a child ran out to the first action of the rule that stops the base."""
+    """The time from a child who runs out to the first action of the rule that stops the base."""
     if guard is None:
         return {}
     starts = [

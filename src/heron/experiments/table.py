@@ -266,7 +266,7 @@ CORRIDOR = Experiment(
         Signal("speed", "speed of the base", "m/s", 1.0, 0.5, "speed"),
         Signal("distance", "distance to the child, up to 2 m", "m"),
     ),
-    cameras=(Camera("base", distance=4.5, azimuth=150.0, elevation=-28.0, above=0.4),),
+    cameras=(Camera("base", distance=4.0, azimuth=20.0, elevation=-28.0, above=0.5),),
     opening=("child", -1.0),
 )
 

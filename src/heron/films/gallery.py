@@ -14,7 +14,7 @@ from heron.experiments.experiment import ARM_NAMES
 from heron.films.episode import film_of
 from heron.films.movie import write_movie
 from heron.films.processes import in_processes
-from heron.variants import Encounter, Person, Table, Terrain
+from heron.variants import Encounter, Passage, Person, Table, Terrain
 
 PAGE = "gallery.md"
 _FOLDER = "gallery"
@@ -75,6 +75,14 @@ EXHIBITS = (
         "The arm pushes a box and wipes a board. In between it hits a forearm. Without a monitor "
         "it presses on until the forearm is drawn back. The rules know that pushing and wiping "
         "need contact, and let it be; on the forearm they let the arm back off at once.",
+    ),
+    Exhibit(
+        "corridor",
+        Passage.CHILD,
+        "passage",
+        "The base drives along a corridor, and a child runs out of a door. Without a monitor the "
+        "base hits the child at full speed. The rules know which part of the corridor belongs to a "
+        "school: the base is slow there before any sensor sees a child, and stands in time.",
     ),
 )
 

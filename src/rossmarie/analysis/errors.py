@@ -323,6 +323,19 @@ class InTime(Note, code="ROSS722", name="in-time"):
     text: str
 
 
+class NotProved(Error, code="ROSS723", name="not-proved-in-time"):
+    """A rule that keeps a speed, of which nobody knows whether it acts in time."""
+
+    title = "nobody knows whether rule `{rule}` acts in time"
+    label = "{reason}"
+    help = "compare the distance from {places} itself with `stopping({motion}, {speed})`"
+    rule: str
+    reason: str
+    places: str
+    motion: str
+    speed: str
+
+
 class Undecided(Note, code="ROSS729", name="undecided"):
     """A question to which neither a proof nor a witness was found."""
 
@@ -353,5 +366,6 @@ ALL: tuple[type[Template], ...] = (
     RulesAlternate,
     NotInTime,
     InTime,
+    NotProved,
     Undecided,
 )

@@ -10,33 +10,28 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.analysis.errors import InTime, NotInTime, Undecided
+from rossmarie.analysis.errors import InTime, NotInTime, NotProved
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, has_value
 from rossmarie.analysis.solver import Outcome
 from rossmarie.ir import Requirement, TruthValue
 
 
-def find_late(inquiry: Inquiry, required: Requirement, *, thorough: bool) -> Iterator[Finding]:
-    """An error if a requirement does not hold, with what shows it; a note if nobody knows, and, if
-    it is to be `thorough`, one that it is proved. The inquiry is about the machine of it.
+def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
+    """A note if a requirement is proved; an error if it does not hold, with a witness, and if it is
+    not decided. The inquiry is about the machine of the requirement.
     """
     below = inquiry.below(required.truth)
     last = len(below.machine.truths) - 1
     result = below.decide(has_value(last, TruthValue.TRUE))
     if result.outcome is Outcome.IMPOSSIBLE:
-        if thorough:
-            proved = InTime(rule=required.rule, text=required.text)
-            yield Finding(proved.at(required.span))
+        proved = InTime(rule=required.rule, text=required.text)
+        yield Finding(proved.at(required.span))
     elif result.witness is None:
-        undecided = Undecided(
-            question=f"does rule `{required.rule}` act in time?",
-            reason="no short course of events shows that it is late, and no proof excludes it",
-        )
-        yield Finding(undecided.at(required.span))
+        yield not_proved(required, "no proof was found, and no counterexample either")
     else:
-        braking, speed = required.braking, f"{required.speed:g} m/s"
-        finding = NotInTime(rule=required.rule, motion=braking.motion, speed=speed)
+        braking = required.braking
+        finding = NotInTime(rule=required.rule, motion=braking.motion, speed=_speed(required))
         reaction = finding.Reaction(
             motion=braking.motion,
             reaction=f"{braking.reaction_s:g} s",
@@ -45,3 +40,19 @@ def find_late(inquiry: Inquiry, required: Requirement, *, thorough: bool) -> Ite
         )
         note = witness_note(below.machine, result.witness, (last,))
         yield Finding(finding.at(required.span, notes=(note, reaction)), result.witness)
+
+
+def not_proved(required: Requirement, reason: str) -> Finding:
+    """The finding on a requirement that is not decided: a promise that nobody can show is none."""
+    finding = NotProved(
+        rule=required.rule,
+        reason=reason,
+        places=required.places,
+        motion=required.braking.motion,
+        speed=_speed(required),
+    )
+    return Finding(finding.at(required.span))
+
+
+def _speed(required: Requirement) -> str:
+    return f"{required.speed:g} m/s"

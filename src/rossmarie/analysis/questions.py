@@ -12,7 +12,7 @@ from rossmarie.analysis.errors import Undecided
 from rossmarie.analysis.failures import find_unnoticed
 from rossmarie.analysis.feedback import find_alternating
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.foresight import find_late
+from rossmarie.analysis.foresight import find_late, not_proved
 from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
@@ -55,26 +55,25 @@ def ask_required(
     required: Requirement, *, thorough: bool, on_step: Callable[[str], None] = lambda _: None
 ) -> Iterator[Finding]:
     """The findings on a requirement of a rule; that time ran out is one of them."""
-    question = "which rules act in time?"
-    on_step(question)
+    on_step("which rules act in time?")
     limit_s = THOROUGH_S if thorough else QUICK_S
     inquiry = Inquiry(required.machine, time.process_time() + limit_s)
     try:
-        yield from find_late(inquiry, required, thorough=thorough)
+        yield from find_late(inquiry, required)
     except OutOfTimeError:
-        yield Finding(_out_of_time(question, limit_s).at(required.span))
+        yield not_proved(required, _not_all_asked(limit_s))
 
 
 def _in_time(inquiry: Inquiry, name: str, question: Question, limit_s: float) -> Iterator[Finding]:
     try:
         yield from question(inquiry)
     except OutOfTimeError:
-        yield Finding(_out_of_time(name, limit_s).at(inquiry.machine.rules[0].span))
+        finding = Undecided(question=name, reason=_not_all_asked(limit_s))
+        yield Finding(finding.at(inquiry.machine.rules[0].span))
 
 
-def _out_of_time(question: str, limit_s: float) -> Undecided:
-    reason = f"not all was asked within {limit_s:g} s; `--thorough` takes its time"
-    return Undecided(question=question, reason=reason)
+def _not_all_asked(limit_s: float) -> str:
+    return f"not all was asked within {limit_s:g} s; `--thorough` takes its time"
 
 
 def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:

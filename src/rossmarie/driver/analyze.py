@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.source import Span
 from dslkit.writing import write_whole
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.witness import Witness
@@ -20,12 +21,14 @@ TOGGLE_NS = 1_000_000_000
 @dataclass(frozen=True)
 class Analysis:
     """All findings on a rules file, and the witnesses as recordings (CSV), by file name; the rules
-    as they were asked, None if nothing was.
+    as they were asked, None if nothing was. `proved` are the spans of the requirements that were
+    proved.
     """
 
     findings: tuple[Finding, ...]
     witnesses: dict[str, str]
     compiled: Compiled | None = None
+    proved: frozenset[Span] = frozenset()
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -69,15 +72,21 @@ def analyzed(
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
     """Ask what rules mean together; `checked` are the findings so far."""
+    from rossmarie.analysis.errors import InTime
     from rossmarie.analysis.witness import as_csv, within
 
     collector = Collector()
     collector.extend(checked)
     witnesses: dict[str, str] = {}
     shown: dict[int, Witness] = {}
+    proved: set[Span] = set()
     for asked, finding in _answers(compiled, thorough, toggle_ns, on_step):
         if _is_told(compiled.machine, finding.diagnostic, checked):
             continue
+        if finding.diagnostic.code == InTime.code:
+            proved.add(finding.diagnostic.primary.span)
+            if not thorough:
+                continue
         collector.add(finding.diagnostic)
         if finding.witness is not None:
             shown[id(finding.diagnostic)] = within(compiled.machine, finding.witness)
@@ -86,7 +95,7 @@ def analyzed(
             name = f"{rules.stem}_{code}_{count}.csv"
             witnesses[name] = as_csv(asked, finding.witness)
     findings = tuple(Finding(each, shown.get(id(each))) for each in collector.sorted())
-    return Analysis(findings, witnesses)
+    return Analysis(findings, witnesses, proved=frozenset(proved))
 
 
 def _answers(

@@ -73,6 +73,7 @@ def safety_file(
         is_thorough=thorough,
         losses=tuple(losses(Inquiry(compiled.machine))),
         requirements=compiled.requirements,
+        proved=analysis.proved,
         tool=tool,
         date=date,
         verification=reports.get(EvidenceKind.VERIFICATION),

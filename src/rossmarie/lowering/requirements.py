@@ -43,11 +43,13 @@ def lower_requirements(program: CheckedProgram) -> tuple[ir.Requirement, ...]:
 
 
 def _not_in_time(rule: int, keeps: CheckedKeeps, program: CheckedProgram, found: Lowered) -> int:
-    """The truth that it is too late, and what is written as the condition of the rule is false."""
+    """The truth that it is too late, and the condition of the rule is false: also where a skill of
+    its scope does not run, or one of its exemptions does.
+    """
     span, name = keeps.written.span, found.machine.rules[rule].name
     late = found.truths.too_late(keeps, Shown(f"too late: {words(span)}", span))
     stated = words(program.rules[rule].condition.span)
-    inactive = found.nodes.negation(found.contracts[rule].written, Shown(f"not {stated}", span))
+    inactive = found.nodes.negation(found.contracts[rule].condition, Shown(f"not {stated}", span))
     shown = Shown(f"too late, and {name} is not active", span)
     return found.nodes.conjunction((late, inactive), shown)
 

@@ -33,7 +33,7 @@ _SPEED = Quantity(parse_unit("m/s"))
 
 
 class Fault(enum.Enum):
-    """Why an operator cannot be applied to its operands."""
+    """The reasons that keep an operator from its operands."""
 
     OPERANDS = "the operator does not take operands of such types"
     VECTOR = "a vector stands where a single number is needed"

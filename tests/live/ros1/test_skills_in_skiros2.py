@@ -72,7 +72,7 @@ FRAMES = """
 <http://example.org/frames> a owl:Ontology .
 skiros:BaseFrameId a owl:DatatypeProperty .
 """
-"""What the ontology of SkiROS2 has, and that of the example leaves out."""
+"""A property that the ontology of SkiROS2 has, and that of the example leaves out."""
 
 
 @pytest.fixture(scope="module")

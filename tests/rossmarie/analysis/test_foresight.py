@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from rossmarie.analysis import questions
 from rossmarie.analysis.questions import ask_required
 from rossmarie.analysis.witness import views
 from rossmarie.driver.analyze import analyze_file
@@ -13,6 +15,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.report import safety_file
 from rossmarie.driver.witness_tests import witness_tests
 from rossmarie.ir import TruthValue
+from rossmarie.report.safety.kept import kept
 from rossmarie.report.safety.page import render_safety_file
 from support.rule_skills import FILE
 
@@ -42,7 +45,8 @@ def found(folder: Path, condition: str, behind: str = "", *, thorough: bool = Tr
         f"{HEAD}rule r: if {condition} then {{ slow; }} {behind} {KEEPS};\n", encoding="utf-8"
     )
     about = analyze_file(path, thorough=thorough).diagnostics
-    return {each.code for each in about if each.code in ("ROSS721", "ROSS722", "ROSS729")}
+    codes = ("ROSS721", "ROSS722", "ROSS723", "ROSS729")
+    return {each.code for each in about if each.code in codes}
 
 
 @pytest.mark.parametrize(
@@ -85,14 +89,57 @@ def test_a_rule_that_is_late_is_refuted(tmp_path: Path, condition: str) -> None:
     assert not last.active[0]
 
 
-def test_the_scope_is_no_part_of_the_question(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("scope", "exemption"),
+    [
+        ("while doing Drive", ""),
+        ("", "unless doing Push"),
+        ("", "unless doing Push then { slow; }"),
+        ("", "unless doing Push then if velocity.x > 1 m/s then { slow; }"),
+    ],
+)
+def test_a_rule_that_some_skills_switch_off_is_refuted(
+    tmp_path: Path, scope: str, exemption: str
+) -> None:
+    """Nobody knows that the robot does not move meanwhile."""
     path = tmp_path / "rules.ross"
     path.write_text(
         f"{HEAD}rule r: if distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) "
-        f"while doing Drive then {{ slow; }} unless doing Push {KEEPS};\n",
+        f"{scope} then {{ slow; }} {exemption} {KEEPS};\n",
         encoding="utf-8",
     )
-    assert "ROSS722" in {each.code for each in analyze_file(path, thorough=True).diagnostics}
+    codes = {each.code for each in analyze_file(path, thorough=True).diagnostics}
+    assert "ROSS721" in codes
+    assert "ROSS722" not in codes
+
+
+def test_a_rule_of_which_nobody_knows_is_an_error(tmp_path: Path) -> None:
+    """The solver does not know that all of the school's corridor is in a corridor."""
+    condition = "distance(pose, Corridor) < stopping(drive, 0.3 m/s)"
+    assert found(tmp_path, condition) == {"ROSS723"}
+    content, _ = safety_file(tmp_path / "rules.ross", tool="rossmarie 1", date="2026-01-01")
+    (required,) = content.requirements
+    assert kept(required, content).outcome == "not decided"
+
+
+def test_a_requirement_for_which_there_is_no_time_is_an_error(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(questions, "QUICK_S", 0.0)
+    path = tmp_path / "rules.ross"
+    found(tmp_path, "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s)")
+    (required,) = compile_file(path).requirements
+    (late,) = ask_required(required, thorough=False)
+    assert late.diagnostic.code == "ROSS723"
+    assert "within 0 s" in late.diagnostic.primary.text
+
+
+def test_an_undecided_requirement_is_no_proved_one(tmp_path: Path) -> None:
+    found(tmp_path, "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s)")
+    content, _ = safety_file(tmp_path / "rules.ross", tool="rossmarie 1", date="2026-01-01")
+    (required,) = content.requirements
+    assert kept(required, content).outcome == "proved"
+    assert kept(required, replace(content, proved=frozenset())).outcome == "not decided"
 
 
 def test_monitors_do_not_pay_for_requirements(tmp_path: Path) -> None:

@@ -48,9 +48,21 @@ class UndeclaredMotion(Error, code="ROSS267", name="undeclared-motion"):
         known: str
 
 
+class KeptGivesWay(Error, code="ROSS270", name="kept-gives-way"):
+    """A rule that keeps something, and that another rule switches off."""
+
+    title = "rule `{rule}` keeps `{motion}` below a speed, and gives way to `{other}`"
+    label = "while `{other}` is active, nothing keeps it"
+    help = "leave `unless {other}` out, or let another rule keep it, which gives way to nobody"
+    rule: str
+    motion: str
+    other: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownMotionPart,
     IncompleteMotion,
     UnlimitedReaction,
     UndeclaredMotion,
+    KeptGivesWay,
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rossmarie.check.expressions.infer import infer
-from rossmarie.check.foresight.errors import UndeclaredMotion
+from rossmarie.check.foresight.errors import KeptGivesWay, UndeclaredMotion
 from rossmarie.check.model import CheckedKeeps, CheckedMotion
 from rossmarie.check.names.references import report_wrong_kind
 from rossmarie.check.names.regions import places_of
@@ -18,6 +18,7 @@ def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
     written = rule.keeps
     if written is None:
         return None
+    _report_giving_way(rule, written, context)
     motion = _motion(written.motion, context)
     infer(written.speed, context)
     speed = wanted_speed(written.speed, motion, context)
@@ -30,6 +31,13 @@ def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
         return None
     region, type_ = places
     return CheckedKeeps(motion, speed, region, type_.frame, written)
+
+
+def _report_giving_way(rule: ast.Rule, written: ast.Keeps, context: Context) -> None:
+    own = "this rule" if rule.name is None else rule.name.text
+    for other in rule.unless:
+        finding = KeptGivesWay(rule=own, motion=written.motion.text, other=other.text)
+        context.collector.add(finding.at(other.span))
 
 
 def _motion(name: ast.Name, context: Context) -> CheckedMotion | None:

@@ -20,7 +20,7 @@ from rossmarie.check.names.errors import (
 )
 from rossmarie.check.names.fields import select
 from rossmarie.check.names.message_constants import names_a_message, type_of_message_constant
-from rossmarie.check.names.regions import type_of_class
+from rossmarie.check.names.regions import classes_for, type_of_class
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.declarations import ARTICLES, Named, kind_of
 from rossmarie.check.scopes.trees import text_of
@@ -179,12 +179,15 @@ def _report_undeclared(node: ast.Reference, context: Context) -> None:
         context.collector.add(UndeclaredName(identifier=name.text).at(name.span))
         return
     own = context.declarations.conditions.get(context.entity or "", {})
-    values = _named(context, ast.Constant, ast.Input)
+    values = _named(context, ast.Constant, ast.Input, ast.Motion)
     finding = UndeclaredName(identifier=name.text)
     elsewhere = _entity_with(name.text, context)
     elements = context.folds_around(node)
-    near = near_name(name.text, [*elements, *values, *own])
-    if near in elements:
+    classes = classes_for(node, context)
+    near = near_name(name.text, [*elements, *values, *own, *classes])
+    if near in classes:
+        context.collector.add(suggesting(finding, name, near))
+    elif near in elements:
         place = NamedHere(name=near).at(elements[near].variable.span)
         context.collector.add(suggesting(finding, name, near, place))
     elif near is not None:

@@ -47,6 +47,13 @@ def type_of_class(node: ast.Reference | ast.Member, context: Context) -> Type | 
     return type_
 
 
+def classes_for(node: ast.Reference, context: Context) -> list[str]:
+    """The bare names of the classes that may be meant where a name stands; none where none can."""
+    if context.skills is None or not _is_asked_for(node, context):
+        return []
+    return [each.rpartition(".")[2] for each in context.skills.file.classes]
+
+
 def _is_asked_for(node: ast.Expression, context: Context) -> bool:
     """Say whether a name stands where that of a class can stand."""
     around = context.parents.get(node)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rossmarie import ir
-from rossmarie.analysis.errors import NotInTime, Undecided
-from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.errors import NotInTime
+from rossmarie.report.safety.model import SafetyFile
 
-_OUTCOMES = {NotInTime.code: "refuted", Undecided.code: "not decided"}
 _SPEEDS = 4
 """So many measured speeds have their way in the table, the fastest among them."""
 
@@ -35,18 +34,25 @@ class Kept:
     ways: tuple[Way, ...]
 
 
-def kept(required: ir.Requirement, findings: Sequence[Finding]) -> Kept:
-    """A requirement as a safety file tells of it; `findings` are those on the rules."""
-    codes = {
-        each.diagnostic.code for each in findings if each.diagnostic.primary.span == required.span
-    }
-    outcome = next((words for code, words in _OUTCOMES.items() if code in codes), "proved")
+def kept(required: ir.Requirement, content: SafetyFile) -> Kept:
+    """A requirement as a safety file tells of it."""
     ways = tuple(_way(required, number) for number in range(1, _SPEEDS + 1))
-    return Kept(required, outcome, tuple(_assumptions(required.braking)), ways)
+    assumptions = tuple(_assumptions(required.braking))
+    return Kept(required, _outcome(required, content), assumptions, ways)
+
+
+def _outcome(required: ir.Requirement, content: SafetyFile) -> str:
+    if required.span in content.proved:
+        return "proved"
+    found = (each.diagnostic for each in content.findings)
+    is_refuted = any(
+        each.code == NotInTime.code and each.primary.span == required.span for each in found
+    )
+    return "refuted" if is_refuted else "not decided"
 
 
 def _assumptions(braking: ir.Braking) -> Iterator[str]:
-    yield f"The position is {braking.position}, the speed {braking.speed}."
+    yield f"The position comes from “{braking.position}”, the speed from “{braking.speed}”."
     yield (
         f"The brakes hold {braking.reaction_s:g} s after a message at the latest: a message is "
         f"missed after {braking.timeout_s:g} s, and the latency is {braking.latency_s:g} s."

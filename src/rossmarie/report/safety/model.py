@@ -46,6 +46,7 @@ class SafetyFile:
     is_thorough: bool
     losses: tuple[Loss, ...]
     requirements: tuple[ir.Requirement, ...]
+    proved: frozenset[Span]
     tool: str
     date: str
     verification: Evidence | None

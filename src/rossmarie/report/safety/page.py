@@ -54,7 +54,7 @@ def render_safety_file(content: SafetyFile) -> str:
         coded=_coded,
         drawn=lambda witness: Markup(witness_svg(machine, witness)),
         losses=content.losses,
-        kept=[kept(each, content.findings) for each in content.requirements],
+        kept=[kept(each, content) for each in content.requirements],
         effects=(Effect.ACTIVATES, Effect.DEPENDS),
         claims=_claims(machine),
         exemptions=_exemptions(machine, rules),

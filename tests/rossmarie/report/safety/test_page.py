@@ -70,6 +70,7 @@ def content_of(machine: ir.Machine) -> SafetyFile:
         False,
         (),
         (),
+        frozenset(),
         "rossmarie 1",
         "2026-01-01",
         None,
