@@ -15,7 +15,7 @@ def test_a_robot_is_in_a_place_of_the_scene(robot: Robot, start: Start) -> None:
     start()
 
     def becomes(*rules: str, place: tuple[float, float], frame: str = "map") -> None:
-        robot.set(place=[*place, frame])
+        robot.set(mode="placed", place=[*place, frame])
         active = {"inside", "beside"} & set(robot.state().get("active", ()))
         until(
             lambda: {"inside", "beside"} & set(robot.state().get("active", ())) == set(rules),
@@ -25,6 +25,6 @@ def test_a_robot_is_in_a_place_of_the_scene(robot: Robot, start: Start) -> None:
     becomes("inside", "beside", place=INSIDE)
     becomes("beside", place=BESIDE)
     becomes(place=OUTSIDE)
-    # Nobody knows how a pose in another frame lies to the places: that counts as lost.
+    # Nobody knows how a pose in another frame lies to the places: it is lost after the timeout.
     becomes("inside", "beside", place=OUTSIDE, frame="odom")
     becomes(place=OUTSIDE)

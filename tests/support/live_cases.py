@@ -66,7 +66,7 @@ input torques = topic /effort_states : std_msgs/Float64MultiArray .data
 input parts = topic /parts : diagnostic_msgs/DiagnosticArray .status up to 3;
 input cloud = topic /cloud : sensor_msgs/PointCloud2 .points up to 9;
 input mode = topic /mode : std_msgs/String;
-input place = topic /place : geometry_msgs/PoseStamped .pose;
+input place = topic /place : geometry_msgs/PoseStamped .pose timeout 0.5 sec;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
 rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until reset;
 rule passed_by: if bypassed then { alarm; };
@@ -75,8 +75,8 @@ rule driven: if torques["elbow"] > 30 Nm then { alarm; };
 rule failing: if any(part in parts: part.level >= DiagnosticStatus.ERROR and part.name == "motor")
     then { alarm; };
 rule crowded: if any(p in cloud: norm(p) < 1 m and p.intensity > 100) then { alarm; };
-rule inside: if place in SchoolCorridor then { alarm; };
-rule beside: if distance(place, SchoolCorridor) < 1 m then { alarm; };
+rule inside: if mode == "placed" and place in SchoolCorridor then { alarm; };
+rule beside: if mode == "placed" and distance(place, SchoolCorridor) < 1 m then { alarm; };
 rule near: if any(ranges < 0.3 m) and mode != "docking" then { back; };
 rule touched: if mode == "touched" or mode == "both" then { retract; };
 rule paused: if mode == "paused" or mode == "both" or mode == "seized" then { freeze; };

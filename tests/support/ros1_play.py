@@ -45,7 +45,7 @@ def node_of(master):
 
 def publisher(topic, kind, node):
     """One that a node listens to. What is published has been sent when `publish` returns."""
-    found = rospy.Publisher(topic, kind, queue_size=None)
+    found = rospy.Publisher(topic, kind, tcp_nodelay=True, queue_size=None)
     while node not in (connection[1] for connection in found.impl.get_stats_info()):
         time.sleep(0.02)
     return found

@@ -13,11 +13,15 @@ from rossmarie.analysis.terms import within
 from rossmarie.core import row
 from rossmarie.core.expressions import Operand
 
+_APART = z3.RealVal("0.001")
+"""The least difference, in the unit of both, of numbers that rounding may not make equal."""
+
 
 def hints(course: Course) -> list[list[z3.BoolRef]]:
     """Facts that make it likely that a proposal is borne out and easy to read, from much to
-    nothing: a length or a distance is one that is easy to compute; and numbers are
-    near what they are compared with, and not negative.
+    nothing: a length or a distance is one that is easy to compute; numbers that are compared with
+    one another are apart, since floats round them; and numbers are near the constants that they are
+    compared with, and not negative.
     """
     lengths = []
     near = []
@@ -31,7 +35,30 @@ def hints(course: Course) -> list[list[z3.BoolRef]]:
         for index, (low, high) in ranges.items():
             value = moment.signal(index).value
             near += within(value, (low, high))
-    return [[*lengths, *near], *([lengths] if lengths else ()), []]
+    apart = _apart(course)
+    return [
+        *([[*lengths, *apart, *near], apart] if apart else ()),
+        [*lengths, *near],
+        *([lengths] if lengths else ()),
+        [],
+    ]
+
+
+def _apart(course: Course) -> list[z3.BoolRef]:
+    """Signals that are compared with one another, and not with a constant, are not nearly equal."""
+    machine = course.asked.machine
+    found = []
+    for truth in course.times.truths:
+        node = machine.truths[truth].node
+        if course.asked.elements.truths[truth] is not None or not isinstance(node, ir.Compare):
+            continue
+        sides = (node.left, node.right)
+        if any(isinstance(machine.signals[side].node, ir.Constant) for side in sides):
+            continue
+        for moment in course.moments:
+            left, right = (moment.signal(side).value for side in sides)
+            found.append(z3.Or(left - right > _APART, right - left > _APART))
+    return found
 
 
 def _near(course: Course) -> dict[int, tuple[float, float]]:
