@@ -184,10 +184,11 @@ class _Run:
 
         from ezskiros.cli.progress import LiveTree
         from ezskiros.engine.interruption import InterruptibleTask
+        from ezskiros.planning.replanning import replanner
 
         self._setting, self._period, self._timeout = setting, period, timeout
         self._export = export
-        self.task = InterruptibleTask(call, setting)
+        self.task = InterruptibleTask(call, setting, replanner(setting.library, setting.world))
         self._console = Console(highlight=False)
         self._live = LiveTree(self._console) if self._console.is_terminal else None
         self._trace: Trace | None = None

@@ -3,13 +3,17 @@
 Whoever watches the robot asks for a tree, from any thread. At the next tick the primitives that run
 are preempted, and the tree is ticked in their place. When it has succeeded, the task goes on as it
 was asked to. One that fails ends the task: nobody knows any more whether the task can go on.
+
+While another way to its goal is looked for, nothing moves.
 """
 
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections import deque
+from collections.abc import Callable, Iterator, Sequence
+from concurrent.futures import Future
+from dataclasses import dataclass, replace
 from queue import Empty, SimpleQueue
 
 from py_trees.behaviour import Behaviour
@@ -33,7 +37,7 @@ class Afterwards(enum.Enum):
     RETRY = "retry"
     """The task starts again."""
     REPLAN = "replan"
-    """Another tree leads to the goal of the task, from where the world is now."""
+    """Other skills lead to the post-conditions of the task, from where the world is now."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,22 +51,30 @@ class Recovery:
     done: Callable[[bool, str], None]
 
 
-class InterruptibleTask(Task):
-    """A task, and the tree that interrupts it. `replan` gives the call that leads to the goal of
-    the task now, None if nothing does.
-    """
+class NoWayError(Exception):
+    """No skills lead to the goal of a task; the text says why."""
 
-    def __init__(
-        self,
-        call: SkillCall,
-        setting: Setting,
-        replan: Callable[[], SkillCall | None] = lambda: None,
-    ) -> None:
+
+Way = Sequence[SkillCall]
+"""Skills, one after the other."""
+Replan = Callable[[SkillCall], "Future[Way]"]
+"""Looks for a way to the post-conditions of a skill, of which all values are given, from where the
+world is now. The future raises `NoWayError`.
+"""
+
+
+class InterruptibleTask(Task):
+    """A task, and the tree that interrupts it."""
+
+    def __init__(self, call: SkillCall, setting: Setting, replan: Replan) -> None:
         super().__init__(call, setting)
-        self._replan = replan
+        self._call, self._replan = call, replan
+        self._aim = call
+        self._left: deque[SkillCall] = deque()
         self._asked: SimpleQueue[Recovery | None] = SimpleQueue()
         self._recovery: Recovery | None = None
         self._tree: RunningSkill | None = None
+        self._search: Future[Way] | None = None
 
     @property
     def recovering(self) -> RunningSkill | None:
@@ -81,8 +93,11 @@ class InterruptibleTask(Task):
         """One tick, of the tree if there is one, else of the task."""
         with deep():
             self._take()
+        if self._search is not None:
+            self.ticks += 1
+            return self._take_way(self._search) if self._search.done() else Status.RUNNING
         if self._tree is None:
-            return super().tick()
+            return self._tick_task()
         self.ticks += 1
         with deep(), garbage.not_now():
             for _ in self._tree.tick():
@@ -95,6 +110,13 @@ class InterruptibleTask(Task):
         """Stop all that runs."""
         self._give_up("the task is stopped")
         super().preempt()
+
+    def _tick_task(self) -> Status:
+        status = super().tick()
+        if status is not Status.SUCCESS or not self._left:
+            return status
+        self._start(self._left.popleft())
+        return Status.RUNNING
 
     def _take(self) -> None:
         """The last that was asked for since the tick before."""
@@ -117,39 +139,68 @@ class InterruptibleTask(Task):
     def _give_up(self, why: str) -> None:
         """End the tree, if one runs."""
         tree, recovery = self._tree, self._recovery
-        self._tree = self._recovery = None
-        if tree is not None and recovery is not None:
+        self._tree = self._recovery = self._search = None
+        if tree is not None:
             with deep():
                 tree.stop(Status.INVALID)
+        if recovery is not None:
             recovery.done(False, why)
 
     def _end(self, status: Status) -> Status:
         """After the tree: the task goes on, or has failed."""
         recovery = self._recovery
         assert recovery is not None, "a tree runs"
-        self._tree = self._recovery = None
+        self._tree = None
         if status is not Status.SUCCESS:
             reason = self.setting.last_failure or Reason(Code.EXECUTION, "it failed")
             return self._failed(recovery, f"the recovery has failed: {reason.text}")
         if recovery.afterwards is Afterwards.REPLAN:
-            call = self._replan()
-            if call is None:
-                return self._failed(recovery, "no plan leads to the goal of the task any more")
-            self._start_again(call)
-        elif recovery.afterwards is Afterwards.RETRY:
-            self._start_again(self.root.call)
+            self._search = self._replan(self._goal())
+            return Status.RUNNING
+        self._recovery = None
+        if recovery.afterwards is Afterwards.RETRY:
+            self._left.clear()
+            self._stop_task()
+            self._start(self._call)
         recovery.done(True, "")
         return Status.RUNNING
 
-    def _start_again(self, call: SkillCall) -> None:
-        with deep():
-            self.root.stop(Status.INVALID)
+    def _goal(self) -> SkillCall:
+        """The call of the task, with the values that it has found for its parameters."""
+        if self.root.call is self._call:
+            values = {**self._call.arguments, **self.root.values}
+            self._aim = replace(self._call, arguments=values)
+        return self._aim
+
+    def _take_way(self, search: Future[Way]) -> Status:
+        """The task goes on by another way; it is over if its goal is met already."""
+        recovery = self._recovery
+        assert recovery is not None, "a way is looked for"
+        self._search = None
+        try:
+            way = search.result()
+        except NoWayError as problem:
+            return self._failed(recovery, f"no plan leads to the goal of the task: {problem}")
+        self._recovery = None
+        self._stop_task()
+        self._left = deque(way)
+        recovery.done(True, "")
+        if not self._left:
+            return Status.SUCCESS
+        self._start(self._left.popleft())
+        return Status.RUNNING
+
+    def _start(self, call: SkillCall) -> None:
         plan = self.setting.plans.of(call)[0]
         self.root = root_skill(call, self.setting, plan.label or plan.skill.name)
 
-    def _failed(self, recovery: Recovery, why: str) -> Status:
+    def _stop_task(self) -> None:
         with deep():
             self.root.stop(Status.INVALID)
+
+    def _failed(self, recovery: Recovery, why: str) -> Status:
+        self._recovery = None
+        self._stop_task()
         self.setting.last_failure = Reason(Code.EXECUTION, why)
         recovery.done(False, why)
         return Status.FAILURE

@@ -7,7 +7,7 @@ compound ticks the tree that `expandBT` has built, a primitive is executed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 from py_trees.behaviour import Behaviour
@@ -74,6 +74,11 @@ class RunningSkill(Behaviour):
     def call(self) -> SkillCall:
         """The call in the tree above it."""
         return self._call
+
+    @property
+    def values(self) -> Mapping[str, Any]:
+        """The values that its parameters have now; none before its start."""
+        return self._values
 
     @property
     def tree(self) -> Behaviour | None:

@@ -44,6 +44,13 @@ class World:
         """Take what a scene says."""
         self._store.extend(scene.triples)
 
+    def copy(self) -> World:
+        """Another world in which the same is so."""
+        found = World(self.ontology)
+        found._store.clear()  # individuals of the ontology may be gone
+        found._store.extend(self._store)
+        return found
+
     def save(self, path: Path) -> None:
         """Write all facts as Turtle. Raises `OSError`."""
         quads = sorted(self._store, key=_order)

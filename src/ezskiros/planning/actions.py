@@ -47,7 +47,7 @@ class Action:
     """Parameters that stand for different things: each does, unless their classes exclude it."""
 
 
-class _NotPlannableError(Exception):
+class NotPlannableError(Exception):
     """A skill says something that has no translation; the text says what."""
 
 
@@ -65,7 +65,7 @@ def actions(library: Library, model: Model) -> tuple[list[Action], list[Diagnost
         try:
             ways = _ways(description, skill, library)
             drafts += [_draft(each, description, model) for each in ways]
-        except _NotPlannableError as why:
+        except NotPlannableError as why:
             found.append(errors.SkillLeftOut(skill=skill.name, why=str(why)).at(skill.span))
     return [_with_consequences(each, drafts, model) for each in drafts], found
 
@@ -79,7 +79,7 @@ def _ways(description: SkillClass, skill: SkillInterface, library: Library) -> l
     known = map(library.as_done_by, available) if implementing else [skill]
     ways = {id(each): each for each in known if each and each.pre and each.post}
     if ways and not implementing:
-        raise _NotPlannableError("nothing in these files implements it")
+        raise NotPlannableError("nothing in these files implements it")
     return list(ways.values())
 
 
@@ -87,7 +87,7 @@ def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Acti
     """An action with what the skill says itself."""
     for parameter in skill.parameters:
         if parameter.is_thing and parameter.is_output:
-            raise _NotPlannableError(f"`{parameter.name}` is something that it finds out")
+            raise NotPlannableError(f"`{parameter.name}` is something that it finds out")
     clauses = [*skill.pre, *skill.hold, *skill.post]
     named = {name for each in clauses for name in names(each.statement)}
     things = tuple(
@@ -126,12 +126,12 @@ def _clause(statement: Statement) -> Clause | None:
     """The need of a condition; None if that is always so."""
     if isinstance(statement, AnyOf):
         if not statement.is_true:
-            raise _NotPlannableError("it needs that none of several conditions holds")
+            raise NotPlannableError("it needs that none of several conditions holds")
         parts = [_clause(part) for part in statement.parts]
         return None if None in parts else tuple(e for part in parts if part for e in part)
     if isinstance(statement, Specified):
         if not statement.is_true:
-            raise _NotPlannableError(f"it needs that `{statement.subject}` is not given")
+            raise NotPlannableError(f"it needs that `{statement.subject}` is not given")
         return None
     return (literal(statement),)
 
@@ -151,19 +151,19 @@ def literal(statement: Statement) -> Literal:
         case Generated(subject=subject):
             return Literal(GONE, (subject,), not statement.is_true)
         case Specified() | AnyOf():
-            raise _NotPlannableError("it has a condition of an unknown kind")
+            raise NotPlannableError("it has a condition of an unknown kind")
 
 
 def _effects(statement: Statement) -> Iterator[Literal]:
     match statement:
         case AnyOf():
-            raise _NotPlannableError("which of several post-conditions will hold is not known")
+            raise NotPlannableError("which of several post-conditions will hold is not known")
         case OfType():
-            raise _NotPlannableError("it changes the class of something")
+            raise NotPlannableError("it changes the class of something")
         case Generated(is_true=True):
-            raise _NotPlannableError(f"`{statement.subject}` comes into being")
+            raise NotPlannableError(f"`{statement.subject}` comes into being")
         case Comparison(operator=sign) if sign != "=":
-            raise _NotPlannableError("which number a property will have is not known")
+            raise NotPlannableError("which number a property will have is not known")
         case Specified():
             return
         case Relation() | Comparison() | HasProperty() | Generated():

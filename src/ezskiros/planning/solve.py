@@ -6,6 +6,7 @@ Its files are found, and nothing of it is imported.
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import signal
 import subprocess
@@ -47,7 +48,8 @@ def solve(problem: Problem, seconds: float) -> list[Step] | None:
         folder = Path(name)
         (folder / "domain.pddl").write_text(problem.domain(), encoding="utf-8")
         (folder / "problem.pddl").write_text(problem.problem(), encoding="utf-8")
-        files = ("--plan-file", "plan", *_SEARCH, "domain.pddl", "problem.pddl")
+        limit = ("--overall-time-limit", f"{math.ceil(seconds)}s")  # if this program is killed
+        files = ("--plan-file", "plan", *limit, *_SEARCH, "domain.pddl", "problem.pddl")
         code, said = _run([sys.executable, str(program), *files], folder, seconds)
         plan = folder / "plan"
         if code in _FOUND and plan.exists():

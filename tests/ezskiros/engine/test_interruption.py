@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable
+from concurrent.futures import Future
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
@@ -12,7 +13,13 @@ import pytest
 from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
-from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
+from ezskiros.engine.interruption import (
+    Afterwards,
+    InterruptibleTask,
+    NoWayError,
+    Recovery,
+    Way,
+)
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
 from support.engine import Skills
@@ -111,14 +118,15 @@ class Scene:
         return found
 
 
-Begin = Callable[[str], Scene]
+Begin = Callable[..., Scene]
 
 
 @pytest.fixture
 def begin(tmp_path: Path) -> Begin:
-    def begun(skill: str) -> Scene:
+    def begun(skill: str, search: Future[Way] | None = None) -> Scene:
+        search = search or Future()
         plain, events, _ = Skills(tmp_path, SOURCE).task(skill)
-        return Scene(InterruptibleTask(plain.root.call, plain.setting), events)
+        return Scene(InterruptibleTask(plain.root.call, plain.setting, lambda _: search), events)
 
     return begun
 
@@ -146,20 +154,71 @@ def test_a_task_that_is_retried_begins_anew(begin: Begin) -> None:
 
 
 def test_another_plan_leads_to_the_goal(begin: Begin) -> None:
-    scene = begin("Both")
-    scene.task._replan = lambda: scene.call("Patient")
+    """Nothing moves until it is found; then its skills run one after the other."""
+    search: Future[Way] = Future()
+    scene = begin("Both", search)
     scene.ticks(3)
     scene.ask("Clear", Afterwards.REPLAN)
+    assert scene.ticks(10) is Status.RUNNING
+    assert scene.lives()[-4:] == ["+aside", "aside", "+back", "back"]
+    assert scene.told == []
+    search.set_result([scene.call("Patient"), scene.call("Clear")])
+    scene.ticks(1)
+    assert scene.told == [(True, "")]
     assert scene.ticks(14) is Status.SUCCESS
-    assert scene.lives()[-4:] == ["+left", "+right", "left", "right"]
+    assert scene.lives()[-8:-4] == ["+left", "+right", "left", "right"]
+    assert scene.lives()[-4:] == ["+aside", "aside", "+back", "back"]
+
+
+def test_a_task_whose_goal_is_met_is_over(begin: Begin) -> None:
+    search: Future[Way] = Future()
+    search.set_result([])
+    scene = begin("Both", search)
+    scene.ticks(3)
+    scene.ask("Clear", Afterwards.REPLAN)
+    assert scene.ticks(4) is Status.SUCCESS
+    assert scene.told == [(True, "")]
+    assert [*scene.task.setting.running] == []
 
 
 def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
-    scene = begin("Both")
+    search: Future[Way] = Future()
+    search.set_exception(NoWayError("all ways are blocked"))
+    scene = begin("Both", search)
     scene.ticks(3)
     scene.ask("Clear", Afterwards.REPLAN)
-    assert scene.ticks(4) is Status.FAILURE
-    assert scene.told == [(False, "no plan leads to the goal of the task any more")]
+    assert scene.ticks(5) is Status.FAILURE
+    why = "no plan leads to the goal of the task: all ways are blocked"
+    assert scene.told == [(False, why)]
+    assert [*scene.task.setting.running] == []
+
+
+def test_a_rule_that_is_released_ends_the_search(begin: Begin) -> None:
+    """The task goes on where it was, also when a way is found afterwards."""
+    search: Future[Way] = Future()
+    scene = begin("Both", search)
+    scene.ticks(3)
+    scene.ask("Clear", Afterwards.REPLAN)
+    scene.ticks(5)
+    scene.task.release()
+    scene.ticks(1)
+    search.set_result([scene.call("Patient")])
+    assert scene.ticks(6) is Status.SUCCESS
+    assert scene.told == [(False, "it was stopped")]
+    assert scene.lives()[-2:] == ["+second", "second"]
+
+
+def test_a_task_is_retried_as_it_began_after_another_way(begin: Begin) -> None:
+    search: Future[Way] = Future()
+    scene = begin("Both", search)
+    search.set_result([scene.call("Patient"), scene.call("Clear")])
+    scene.ticks(3)
+    scene.ask("Clear", Afterwards.REPLAN)
+    scene.ticks(6)
+    assert scene.lives()[-2:] == ["+left", "+right"]
+    scene.ask("Clear", Afterwards.RETRY)
+    assert scene.ticks(14) is Status.SUCCESS
+    assert scene.lives()[-4:] == ["+first", "first", "+second", "second"]
 
 
 def test_all_that_runs_is_preempted_at_the_next_tick(begin: Begin) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future
 from pathlib import Path
 
 import pytest
@@ -58,7 +59,7 @@ class Robot:
         plain, self.events, _ = Skills(folder, SOURCE, SCENE).task(
             "Drive", "Target=kitchen", "Speed=0.25", "Gear=FAST"
         )
-        self.task = InterruptibleTask(plain.root.call, plain.setting)
+        self.task = InterruptibleTask(plain.root.call, plain.setting, lambda _: Future())
         self.goals = RecoveryGoals(DIGEST, TaskHost(self.task))
         self.told: list[tuple[bool, str]] = []
         self.task.tick()

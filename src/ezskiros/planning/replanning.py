@@ -1,0 +1,104 @@
+"""Another way to the goal of a task: skills that lead to its post-conditions, from where the world
+is now (thesis, section 5.2).
+
+A tree that found a way blocked says so in the world model, and the search heeds the pre-conditions
+of skills: so the same way is not taken again.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from concurrent.futures import Future
+from types import MappingProxyType
+
+from ezskiros.engine.interruption import NoWayError, Replan, Way
+from ezskiros.engine.values import WorldThing
+from ezskiros.engine.world import World
+from ezskiros.planning.actions import NotPlannableError, actions, literal
+from ezskiros.planning.goals import Goal
+from ezskiros.planning.pddl import Step
+from ezskiros.planning.search import Search
+from ezskiros.planning.solve import NoPlannerError
+from ezskiros.session import NOWHERE
+from ezskiros.skills.calls import SkillCall
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.trees.library import Library
+
+SECONDS = 10.0
+"""The longest search: the robot stands meanwhile."""
+
+
+def replanner(library: Library, world: World) -> Replan:
+    """Searches in a thread, from a copy of the world, while the task goes on to be ticked."""
+
+    def replan(task: SkillCall) -> Future[Way]:
+        start = world.copy()
+        return _in_background(lambda: way(library, task, world, start))
+
+    return replan
+
+
+def way(library: Library, task: SkillCall, world: World, start: World) -> Way:
+    """The skills that lead to the post-conditions of a task, and are run in `world`. `start` has
+    what is so there now. Raises `NoWayError`.
+    """
+    skill = library.skill(task.skill)
+    assert skill is not None, "it runs"
+    wanted = list(_goals(skill, task.arguments))
+    known, left_out = actions(library, world.ontology.model)
+    try:
+        search = Search(start.copy, world.ontology.model, known, wanted, SECONDS)
+        steps, said = search.run()
+    except (NoPlannerError, RuntimeError) as problem:
+        raise NoWayError(str(problem)) from None
+    if steps is None:
+        raise NoWayError("; ".join(each.title for each in (*said, *left_out)))
+    return [_call(step, task.arguments, world) for step in steps]
+
+
+def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal]:
+    things = {name: each.iri for name, each in values.items() if isinstance(each, WorldThing)}
+    if not skill.post:
+        raise NoWayError(f"`{skill.name}` has no post-condition: nobody knows its goal")
+    for each in skill.post:
+        try:
+            wanted = literal(each.statement)
+        except NotPlannableError:
+            raise NoWayError(
+                f"a post-condition of `{skill.name}` is none that a plan can lead to"
+            ) from None
+        unknown = [name for name in wanted.arguments if name not in things]
+        if unknown:
+            raise NoWayError(f"`{skill.name}` has found nothing yet for `{unknown[0]}`")
+        yield Goal(wanted.bound(things), each.span)
+
+
+def _call(step: Step, values: Mapping[str, object], world: World) -> SkillCall:
+    """A step as it is run. A parameter that is no thing has the value that the task has for one of
+    this name and type.
+    """
+    skill = step.action.skill
+    found: dict[str, object] = {name: WorldThing(iri, world) for name, iri in step.things.items()}
+    for each in skill.parameters:
+        if each.is_thing or each.is_output:
+            continue
+        if each.name in values and each.takes(values[each.name]):
+            found[each.name] = values[each.name]
+        elif each.default is None:
+            raise NoWayError(f"`{skill.name}` needs a value for `{each.name}`")
+    return SkillCall(step.action.description, None, MappingProxyType(found), NOWHERE)
+
+
+def _in_background(search: Callable[[], Way]) -> Future[Way]:
+    """The end of a program does not wait for it."""
+    future: Future[Way] = Future()
+
+    def work() -> None:
+        try:
+            future.set_result(search())
+        except Exception as problem:
+            future.set_exception(problem)
+
+    threading.Thread(target=work, name="replan", daemon=True).start()
+    return future
