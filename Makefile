@@ -114,6 +114,7 @@ bench: $(READY) compiler ros1 prover
 	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/ros_nodes.py --out docs/reference/performance-nodes.md
 	$(RUN)/python benchmarks/operators.py --out docs/reference/performance-operators.md
+	$(RUN)/python benchmarks/places.py --out docs/reference/performance-places.md
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
 	$(RUN)/python benchmarks/replaying.py --out docs/reference/performance-replay.md
 	PATH=$(PROGRAMS):$$PATH $(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md

@@ -1,0 +1,177 @@
+"""Measure conditions about places of a scene, with few and with many polygons; write the table as a
+page.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import tempfile
+import time
+from collections.abc import Iterator, Sequence
+from datetime import datetime, timezone
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import shapely
+from in_process import Round
+from machine import processor
+from operators import ROUNDS, SAMPLES, built, machine, nanoseconds
+from skill_rules import SKILLS
+from written_page import written_page
+
+COUNTS = (1, 10, 100)
+CORNERS = 6
+SIDE_M = 4.0
+"""Polygons stand on a grid of this width, and a robot drives across all of it."""
+
+NEAR_M = 0.47
+CONDITIONS = {"in": "place in Zone", "distance": f"distance(place, Zone) < {NEAR_M} m"}
+YARDSTICK = "place.x > 5 m"
+_RULES = """
+skills "skills.json";
+action react;
+input place = topic /place : geometry_msgs/PointStamped .point;
+rule r: if {condition} then {{ react; }};
+"""
+_HARNESS = """
+#include <stdlib.h>
+#include "{name}_monitor.h"
+
+void drive(size_t n, const int64_t *t, const double *x, const double *y, uint64_t *active)
+{{
+    static {name}_monitor m;
+    if ({name}_init(&m, NULL, NULL))
+        abort();
+    *active = 0;
+    for (size_t i = 0; i < n; i++) {{
+        {name}_update_place(&m, t[i], {arguments});
+        *active += {name}_is_active(&m, 0);
+    }}
+}}
+"""
+_DECLARATION = "void drive(size_t, int64_t *, double *, double *, uint64_t *);"
+
+Polygon = Sequence[tuple[float, float]]
+
+
+def polygons(count: int) -> list[Polygon]:
+    """Hexagons, one in each field of a grid."""
+    columns = math.ceil(math.sqrt(count))
+    turns = [2 * math.pi * number / CORNERS for number in range(CORNERS)]
+    middles = ((SIDE_M * (each % columns), SIDE_M * (each // columns)) for each in range(count))
+    return [
+        [(x + 1.5 * math.cos(turn), y + 1.5 * math.sin(turn)) for turn in turns] for x, y in middles
+    ]
+
+
+def path(count: int) -> tuple[np.ndarray, np.ndarray]:
+    """The way of the robot: a curve that comes by all fields, in m."""
+    width = SIDE_M * math.ceil(math.sqrt(count))
+    phase = np.linspace(0.0, 40 * math.pi, SAMPLES)
+    x = width / 2 * (1 + np.cos(phase * 1.3)) - SIDE_M / 2
+    y = width / 2 * (1 + np.sin(phase)) - SIDE_M / 2
+    return x, y
+
+
+def write_scene(folder: Path, count: int) -> None:
+    """A file of skills whose scene has so many polygons."""
+    zone: dict[str, Any] = {"name": "hall.Zone", "parents": [], "place": None}
+    locations = [
+        {"iri": f"http://example.org/hall#Zone-{number}", "label": None, "classes": ["hall.Zone"],
+         "frame": "map", "corners": [list(corner) for corner in each], "place": None}
+        for number, each in enumerate(polygons(count))
+    ]  # fmt: skip
+    found = {**SKILLS, "classes": [zone], "locations": locations}
+    (folder / "skills.json").write_text(json.dumps(found), encoding="utf-8")
+
+
+def in_c(folder: Path, code: str, condition: str, count: int) -> Round:
+    """The generated update, with the place of each sample."""
+    write_scene(folder, count)
+    compiled = machine(folder, code, _RULES.format(condition=condition))
+    given = {"x": "x[i]", "y": "y[i]"}
+    arguments = ", ".join(given.get(str(slot.path[-1]), "0.0") for slot in compiled.slots)
+    harness = _HARNESS.format(name=compiled.name, arguments=arguments)
+    library, ffi = built(folder, compiled, harness, _DECLARATION)
+    times = np.arange(SAMPLES, dtype=np.int64) * 10_000_000
+    pointers = [ffi.from_buffer("int64_t[]", times)]
+    pointers += [ffi.from_buffer("double[]", each) for each in path(count)]
+    active = ffi.new("uint64_t *")
+
+    def run() -> tuple[float, list[int]]:
+        start = time.process_time()
+        library.drive(SAMPLES, *pointers, active)
+        return time.process_time() - start, [active[0]]
+
+    return run
+
+
+def by_shapely(code: str, count: int) -> Round:
+    """Shapely with a tree of rectangles over the polygons, asked for all samples at once."""
+    tree = shapely.STRtree([shapely.Polygon(each) for each in polygons(count)])
+    points = shapely.points(*path(count))
+
+    def run() -> tuple[float, list[int]]:
+        start = time.process_time()
+        if code == "in":
+            found = tree.query(points, predicate="intersects")[0]
+        else:
+            found = tree.query(points, predicate="dwithin", distance=NEAR_M)[0]
+        took = time.process_time() - start
+        return took, [len(np.unique(found))]
+
+    return run
+
+
+def rows(folder: Path) -> Iterator[str]:
+    """A row for each condition and number of polygons."""
+    contenders = {"yardstick": in_c(folder, "yardstick", YARDSTICK, 1)}
+    for count in COUNTS:
+        for code, condition in CONDITIONS.items():
+            ours, peer = in_c(folder, f"{code}_{count}", condition, count), by_shapely(code, count)
+            assert ours()[1] == peer()[1], "both say the same"
+            contenders |= {f"{code} {count}": ours, f"{code} {count} shapely": peer}
+    found = nanoseconds({name: (run, SAMPLES) for name, run in contenders.items()})
+    yardstick = found["yardstick"]
+    yield f"| `{YARDSTICK}` | | {yardstick:.1f} | 1.0 | |"
+    for count in COUNTS:
+        for code, condition in CONDITIONS.items():
+            ours, peer = found[f"{code} {count}"], found[f"{code} {count} shapely"]
+            yield f"| `{condition}` | {count} | {ours:.1f} | {ours / yardstick:.1f} | {peer:.0f} |"
+
+
+def page() -> str:
+    """The table, and how it came about."""
+    with tempfile.TemporaryDirectory() as folder:
+        found = list(rows(Path(folder)))
+    day = datetime.now(timezone.utc).date()
+    return "\n".join(
+        [
+            "# What a question about places costs",
+            "",
+            "Written by `benchmarks/places.py`; do not edit. Each condition is the only one of a",
+            "rule. Its class `Zone` has so many things in the scene, each a polygon of",
+            f"{CORNERS} corners. A robot drives across all of them: {SAMPLES:,} places at 100 Hz.",
+            f"CPU time of the process, in one run on one machine, medians of {ROUNDS} rounds, on",
+            f"{processor()}, {day}. Absolute figures are those of this machine.",
+            "",
+            f"[Shapely](https://shapely.readthedocs.io) {shapely.__version__} searches a tree of",
+            "rectangles, for all places in one call. It says the same of every place.",
+            "",
+            "| condition | polygons | C99: ns a sample | to a comparison | Shapely: ns a place |",
+            "|---|---|---|---|---|",
+            *found,
+            "",
+        ]
+    )
+
+
+def main() -> None:
+    """Measure, and write the page."""
+    written_page(__doc__).write_text(page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
