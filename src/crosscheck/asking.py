@@ -16,7 +16,10 @@ from rossmarie.analysis.terms import YES
 def runs(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill runs. Others may run beside it."""
     asked = questions(state.machine)
-    yes = {slot: skill in step.skills and not step.arguments for slot, step in asked.items()}
+    yes = {
+        slot: skill in step.skills and not step.arguments and not step.is_ahead
+        for slot, step in asked.items()
+    }
     return z3.And(YES, *tells(state, {slot: answer or None for slot, answer in yes.items()}))
 
 
@@ -25,7 +28,10 @@ def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
     together with it.
     """
     asked = questions(state.machine)
-    no = {slot: False if skill in step.skills else None for slot, step in asked.items()}
+    no = {
+        slot: False if skill in step.skills and not step.is_ahead else None
+        for slot, step in asked.items()
+    }
     return z3.And(YES, *tells(state, no))
 
 

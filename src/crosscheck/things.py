@@ -151,7 +151,7 @@ def _answers(
         arguments = dict(step.arguments)
         wanted = arguments.pop(reading.step.parameter, None)
         fits = skill.name in step.skills and (wanted is None or scene.is_a(thing, wanted))
-        found[slot] = None if fits and arguments else fits
+        found[slot] = None if step.is_ahead or (fits and arguments) else fits
     return found
 
 

@@ -66,7 +66,9 @@ def _shown(about: Inquiry, skill: str) -> list[Remark]:
         index
         for index, signal in enumerate(machine.signals)
         if isinstance(signal.node, Read)
-        and skill in getattr(asked.get(signal.node.slot), "skills", ())
+        and (step := asked.get(signal.node.slot)) is not None
+        and skill in step.skills
+        and not step.is_ahead
     ]
 
     def in_course(course: Course) -> z3.BoolRef:

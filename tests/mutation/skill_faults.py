@@ -71,6 +71,21 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "return (each for each in running.arguments if each.parameter == parameter)",
             "return iter(running.arguments)",
         ),
+        Damage(
+            "nobody knows what is ahead, so nothing is",
+            "float(is_yes) if _is_ahead_known(context) else math.nan",
+            "float(is_yes and _is_ahead_known(context))",
+        ),
+        Damage(
+            "what runs is ahead",
+            "any(_may_do(step, each) for each in ahead)",
+            "any(_may_do(step, each) for each in running)",
+        ),
+        Damage(
+            "what is not known yet fits nothing",
+            "tuple(limit for limit in step.arguments if limit[0] in known)",
+            "step.arguments",
+        ),
         Damage("of several skills the first is asked", "if len(asked) != 1:", "if not asked:"),
         Damage(
             "of several numbers the first is taken",
@@ -204,10 +219,14 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
 }
 
 NODE: Sequence[Damage] = (
-    Damage("the digest is not compared", "context.digest != digest || ", ""),
+    Damage("the digest is not compared", "context.digest == digest && ", ""),
     Damage("65 are not too many", "MOST = 64;", "MOST = 65;"),
     Damage("64 are too many", "MOST = 64;", "MOST = 63;"),
-    Damage("skills are not counted", " || context.running.size() > MOST", ""),
+    Damage("skills are not counted", "skills.size() > MOST", "false"),
+    Damage("nobody knows what is ahead, so nothing is", " || !context.is_ahead_known", ""),
+    Damage("what runs is ahead", "skill : context.ahead)", "skill : context.running)"),
+    Damage("what is not known yet fits nothing", "(is_open(skill, limits) || ", "("),
+    Damage("what is ahead is not counted", "are_readable(context.ahead)", "true"),
     Damage("arguments are not counted", "skill.arguments.size() > MOST", "false"),
     Damage("properties are not counted", "argument.properties.size() > MOST", "false"),
     Damage(
@@ -229,7 +248,11 @@ NODE: Sequence[Damage] = (
         "(sizeof...(limits) == 0 || (is_within(skill, limits) || ...))",
     ),
     Damage("limits say nothing", " && (is_within(skill, limits) && ...)", ""),
-    Damage("no skill is not known", "    return 0.0;\n", "    return NAN;\n"),
+    Damage(
+        "no skill is not known",
+        "    return 0.0;\n}\n\n// Whether nobody",
+        "    return NAN;\n}\n\n// Whether nobody",
+    ),
     Damage(
         "of several skills the first is asked",
         "            return;\n        found = &skill;",

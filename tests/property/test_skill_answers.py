@@ -73,5 +73,5 @@ def test_what_skills_answer_is_what_some_calls_answer(folder: Path, seed: int) -
         flags = {step: yes == 1 for step, yes in answers.items() if isinstance(step, ir.Doing)}
         chosen = covering(asked.machine.calls, flags)
         assert chosen is not None, (flags, context)
-        told = SkillContext(asked.world.digest, tuple(call.running for call in chosen))
+        told = SkillContext.of(asked.world.digest, [call.running for call in chosen])
         assert {step: answer(step, told) == 1.0 for step in flags} == flags

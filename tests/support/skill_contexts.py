@@ -37,7 +37,8 @@ _NUMBERS = (math.nan, math.inf, -math.inf, 0.0, -0.0, 0.1, 1.0, -2.5e-308, 7.25)
 
 def random_context(random: Random) -> SkillContext:
     """A context that can be read, but for one in five."""
-    context = SkillContext(DIGEST, tuple(_skills(random)))
+    ahead = tuple(replace(each, is_ahead=True) for each in _skills(random))
+    context = SkillContext(DIGEST, tuple(_skills(random)), ahead)
     return random_lie(random, context) if random.random() < 0.2 else context
 
 
@@ -47,6 +48,9 @@ def random_lie(random: Random, context: SkillContext) -> SkillContext:
         replace(context, digest=random.choice(["", "c0ffe", "c0ffee0"])),
         replace(context, running=crowd(65, RunningSkill("Drive"))),
         replace(context, running=crowd(64, RunningSkill("Drive"))),
+        replace(context, ahead=crowd(65, RunningSkill("Drive", is_ahead=True))),
+        replace(context, ahead=crowd(64, RunningSkill("Drive", is_ahead=True))),
+        replace(context, is_ahead_known=False),
         _with_last(context, replace(_skill(random), arguments=crowd(65, SkillArgument("Depth")))),
         _with_last(context, RunningSkill("Push", (_overfull(65),))),
         _with_last(context, RunningSkill("Push", (_overfull(64),))),
@@ -61,7 +65,7 @@ def random_question(random: Random) -> SkillStep:
     if random.random() < 0.6:
         parameters = sorted(random.sample(PARAMETERS, random.randrange(3)))
         limits = tuple((each, _some(random, CLASSES)) for each in parameters)
-        return Doing(DIGEST, skills, limits)
+        return Doing(DIGEST, skills, limits, is_ahead=random.random() < 0.3)
     properties = random.choice([None, *PROPERTIES])
     is_truth = random.random() < 0.5
     return Quantity(DIGEST, skills, random.choice(PARAMETERS), properties, is_truth=is_truth)
@@ -122,9 +126,9 @@ def told(step: SkillStep, number: int) -> float:
 def calls_told(steps: Sequence[Doing]) -> tuple[SkillCall, ...]:
     """Calls of skills, one for each combination of answers that a skill in these contexts gives."""
     found: dict[tuple[bool, ...], SkillCall] = {}
-    for running in (each for context in CONTEXTS for each in context.running):
-        types = tuple((each.parameter, each.type) for each in running.arguments)
-        call = SkillCall(running.skill, types, None)
+    for skill in (each for context in CONTEXTS for each in (*context.running, *context.ahead)):
+        types = tuple((each.parameter, each.type) for each in skill.arguments)
+        call = SkillCall(skill.skill, types, None, skill.is_ahead)
         answers = tuple(call.answers(step) for step in steps)
         if any(answers):
             found.setdefault(answers, call)
@@ -160,6 +164,19 @@ def message(ros: Typestore, index: int, context: SkillContext) -> tuple[str, obj
         )
         for number, each in enumerate(context.running)
     ]
+    ahead = [
+        made(
+            "SkillAhead",
+            skill=each.skill,
+            arguments=[argument(found) for found in each.arguments],
+        )
+        for each in context.ahead
+    ]
     return "skill_context_msgs/msg/SkillContext", made(
-        "SkillContext", header=header, digest=context.digest, running=running
+        "SkillContext",
+        header=header,
+        digest=context.digest,
+        running=running,
+        ahead=ahead,
+        is_ahead_known=context.is_ahead_known,
     )

@@ -43,8 +43,10 @@ def bits(answers: Sequence[Sequence[float]]) -> str:
 
 
 def _line_of(context: SkillContext) -> str:
-    words = [_quoted(context.digest), str(len(context.running))]
-    return " ".join([*words, *map(_skill, context.running)])
+    words = [_quoted(context.digest), str(int(context.is_ahead_known))]
+    for skills in (context.running, context.ahead):
+        words += [str(len(skills)), *map(_skill, skills)]
+    return " ".join(words)
 
 
 def _skill(skill: RunningSkill) -> str:

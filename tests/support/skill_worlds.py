@@ -27,9 +27,9 @@ _ASKED = ("float", "int", "bool")
 
 @dataclass(frozen=True)
 class Question:
-    """A question as rules write it: for a truth the classes of parameters, in `limits`; for a
-    number its `parameter`, and the `property` of the thing that is it. `is_truth` tells that the
-    number is one of a truth.
+    """A question as rules write it: for a truth the classes of parameters, in `limits`, and whether
+    it is about what can start next (`is_ahead`); for a number its `parameter`, and the `property`
+    of the thing that is it. `is_truth` tells that the number is one of a truth.
     """
 
     skill: str
@@ -37,6 +37,7 @@ class Question:
     parameter: str | None = None
     property: str | None = None
     is_truth: bool = False
+    is_ahead: bool = False
 
 
 class World:
@@ -74,9 +75,13 @@ class World:
     # --- S58 -------------------------------------------------------------------------------------
 
     def answer(self, question: Question, context: SkillContext) -> float:
-        """The answer that S58 says."""
+        """The answer that S58 and S67 say."""
         if context.digest != self.digest or not _is_as_defined(context):
             return math.nan
+        if question.is_ahead:
+            if not context.is_ahead_known:
+                return math.nan
+            return float(any(self._may_be_done(question, each) for each in context.ahead))
         if question.parameter is None:
             return float(any(self._is_done(question, each) for each in context.running))
         asked = [each for each in context.running if self.is_skill(each.skill, question.skill)]
@@ -91,6 +96,11 @@ class World:
                 return False
         return True
 
+    def _may_be_done(self, question: Question, ahead: RunningSkill) -> bool:
+        told = {each.parameter for each in ahead.arguments}
+        limits = tuple(each for each in question.limits if each[0] in told)
+        return self._is_done(replace(question, limits=limits), ahead)
+
 
 def _leads(known: Mapping[str, Any], name: str, wanted: str, passed: set[str]) -> bool:
     if name == wanted:
@@ -102,9 +112,10 @@ def _leads(known: Mapping[str, Any], name: str, wanted: str, passed: set[str]) -
 
 
 def _is_as_defined(context: SkillContext) -> bool:
-    lists: list[Sequence[object]] = [context.running]
-    lists += [each.arguments for each in context.running]
-    lists += [each.properties for skill in context.running for each in skill.arguments]
+    lists: list[Sequence[object]] = [context.running, context.ahead]
+    skills = (*context.running, *context.ahead)
+    lists += [each.arguments for each in skills]
+    lists += [each.properties for skill in skills for each in skill.arguments]
     return max(map(len, lists)) <= MOST
 
 
@@ -260,7 +271,7 @@ def random_question(random: Random, world: World, skills: Sequence[str]) -> Ques
             ]
             limits.append((name, random.choice(random.choice((possible, beside or possible)))))
     random.shuffle(limits)
-    return Question(skill, tuple(limits))
+    return Question(skill, tuple(limits), is_ahead=random.random() < 0.3)
 
 
 def _numbers(world: World, skill: str) -> Iterator[Question]:
@@ -280,7 +291,8 @@ def _text(random: Random, question: Question, world: World) -> str:
         behind = "" if question.property is None else f".{question.property.rpartition('.')[2]}"
         return f"{question.skill}.{question.parameter}{behind}"
     limits = [f"{name}: {_class(random, wanted, world)}" for name, wanted in question.limits]
-    return f"doing {question.skill}" + (f"({', '.join(limits)})" if limits else "")
+    word = "ahead" if question.is_ahead else "doing"
+    return f"{word} {question.skill}" + (f"({', '.join(limits)})" if limits else "")
 
 
 def _class(random: Random, name: str, world: World) -> str:
@@ -292,9 +304,26 @@ def _class(random: Random, name: str, world: World) -> str:
 
 
 def honest_context(random: Random, world: World) -> SkillContext:
-    """Skills that run with what their descriptions demand, as a robot tells of them."""
-    running = random.choices(sorted(world.skills), k=random.choice((0, 1, 1, 2, 3)))
-    return SkillContext(world.digest, tuple(_running(random, world, each) for each in running))
+    """Skills that run, and that can start next, with what their descriptions demand, as a robot
+    tells of them.
+    """
+    running, ahead = (
+        random.choices(sorted(world.skills), k=random.choice((0, 1, 1, 2, 3))) for _ in range(2)
+    )
+    return SkillContext(
+        world.digest,
+        tuple(_running(random, world, each) for each in running),
+        tuple(_ahead(random, world, each) for each in ahead),
+    )
+
+
+def _ahead(random: Random, world: World, skill: str) -> RunningSkill:
+    """Some arguments are not known yet, and none is nothing."""
+    found = _running(random, world, skill)
+    names = dict.fromkeys(each.parameter for each in found.arguments if each.value)
+    known = {name for name in names if random.random() < 0.6}
+    arguments = tuple(each for each in found.arguments if each.parameter in known)
+    return RunningSkill(skill, arguments, is_ahead=True)
 
 
 def _running(random: Random, world: World, skill: str) -> RunningSkill:
@@ -348,6 +377,16 @@ def _changed(
     if random.random() < 0.15:
         digests = [each.digest for each in others] + ["", world.digest[:-1], f"{world.digest}\0"]
         return replace(context, digest=random.choice(digests))
+    if random.random() < 0.1:
+        return replace(context, is_ahead_known=False)
+    if random.random() < 0.2 and context.ahead:
+        ahead = list(context.ahead)
+        place = random.randrange(len(ahead))
+        ahead[place] = _changed_skill(random, world, ahead[place])
+        return replace(context, ahead=tuple(ahead))
+    if random.random() < 0.05:
+        filling = crowd(random.choice((MOST, MOST + 1)), RunningSkill("none", is_ahead=True))
+        return replace(context, ahead=filling)
     if random.random() < 0.1 or not context.running:
         filling = crowd(random.choice((MOST, MOST + 1, 500)) - 1, RunningSkill("none"))
         return replace(context, running=(*filling, *context.running[:1]))

@@ -14,7 +14,7 @@ from ezskiros.cli.output import output
 if TYPE_CHECKING:  # loaded only where it is needed
     from ezskiros.context.snapshot import Snapshot
     from ezskiros.context.voice import Publish, Voice
-    from ezskiros.engine.setting import Setting
+    from ezskiros.engine.interruption import InterruptibleTask
     from ezskiros.export import Export
     from ezskiros.runner import Ready
 
@@ -41,14 +41,17 @@ def _refuse(found: Sequence[Diagnostic]) -> NoReturn:
 
 
 class Context:
-    """Tells of the skills that run in a setting: by a voice, and to whoever hears each change."""
+    """Tells of the skills of a task that run and that can start next: by a voice, and to whoever
+    hears each change.
+    """
 
     def __init__(
-        self, export: Export, setting: Setting, hear: Callable[[Snapshot], object]
+        self, export: Export, task: InterruptibleTask, hear: Callable[[Snapshot], object]
     ) -> None:
         from ezskiros.context.snapshot import Snapshots
 
-        self._snapshots, self._running = Snapshots(export.digest), setting.running
+        setting = task.setting
+        self._snapshots, self._task = Snapshots(export.digest), task
         self._hear = hear
         self._last: Snapshot | None = None
         self._voice: Voice | None = None
@@ -62,7 +65,7 @@ class Context:
         with ExitStack() as stack:
             if self._publish is not None:
                 self._voice = stack.enter_context(Voice(self._publish))
-            self._running.changed = self.tell
+            self._task.setting.running.changed = self.tell
             self.tell()
             yield
         if self._voice is not None and self._voice.problem is not None:
@@ -70,7 +73,7 @@ class Context:
 
     def tell(self) -> None:
         """Tell of what runs now: asked by the thread that ticks."""
-        snapshot = self._snapshots.of(self._running)
+        snapshot = self._snapshots.of(self._task.setting.running, self._task.ahead)
         if self._voice is not None:
             self._voice.tell(snapshot)
         if snapshot != self._last:

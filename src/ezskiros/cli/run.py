@@ -219,7 +219,7 @@ class _Run:
                 stack.callback(self._live.stop)
             wait: Callable[[float], object] = time.sleep
             if self._export is not None:
-                self._context = Context(self._export, self._setting, self._note)
+                self._context = Context(self._export, self.task, self._note)
                 stack.enter_context(self._context.told())
                 wait = self._context.wait
                 if not self._setting.simulate:

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-from ezskiros.context.snapshot import RunningSkill, Snapshot
+from ezskiros.context.snapshot import RunningSkill, SkillAhead, SkillArgument, Snapshot
 from ezskiros.context.voice import Publish
 from ezskiros.export.write import TOPIC
 
@@ -77,7 +77,15 @@ class Messages:
         goals = {each.goal for each in snapshot.running}
         self._since = {goal: since for goal, since in self._since.items() if goal in goals}
         message.running = [self._running(each, now) for each in snapshot.running]
+        message.ahead = [self._ahead(each) for each in snapshot.ahead or ()]
+        message.is_ahead_known = snapshot.ahead is not None
         self._publish(message)
+
+    def _ahead(self, found: SkillAhead) -> Any:
+        message = self._messages.SkillAhead()
+        message.skill = found.skill
+        message.arguments = list(map(self._argument, found.arguments))
+        return message
 
     def _running(self, found: RunningSkill, now: Any) -> Any:
         message = self._messages.RunningSkill()
@@ -85,21 +93,23 @@ class Messages:
         if found.goal not in self._since:
             self._since[found.goal] = earlier(now, self._clock() - found.since)
         message.since = self._since[found.goal]
-        for each in found.arguments:
-            argument = self._messages.SkillArgument()
-            argument.parameter, argument.value = each.parameter, each.value
-            argument.type, argument.number = each.type, each.number
-            for one in each.properties:
-                known = self._messages.SkillProperty()
-                known.property, known.number = one.property, one.number
-                argument.properties.append(known)
-            message.arguments.append(argument)
+        message.arguments = list(map(self._argument, found.arguments))
         for permitted in found.permits:
             permission = self._messages.SkillPermission()
             permission.kind, permission.type = permitted.kind, permitted.type
             permission.limit = permitted.limit
             message.permits.append(permission)
         return message
+
+    def _argument(self, found: SkillArgument) -> Any:
+        argument = self._messages.SkillArgument()
+        argument.parameter, argument.value = found.parameter, found.value
+        argument.type, argument.number = found.type, found.number
+        for each in found.properties:
+            known = self._messages.SkillProperty()
+            known.property, known.number = each.property, each.number
+            argument.properties.append(known)
+        return argument
 
 
 def earlier(now: Any, seconds: float) -> Any:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from ezskiros.engine.ahead import Ahead
 from ezskiros.engine.running import Running
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
@@ -64,11 +65,22 @@ class RunningSkill:
 
 
 @dataclass(frozen=True)
+class SkillAhead:
+    """A skill that can start next, with the arguments that are known already."""
+
+    skill: str
+    arguments: tuple[SkillArgument, ...]
+
+
+@dataclass(frozen=True)
 class Snapshot:
-    """All that runs, in the order of the starts; `digest` is that of the file of skills."""
+    """All that runs, in the order of the starts, and all that can start next, None if nobody knows
+    that. `digest` is that of the file of skills.
+    """
 
     digest: str
     running: tuple[RunningSkill, ...]
+    ahead: tuple[SkillAhead, ...] | None = None
 
 
 def plain(snapshot: Snapshot, start: float = 0.0) -> dict[str, Any]:
@@ -90,6 +102,11 @@ def plain(snapshot: Snapshot, start: float = 0.0) -> dict[str, Any]:
             }
             for each in snapshot.running
         ],
+        "ahead": [
+            {"skill": each.skill, "arguments": [_plain_argument(one) for one in each.arguments]}
+            for each in snapshot.ahead or ()
+        ],
+        "is_ahead_known": snapshot.ahead is not None,
     }
 
 
@@ -116,9 +133,21 @@ class Snapshots:
         self._digest = digest
         self._numbers: dict[tuple[int, tuple[str, ...]], Sequence[tuple[str, str, float]]] = {}
 
-    def of(self, running: Iterable[Running]) -> Snapshot:
-        """The snapshot of what runs now. Only the thread that ticks may ask for it."""
-        return Snapshot(self._digest, tuple(map(self._running, running)))
+    def of(self, running: Iterable[Running], ahead: Iterable[Ahead] | None) -> Snapshot:
+        """The snapshot of what runs now, and of what can start next, None if nobody knows that.
+        Only the thread that ticks may ask for it.
+        """
+        told = None if ahead is None else tuple(dict.fromkeys(map(self._ahead, ahead)))
+        return Snapshot(self._digest, tuple(map(self._running, running)), told)
+
+    def _ahead(self, found: Ahead) -> SkillAhead:
+        arguments = (
+            argument
+            for each in found.skill.parameters
+            if each.name in found.values
+            for argument in self._arguments(each, found.values[each.name])
+        )
+        return SkillAhead(found.skill.name, tuple(arguments))
 
     def _running(self, found: Running) -> RunningSkill:
         values = found.values()

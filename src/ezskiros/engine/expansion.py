@@ -42,9 +42,7 @@ class Expansions:
         self, implementation: _Implementation, skill: SkillInterface, values: Mapping[str, Any]
     ) -> Tree | Reason:
         """The tree for some values, or why there is none."""
-        if implementation not in self._fixed:
-            self._fixed[implementation] = self._only_tree(implementation, skill)
-        fixed = self._fixed[implementation]
+        fixed = self.fixed(implementation, skill)
         if fixed is not None:
             return fixed
         known = {each.name: values[each.name] for each in skill.parameters}
@@ -54,6 +52,12 @@ class Expansions:
         if key not in self._by_values:
             self._by_values[key] = _built(implementation, skill, known)
         return self._by_values[key]
+
+    def fixed(self, implementation: _Implementation, skill: SkillInterface) -> Tree | None:
+        """The tree that it has for all values; None if the tree depends on them."""
+        if implementation not in self._fixed:
+            self._fixed[implementation] = self._only_tree(implementation, skill)
+        return self._fixed[implementation]
 
     def _only_tree(self, implementation: _Implementation, skill: SkillInterface) -> Tree | None:
         """The tree if there is one for all values; None if it depends on them."""

@@ -20,6 +20,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from dslkit import garbage
+from ezskiros.engine.ahead import Ahead, skills_ahead
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Code, Reason
@@ -81,6 +82,18 @@ class InterruptibleTask(Task):
         """The tree that runs in place of the task; None while the task runs."""
         return self._tree
 
+    @property
+    def ahead(self) -> list[Ahead] | None:
+        """The skills that can start next; after a tree, those of the task. None if nobody knows
+        them: before another way is found, and with values from a blackboard, as SkiROS2 has them.
+        Only the thread that ticks may ask.
+        """
+        replans = self._recovery is not None and self._recovery.afterwards is Afterwards.REPLAN
+        if self.setting.compatible or replans:
+            return None
+        own = skills_ahead(self.root, self._left[0] if self._left else None)
+        return own if self._tree is None else [*skills_ahead(self._tree), *own]
+
     def recover(self, recovery: Recovery) -> None:
         """Ask for a tree, from any thread. One that runs already gives way to it."""
         self._asked.put(recovery)
@@ -132,9 +145,8 @@ class InterruptibleTask(Task):
     def _begin(self, asked: Recovery) -> None:
         for leaf in list(_running_primitives(self.root)):
             leaf.stop(Status.INVALID)
-        plan = self.setting.plans.of(asked.call)[0]
         self._recovery = asked
-        self._tree = root_skill(asked.call, self.setting, plan.label or plan.skill.name)
+        self._tree = self._made(asked.call)
 
     def _give_up(self, why: str) -> None:
         """End the tree, if one runs."""
@@ -191,8 +203,11 @@ class InterruptibleTask(Task):
         return Status.RUNNING
 
     def _start(self, call: SkillCall) -> None:
+        self.root = self._made(call)
+
+    def _made(self, call: SkillCall) -> RunningSkill:
         plan = self.setting.plans.of(call)[0]
-        self.root = root_skill(call, self.setting, plan.label or plan.skill.name)
+        return root_skill(call, self.setting, plan.label or plan.skill.name)
 
     def _stop_task(self) -> None:
         with deep():

@@ -43,6 +43,17 @@ class Plan(NamedTuple):
     emptied: tuple[str, ...]
     locked: tuple[str, ...]
 
+    def started_with(self, shared: Mapping[str, Any]) -> dict[str, Any]:
+        """The values of the parameters, by default, from the call, or from siblings, who share
+        some; None for those that are not known before its start.
+        """
+        values = dict(self.fixed)
+        for own, name in self.received:
+            found = shared.get(name)
+            if found is not None:
+                values[own] = found
+        return values
+
 
 @dataclass(frozen=True)
 class _Known:

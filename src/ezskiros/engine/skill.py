@@ -81,6 +81,16 @@ class RunningSkill(Behaviour):
         return self._values
 
     @property
+    def shared(self) -> Mapping[str, Any]:
+        """The values that it shares with its siblings, by their names."""
+        return self._names.values
+
+    @property
+    def setting(self) -> Setting:
+        """The setting in which it runs."""
+        return self._setting
+
+    @property
     def tree(self) -> Behaviour | None:
         """The behavior that a compound ticks, once it has started."""
         return self._tree
@@ -207,14 +217,7 @@ class RunningSkill(Behaviour):
         return problem
 
     def _started_with(self, plan: Plan) -> dict[str, Any]:
-        """The values of the parameters, by default, from the call, or from siblings."""
-        values = dict(plan.fixed)
-        shared_values = self._names.values
-        for own, shared in plan.received:
-            found = shared_values.get(shared)
-            if found is not None:
-                values[own] = found
-        return values
+        return plan.started_with(self._names.values)
 
     def _begin(self) -> Reason | None:
         """Bind the implementation, and start it."""

@@ -76,7 +76,8 @@ class HostedContext:
         """Tell of what runs. What keeps that from being known silences the voice, and no skill."""
         self._told = self._clock()
         try:
-            snapshot = self._snapshots.of(self.running)
+            # The processors of SkiROS2 do not say which of their children come next.
+            snapshot = self._snapshots.of(self.running, None)
         except Exception as problem:
             api().log.error("ezskiros", f"the context is not known: {problem!r}")
             self.voice.live(-math.inf)

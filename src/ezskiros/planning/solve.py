@@ -48,7 +48,8 @@ def solve(problem: Problem, seconds: float) -> list[Step] | None:
         folder = Path(name)
         (folder / "domain.pddl").write_text(problem.domain(), encoding="utf-8")
         (folder / "problem.pddl").write_text(problem.problem(), encoding="utf-8")
-        limit = ("--overall-time-limit", f"{math.ceil(seconds)}s")  # if this program is killed
+        # It is ended after these seconds below, and by itself where nobody is left to do that.
+        limit = ("--overall-time-limit", f"{math.ceil(seconds) + 10}s")
         files = ("--plan-file", "plan", *limit, *_SEARCH, "domain.pddl", "problem.pddl")
         code, said = _run([sys.executable, str(program), *files], folder, seconds)
         plan = folder / "plan"

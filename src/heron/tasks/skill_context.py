@@ -7,7 +7,7 @@ from __future__ import annotations
 from typing import Any
 
 from dslkit.diagnostics import Diagnostic
-from ezskiros.context.snapshot import RunningSkill, SkillArgument, Snapshots
+from ezskiros.context.snapshot import RunningSkill, SkillAhead, SkillArgument, Snapshots
 from ezskiros.export import read_export
 from heron import messages
 from heron.messages import Message
@@ -39,10 +39,16 @@ class SkillContext:
         self._tell(now_ns)
 
     def _tell(self, now_ns: int) -> None:
-        snapshot = self._snapshots.of(self._task.running)
-        running = [self._skill(each) for each in snapshot.running]
-        header = messages.header(now_ns, "")
-        self._publish(_new("SkillContext", header=header, digest=snapshot.digest, running=running))
+        snapshot = self._snapshots.of(self._task.running, self._task.ahead)
+        message = _new(
+            "SkillContext",
+            header=messages.header(now_ns, ""),
+            digest=snapshot.digest,
+            running=[self._skill(each) for each in snapshot.running],
+            ahead=[_ahead(each) for each in snapshot.ahead or ()],
+            is_ahead_known=snapshot.ahead is not None,
+        )
+        self._publish(message)
 
     def _skill(self, found: RunningSkill) -> Message:
         """Its goal gets a name that is the same in each run of an episode."""
@@ -52,7 +58,7 @@ class SkillContext:
             _new("SkillPermission", kind=each.kind, type=each.type, limit=each.limit)
             for each in found.permits
         ]
-        arguments = [_argument(each) for each in found.arguments]
+        arguments = list(map(_argument, found.arguments))
         return _new(
             "RunningSkill",
             skill=found.skill,
@@ -61,6 +67,10 @@ class SkillContext:
             arguments=arguments,
             permits=permits,
         )
+
+
+def _ahead(found: SkillAhead) -> Message:
+    return _new("SkillAhead", skill=found.skill, arguments=list(map(_argument, found.arguments)))
 
 
 def _argument(found: SkillArgument) -> Message:

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 
 from py_trees.common import Status
 
+from ezskiros.engine.ahead import Ahead, skills_ahead
 from ezskiros.engine.events import Event
 from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.running import RunningSkills
@@ -50,6 +51,11 @@ class SkillTask:
     def running(self) -> RunningSkills:
         """The skills that run now."""
         return self._task.setting.running
+
+    @property
+    def ahead(self) -> list[Ahead]:
+        """The skills that can start next."""
+        return skills_ahead(self._task.root)
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:

@@ -31,7 +31,7 @@ def quantity_facts(machine: ir.Machine, numbers: Mapping[int, Number]) -> Iterat
 def _covers(machine: ir.Machine, asked: int, slot: int) -> bool:
     """Say whether a slot asks for all skills that may have the quantity in another."""
     match (machine.slots[asked].path, machine.slots[slot].path):
-        case ((ir.Doing(arguments=()) as step,), (ir.Quantity() as quantity,)):
+        case ((ir.Doing(arguments=(), is_ahead=False) as step,), (ir.Quantity() as quantity,)):
             return set(quantity.skills) <= set(step.skills)
         case _:  # open: any other slots
             return False

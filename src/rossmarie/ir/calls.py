@@ -11,24 +11,26 @@ from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answe
 
 @dataclass(frozen=True)
 class SkillCall:
-    """A skill that runs, and the classes of the things that are its arguments, as pairs of a
-    parameter and a class: of no class where the parameter has no value, and once for each where a
-    thing has several. `text` is how a test says so, None if none can.
+    """A skill that runs, or that can start next (`is_ahead`), and the classes of the things that
+    are its arguments, as pairs of a parameter and a class: of no class where the parameter has no
+    value, and once for each where a thing has several. `text` is how a test says so, None if none
+    can.
     """
 
     skill: str
     types: tuple[tuple[str, str], ...]
     text: str | None
+    is_ahead: bool = False
 
     @property
     def running(self) -> RunningSkill:
         """The call as a message tells of it."""
         arguments = (SkillArgument(parameter, type=kind) for parameter, kind in self.types)
-        return RunningSkill(self.skill, tuple(arguments))
+        return RunningSkill(self.skill, tuple(arguments), self.is_ahead)
 
     def answers(self, step: Doing) -> bool:
         """Say whether a question is answered by yes while this call runs."""
-        return answer(step, SkillContext(step.export, (self.running,))) == 1.0
+        return answer(step, SkillContext.of(step.export, [self.running])) == 1.0
 
 
 def question_at(path: Path) -> Doing | None:

@@ -74,16 +74,21 @@ class Doing:
     argument is of one of these. Skills and classes include all that are derived from those that
     the rules name. All are sorted, and nobody looks further.
 
+    With `is_ahead` it is about skills that can start next. An argument that nobody knows yet may be
+    of any class.
+
     `written` is how the rules write it, without names of namespaces that they leave out.
     """
 
     export: str
     skills: tuple[str, ...]
     arguments: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    is_ahead: bool = False
     written: str = ""
 
     def __str__(self) -> str:
-        return self.written or f"doing {_choice(self.skills)}{self._limits()}"
+        word = "ahead" if self.is_ahead else "doing"
+        return self.written or f"{word} {_choice(self.skills)}{self._limits()}"
 
     def _limits(self) -> str:
         limits = (f"{parameter}: {_choice(classes)}" for parameter, classes in self.arguments)

@@ -36,8 +36,8 @@ class Setting:
 
 @dataclass(frozen=True)
 class Running:
-    """The skills that run, and no others, from this message on `topic` on; `text` is how a test
-    says so.
+    """The skills that run and that can start next, and no others, from this message on `topic` on;
+    `text` is how a test says so.
     """
 
     topic: str

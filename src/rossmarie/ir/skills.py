@@ -9,8 +9,8 @@ is too large, nobody knows the answer, which is NaN, so that the input counts as
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, Protocol
 
 from rossmarie.ir.path import Doing, Quantity, SkillStep
@@ -46,18 +46,32 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class RunningSkill:
-    """A skill that runs, by the name of its description."""
+    """A skill that runs, by the name of its description; or one that can start next (`is_ahead`):
+    an argument of it that nobody knows yet is not there.
+    """
 
     skill: str
     arguments: tuple[SkillArgument, ...] = ()
+    is_ahead: bool = False
 
 
 @dataclass(frozen=True)
 class SkillContext:
-    """All skills that run, and the digest of the export that they are from."""
+    """All skills that run and that can start next, and the digest of the export that they are from.
+    Of those that can start next there is nothing if nobody knows them.
+    """
 
     digest: str
     running: tuple[RunningSkill, ...] = ()
+    ahead: tuple[RunningSkill, ...] = ()
+    is_ahead_known: bool = True
+
+    @classmethod
+    def of(cls, digest: str, skills: Iterable[RunningSkill]) -> SkillContext:
+        """The context of skills that run and that can start next, in any order."""
+        known = tuple(skills)
+        running = tuple(each for each in known if not each.is_ahead)
+        return cls(digest, running, tuple(each for each in known if each.is_ahead))
 
 
 class SkillMessage(Protocol):
@@ -73,6 +87,14 @@ class SkillMessage(Protocol):
     def running(self) -> Sequence[Any]:
         """The skills that run."""
 
+    @property
+    def ahead(self) -> Sequence[Any]:
+        """The skills that can start next."""
+
+    @property
+    def is_ahead_known(self) -> bool:
+        """True if whoever tells it knows which skills can start next."""
+
 
 class _UnreadableError(Exception):
     """A message is not as its definition says, or too large."""
@@ -85,8 +107,12 @@ def answer(step: SkillStep, context: SkillMessage) -> float:
     try:
         if _text(context, "digest") != step.export:
             return math.nan
-        running = [_read(each) for each in _elements(context, "running", MOST_RUNNING)]
+        running = _skills(context, "running")
+        ahead = _skills(context, "ahead", is_ahead=True)
         match step:
+            case Doing(is_ahead=True):
+                is_yes = any(_may_do(step, each) for each in ahead)
+                return float(is_yes) if _is_ahead_known(context) else math.nan
             case Doing():
                 return float(any(_is_doing(step, each) for each in running))
             case Quantity():
@@ -100,6 +126,13 @@ def _is_doing(step: Doing, running: RunningSkill) -> bool:
         any(each.type in classes for each in _called(running, parameter))
         for parameter, classes in step.arguments
     )
+
+
+def _may_do(step: Doing, ahead: RunningSkill) -> bool:
+    """The same of a skill that can start next."""
+    known = {each.parameter for each in ahead.arguments}
+    limits = tuple(limit for limit in step.arguments if limit[0] in known)
+    return _is_doing(replace(step, arguments=limits), ahead)
 
 
 def _quantity(step: Quantity, running: Sequence[RunningSkill]) -> float:
@@ -130,9 +163,13 @@ def _called(running: RunningSkill, parameter: str) -> Iterator[SkillArgument]:
 # --- reading -----------------------------------------------------------------------------------
 
 
-def _read(running: Any) -> RunningSkill:
-    arguments = tuple(_argument(each) for each in _elements(running, "arguments", MOST_ARGUMENTS))
-    return RunningSkill(_text(running, "skill"), arguments)
+def _skills(context: SkillMessage, name: str, *, is_ahead: bool = False) -> list[RunningSkill]:
+    return [_read(each, is_ahead) for each in _elements(context, name, MOST_RUNNING)]
+
+
+def _read(skill: Any, is_ahead: bool) -> RunningSkill:
+    arguments = tuple(_argument(each) for each in _elements(skill, "arguments", MOST_ARGUMENTS))
+    return RunningSkill(_text(skill, "skill"), arguments, is_ahead)
 
 
 def _argument(argument: Any) -> SkillArgument:
@@ -152,6 +189,13 @@ def _properties(argument: Any) -> Iterator[SkillProperty]:
 def _elements(owner: Any, name: str, most: int) -> Sequence[Any]:
     found = getattr(owner, name, None)
     if not isinstance(found, list | tuple) or len(found) > most:
+        raise _UnreadableError
+    return found
+
+
+def _is_ahead_known(context: Any) -> bool:
+    found = getattr(context, "is_ahead_known", None)
+    if not isinstance(found, bool):
         raise _UnreadableError
     return found
 

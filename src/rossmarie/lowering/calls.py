@@ -23,12 +23,16 @@ Kinds: TypeAlias = tuple[str, ...]
 NO_VALUE: Kinds = ("",)
 """The class of an argument that is nothing."""
 
+NOT_KNOWN: Kinds = ()
+"""The classes of an argument of a skill that can start next, which nobody knows yet."""
+
 
 def calls_of(skills: CheckedSkills, steps: Sequence[ir.Doing]) -> tuple[ir.SkillCall, ...]:
     """One call for each combination of answers that a single call can give, but that of no yes."""
     found: dict[tuple[bool, ...], ir.SkillCall] = {}
-    for skill in skills.file.skills.values():
-        for call in _calls_of(skill, skills, steps):
+    kinds = sorted({step.is_ahead for step in steps})
+    for skill, is_ahead in product(skills.file.skills.values(), kinds):
+        for call in _calls_of(skill, skills, steps, is_ahead=is_ahead):
             answers = tuple(call.answers(step) for step in steps)
             if any(answers) and (answers not in found or found[answers].text is None):
                 found[answers] = call
@@ -38,10 +42,10 @@ def calls_of(skills: CheckedSkills, steps: Sequence[ir.Doing]) -> tuple[ir.Skill
 
 
 def _calls_of(
-    skill: Skill, skills: CheckedSkills, steps: Sequence[ir.Doing]
+    skill: Skill, skills: CheckedSkills, steps: Sequence[ir.Doing], *, is_ahead: bool
 ) -> Iterator[ir.SkillCall]:
     asked: dict[str, list[tuple[str, ...]]] = {}
-    for step in steps:
+    for step in (each for each in steps if each.is_ahead == is_ahead):
         for parameter, classes in step.arguments if skill.name in step.skills else ():
             asked.setdefault(parameter, []).append(classes)
     things = sorted(
@@ -49,16 +53,19 @@ def _calls_of(
         key=lambda each: each.name,
     )
     choices = [_kinds(each, asked.get(each.name, []), skills) for each in things]
+    if is_ahead:
+        choices = [[*kinds, NOT_KNOWN] for kinds in choices]
     for chosen in product(*choices):
         pairs = list(zip(things, chosen, strict=True))
         yield ir.SkillCall(
             skill.name,
             tuple((thing.name, kind) for thing, kinds in pairs for kind in kinds),
-            _text(skill, pairs),
+            _text(skill, pairs, "ahead" if is_ahead else "doing"),
+            is_ahead,
         )
 
 
-def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]]) -> str | None:
+def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) -> str | None:
     """The call in the words of a test, which cannot say that a thing has several classes, or that
     there is none.
     """
@@ -66,7 +73,7 @@ def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]]) -> str | None
         return None
     told = [f"{thing.name}: {kind}" for thing, (kind,) in chosen if kind != thing.type]
     limits = f"({', '.join(told)})" if told else ""
-    return f"doing {skill.name}{limits}"
+    return f"{word} {skill.name}{limits}"
 
 
 def _kinds(

@@ -64,7 +64,8 @@ class Skills:
 
     def _flag(self, node: ast.Doing, used: CheckedInput) -> int:
         found = self._found(node)
-        step = ir.Doing(self._skills.file.digest, found.skills, found.arguments, found.text)
+        file = self._skills.file
+        step = ir.Doing(file.digest, found.skills, found.arguments, node.is_ahead, found.text)
         slot = self._inputs.slot(Place(used, Part((step,))), Boolean())
         shown = Shown(found.text, node.span)
         return self._nodes.leaf(ir.Flag(self._nodes.signal(ir.Read(slot), shown)), shown)

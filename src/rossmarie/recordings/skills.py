@@ -11,6 +11,7 @@ from rosbags.typesys.store import Typestore
 from rossmarie.ir import Doing, Quantity, SkillStep, Slot
 
 _TEXT: Any = (Nodetype.BASE, ("string", 0))
+_TRUTH: Any = (Nodetype.BASE, ("bool", 0))
 _NUMBER: Any = (Nodetype.BASE, ("float64", 0))
 _PACKAGE = "skill_context_msgs/msg"
 
@@ -20,8 +21,14 @@ def _list_of(name: str) -> Any:
 
 
 _NEEDED: Mapping[str, Mapping[str, Any]] = {
-    "SkillContext": {"digest": _TEXT, "running": _list_of("RunningSkill")},
+    "SkillContext": {
+        "digest": _TEXT,
+        "running": _list_of("RunningSkill"),
+        "ahead": _list_of("SkillAhead"),
+        "is_ahead_known": _TRUTH,
+    },
     "RunningSkill": {"skill": _TEXT, "arguments": _list_of("SkillArgument")},
+    "SkillAhead": {"skill": _TEXT, "arguments": _list_of("SkillArgument")},
     "SkillArgument": {
         "parameter": _TEXT,
         "type": _TEXT,

@@ -100,7 +100,10 @@ class ExpressionBuilder:
     def doing(self, parts: list[Any]) -> ast.Doing:
         """`doing SKILL(PARAMETER: CLASS, ...)`."""
         arguments = tuple(part for part in parts if isinstance(part, ast.SkillArgument))
-        return ast.Doing(self.name(parts[1]), arguments, self._span(parts))
+        is_ahead = parts[0].text == "ahead"
+        return ast.Doing(self.name(parts[1]), arguments, is_ahead, self._span(parts))
+
+    ahead = doing
 
     def skill_argument(self, parts: list[Any]) -> ast.SkillArgument:
         """`PARAMETER: CLASS`."""

@@ -179,7 +179,7 @@ class Recognizer:
     def _is_name(self, index: int) -> bool:
         """Say whether a word that may be an operator here is the name of something."""
         text = self._tokens[index].text
-        if text == "doing":
+        if text in ("doing", "ahead"):
             return not names_skill(self._tokens, index)
         return text in PREFIXES and not is_operator(self._tokens, index)
 

@@ -69,7 +69,7 @@ PART_WORDS = frozenset(
     | {"keeps", "below"}
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
-    | {"doing", "while", "always"}
+    | {"doing", "ahead", "while", "always"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -138,6 +138,8 @@ FORMS = {
     "expression": "a condition is built of names, comparisons, `and`, `or`, `not`, "
     "`for DURATION`, `since`, `once` and `after`",
     "doing": "a skill is asked for by `doing SKILL` or `doing SKILL(PARAMETER: CLASS)`",
+    "ahead": "a skill that can start next is asked for by `ahead SKILL` or "
+    "`ahead SKILL(PARAMETER: CLASS)`",
     "over_time": "`once` and `after` end with a time: `once CONDITION within 2 sec`, "
     "`after CONDITION, CONDITION within 2 sec`; write `once (A and B) within 2 sec`",
     "topic_declaration": "a topic is declared as `topic /TOPIC : PACKAGE/TYPE;`",

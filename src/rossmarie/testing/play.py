@@ -76,7 +76,9 @@ def _instants(event: ScriptedArrival | ScriptedReset) -> Iterator[int]:
 
 @dataclass
 class _Sender:
-    """Knows what was set last. `values` are in SI, `running` are the skills that run, by topic."""
+    """Knows what was set last. `values` are in SI, `running` are the skills that run
+    and that can start next, by topic.
+    """
 
     machine: Machine
     values: dict[_Field, SettingValue] = field(default_factory=dict)
@@ -218,7 +220,7 @@ class _Sender:
     def _value(self, topic: str, path: Path) -> SettingValue | object:
         last = path[-1] if path else ""
         if isinstance(last, Doing):
-            return answer(last, SkillContext(last.export, self.running.get(topic, ())))
+            return answer(last, SkillContext.of(last.export, self.running.get(topic, ())))
         if isinstance(last, Quantity) and not self._is_of_one_skill(topic, last):
             return None
         if isinstance(last, int | Listed):
@@ -234,7 +236,8 @@ class _Sender:
         """Say whether there can be a quantity: one skill runs that has it, or nobody says which."""
         if topic not in self.running:
             return True
-        return sum(each.skill in asked.skills for each in self.running[topic]) == 1
+        running = [each for each in self.running[topic] if not each.is_ahead]
+        return sum(each.skill in asked.skills for each in running) == 1
 
 
 _UNSET = object()

@@ -15,6 +15,7 @@ import pytest
 from ezskiros.context.ros import NoRosError, connect
 from ezskiros.context.snapshot import (
     RunningSkill,
+    SkillAhead,
     SkillArgument,
     SkillPermission,
     SkillProperty,
@@ -42,6 +43,7 @@ SNAPSHOT = Snapshot(
             (SkillPermission("contact", "skiros.Product", math.nan),),
         ),
     ),
+    (SkillAhead("Drive", (SkillArgument("Speed", "0.3", number=0.3),)),),
 )
 
 
@@ -55,7 +57,7 @@ class Time2:
         self.sec, self.nanosec = 0, 0
 
 
-PLAIN: Mapping[str, Callable[[], Any]] = {"string": str, "float64": float}
+PLAIN: Mapping[str, Callable[[], Any]] = {"string": str, "float64": float, "bool": bool}
 OTHERS: Mapping[str, Callable[[], Any]] = {
     "std_msgs/Header": lambda: SimpleNamespace(stamp=None),
     "time": lambda: None,
@@ -144,13 +146,16 @@ def test_the_message_of_ros_1_says_all_of_a_snapshot(modules: Any) -> None:
     (permission,) = skill.permits
     assert (permission.kind, permission.type) == ("contact", "skiros.Product")
     assert math.isnan(permission.limit)
+    (ahead,) = first.ahead
+    assert (ahead.skill, [each.number for each in ahead.arguments]) == ("Drive", [0.3])
+    assert first.is_ahead_known is True
 
 
 def test_a_node_that_there_is_is_used(modules: Any) -> None:
     sent = list[Any]()
     modules(**ros1(sent))
     connect()(Snapshot("digest", ()))
-    assert [each.running for each in sent] == [[]]
+    assert [(each.running, each.ahead, each.is_ahead_known) for each in sent] == [([], [], False)]
 
 
 def test_the_message_of_ros_2(modules: Any) -> None:

@@ -40,6 +40,7 @@ class Publisher:
     def __init__(self, topic, kind, queue_size):
         self.file = open(os.environ["HEARD"], "a", buffering=1)
     def publish(self, message):
+        assert message.is_ahead_known
         names = " ".join(each.skill for each in message.running)
         print(time.monotonic(), names, file=self.file)
 """
@@ -53,6 +54,7 @@ class SkillContext(Message):
         stamp = None
 
 class RunningSkill(Message): pass
+class SkillAhead(Message): pass
 class SkillArgument(Message): pass
 class SkillProperty(Message): pass
 class SkillPermission(Message): pass

@@ -51,7 +51,7 @@ def pushing(folder: Path, scene: str = SCENE, *texts: str) -> Task:
 
 
 def told(task: Task) -> dict[str, Any]:
-    (only,) = plain(Snapshots("digest").of(task.setting.running))["running"]
+    (only,) = plain(Snapshots("digest").of(task.setting.running, None))["running"]
     assert isinstance(only, dict)
     return only
 
@@ -136,7 +136,7 @@ def test_a_thing_that_is_gone_is_of_the_class_of_the_parameter(tmp_path: Path) -
 def test_two_snapshots_of_the_same_are_equal(tmp_path: Path) -> None:
     task = pushing(tmp_path)
     snapshots = Snapshots("digest")
-    first, second = snapshots.of(task.setting.running), snapshots.of(task.setting.running)
+    first, second = (snapshots.of(task.setting.running, None) for _ in range(2))
     assert first == second
     assert first.digest == "digest"
     assert math.isnan(asdict(first)["running"][0]["arguments"][0]["number"])

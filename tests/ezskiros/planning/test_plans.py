@@ -277,7 +277,7 @@ def test_a_plan_that_the_world_model_denies_is_not_given(
         return (real(problem, seconds) or [])[-1:]
 
     real = planner.solve
-    monkeypatch.setattr("ezskiros.planning.plan.solve", half)
+    monkeypatch.setattr("ezskiros.planning.search.solve", half)
     plan, said = planned(gripping, "(contain shelf starter)")
     assert plan is None
     assert [each.code for each in said] == ["EZS858"]
@@ -299,7 +299,7 @@ def test_steps_that_need_not_be_are_left_out(
 
     short = names(planned(gripping, "(contain shelf starter)")[0])
     real = planner.solve
-    monkeypatch.setattr("ezskiros.planning.plan.solve", with_detour)
+    monkeypatch.setattr("ezskiros.planning.search.solve", with_detour)
     assert names(planned(gripping, "(contain shelf starter)")[0]) == short
 
 

@@ -110,8 +110,8 @@ WRONG = {
     "a huge number": 10**400,
     "an object": object(),
 }
-FIELDS = ("digest", "running", "skill", "arguments", "parameter", "type", "number", "properties",
-          "property")  # fmt: skip
+FIELDS = ("digest", "running", "ahead", "skill", "arguments", "parameter", "type", "number",
+          "properties", "property")  # fmt: skip
 
 
 @pytest.mark.parametrize("wrong", WRONG.values(), ids=WRONG)
@@ -122,12 +122,29 @@ def test_what_is_not_as_defined_is_not_known(name: str, wrong: object) -> None:
         parameter="Object", value="", type="skiros.Glass", number=math.nan, properties=[weight]
     )
     skill = SimpleNamespace(skill="Push", arguments=[argument])
-    message = SimpleNamespace(digest=DIGEST, running=[skill])
+    message = SimpleNamespace(digest=DIGEST, running=[skill], ahead=[], is_ahead_known=True)
     assert (answer(FRAGILE, message), answer(WEIGHT, message)) == (1.0, 0.3)
     owner = next(each for each in (weight, argument, skill, message) if hasattr(each, name))
     setattr(owner, name, wrong)
     assert math.isnan(answer(FRAGILE, message))
     assert math.isnan(answer(WEIGHT, message))
+
+
+@pytest.mark.parametrize("known", [None, 1, "True"])
+def test_what_is_ahead_is_not_known_by_anything_else_than_a_truth(known: object) -> None:
+    message = SimpleNamespace(digest=DIGEST, running=[], ahead=[], is_ahead_known=known)
+    assert math.isnan(answer(replace(PUSH, is_ahead=True), message))
+    assert answer(PUSH, message) == 0.0
+
+
+def test_a_skill_ahead_fits_by_what_is_known_of_it() -> None:
+    asked = replace(FRAGILE, is_ahead=True)
+    box = replace(GLASS, type="skiros.Box")
+    for arguments, is_yes in (((), 1.0), ((GLASS,), 1.0), ((box,), 0.0), ((box, GLASS), 1.0)):
+        ahead = RunningSkill("Push", arguments, is_ahead=True)
+        assert answer(asked, SkillContext.of(DIGEST, [ahead])) == is_yes
+        assert answer(FRAGILE, SkillContext.of(DIGEST, [ahead])) == 0.0
+    assert answer(asked, context(PUSHES)) == 0.0
 
 
 @given(st.integers(0, 2**64))

@@ -30,6 +30,10 @@ QUESTIONS = (
     "doing Push(Object: Glass)",
     "doing Insert(Object: Product)",
     "doing Insert(Object: Fragile)",
+    "ahead Move",
+    "ahead Drive(Target: Shelf)",
+    "ahead Push(Object: Fragile)",
+    "ahead Push(Object: Glass)",
 )
 
 
@@ -40,9 +44,12 @@ def contexts(draw: st.DrawFn) -> SkillContext:
     for name in draw(st.lists(st.sampled_from(sorted(SKILLS.skills)), max_size=3)):
         things = [each for each in SKILLS.skills[name].parameters.values() if "." in each.type]
         classes = {each.name: draw(st.sampled_from(BELOW.below(each.type))) for each in things}
+        is_ahead = draw(st.booleans())
+        if is_ahead:  # some arguments are not known yet
+            classes = {which: kind for which, kind in classes.items() if draw(st.booleans())}
         arguments = tuple(SkillArgument(which, type=kind) for which, kind in classes.items())
-        found.append(RunningSkill(name, arguments))
-    return SkillContext(DIGEST, tuple(found))
+        found.append(RunningSkill(name, arguments, is_ahead))
+    return SkillContext.of(DIGEST, found)
 
 
 def machine_asking(questions: list[str]) -> ir.Machine:
@@ -63,7 +70,7 @@ def test_what_skills_answer_is_what_some_calls_answer(
     wanted = {step: answer(step, context) == 1.0 for step in steps_of(machine)}
     chosen = covering(machine.calls, wanted)
     assert chosen is not None
-    told = SkillContext(DIGEST, tuple(call.running for call in chosen))
+    told = SkillContext.of(DIGEST, [call.running for call in chosen])
     assert {step: answer(step, told) == 1.0 for step in wanted} == wanted
 
 

@@ -33,7 +33,9 @@ from support.skill_contexts import DIGEST, message, random_context, random_quest
 
 TOPIC = "/skill_context"
 TYPE = "skill_context_msgs/SkillContext"
-PUSH = Doing(DIGEST, ("Push",), (("Object", ("skiros.Fragile",)),), "doing Push(Object: Fragile)")
+PUSH = Doing(
+    DIGEST, ("Push",), (("Object", ("skiros.Fragile",)),), written="doing Push(Object: Fragile)"
+)
 DEPTH = Quantity(DIGEST, ("Push",), "Depth", written="Push.Depth")
 
 

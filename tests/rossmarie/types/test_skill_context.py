@@ -11,7 +11,10 @@ from rossmarie.types import MessageCatalog
 from rossmarie.types.definitions import own_texts, parse_file, read_stored
 
 ROS = Path(__file__).parents[3] / "ros"
-NAMES = ("RunningSkill", "SkillArgument", "SkillContext", "SkillPermission", "SkillProperty")
+NAMES = (
+    "RunningSkill", "SkillAhead", "SkillArgument", "SkillContext", "SkillPermission",
+    "SkillProperty",
+)  # fmt: skip
 
 
 @pytest.mark.parametrize("generation", ["ros1", "ros2"])
@@ -33,7 +36,7 @@ def _fields_of(name: str) -> list[str]:
 def test_rules_need_no_messages_item() -> None:
     context = MessageCatalog().find("skill_context_msgs/SkillContext")
     assert context is not None
-    assert set(context.fields) == {"header", "digest", "running"}
+    assert set(context.fields) == {"header", "digest", "running", "ahead", "is_ahead_known"}
 
 
 def test_no_field_is_a_word_of_a_language() -> None:

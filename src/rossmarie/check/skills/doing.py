@@ -64,7 +64,7 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
     return CheckedDoing(
         skills=skills.skills.below(skill.name),
         arguments=tuple(sorted(arguments.items())),
-        text=f"doing {skill.name}{limits}",
+        text=f"{'ahead' if node.is_ahead else 'doing'} {skill.name}{limits}",
         permits=tuple(dict.fromkeys(map(str, skill.permits))),
     )
 

@@ -1,4 +1,4 @@
-"""The skills that run in a test: `at 1 sec doing Push(Object: Box), doing Drive;`."""
+"""The skills of a test that run and can start next: `at 1 sec doing Push, ahead Drive;`."""
 
 from __future__ import annotations
 
@@ -28,7 +28,9 @@ def repeats_skills(setting: ast.Setting, context: Context) -> bool:
 
 
 def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None:
-    """All skills that run from a statement on; None after reporting what is wrong with them."""
+    """All skills that run, or can start next, from a statement on; None after reporting what is
+    wrong with them.
+    """
     skills = known_skills(written[0], context)
     if skills is None:
         return None
@@ -51,7 +53,7 @@ def running_of(written: Sequence[ast.Doing], context: Context) -> Running | None
 
 
 def _is_nothing(node: ast.Doing, skills: CheckedSkills) -> bool:
-    is_plain = node.skill.text == NOTHING and not node.arguments
+    is_plain = node.skill.text == NOTHING and not node.arguments and not node.is_ahead
     return is_plain and NOTHING not in skills.file.skills
 
 
@@ -62,4 +64,4 @@ def _running(node: ast.Doing, skills: CheckedSkills, context: Context) -> Runnin
     for argument in node.arguments:
         types[argument.parameter.text] = find_class(argument.kind, skills, context) or ""
     arguments = (SkillArgument(name, type=kind) for name, kind in sorted(types.items()))
-    return RunningSkill(node.skill.text, tuple(arguments))
+    return RunningSkill(node.skill.text, tuple(arguments), node.is_ahead)

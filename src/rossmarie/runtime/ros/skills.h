@@ -40,11 +40,11 @@ template <std::size_t COUNT> bool has(const Names<COUNT> &names, const std::stri
     return false;
 }
 
-template <class Context> bool is_readable(const Context &context, const char *digest)
+template <class Skills> bool are_readable(const Skills &skills)
 {
-    if (context.digest != digest || context.running.size() > MOST)
+    if (skills.size() > MOST)
         return false;
-    for (const auto &skill : context.running) {
+    for (const auto &skill : skills) {
         if (skill.arguments.size() > MOST)
             return false;
         for (const auto &argument : skill.arguments)
@@ -52,6 +52,12 @@ template <class Context> bool is_readable(const Context &context, const char *di
                 return false;
     }
     return true;
+}
+
+template <class Context> bool is_readable(const Context &context, const char *digest)
+{
+    return context.digest == digest && are_readable(context.running) &&
+           are_readable(context.ahead);
 }
 
 // Whether an argument of a skill is of a class. A thing of several classes is there once for each.
@@ -73,6 +79,30 @@ double doing(const Context &context, const char *digest, const Asked &asked,
         return NAN;
     for (const auto &skill : context.running)
         if (has(asked, skill.skill) && (is_within(skill, limits) && ...))
+            return 1.0;
+    return 0.0;
+}
+
+// Whether nobody knows yet the argument of a parameter of a skill that can start next.
+template <class Skill, std::size_t COUNT>
+bool is_open(const Skill &skill, const Limit<COUNT> &limit)
+{
+    for (const auto &argument : skill.arguments)
+        if (argument.parameter == limit.parameter)
+            return false;
+    return true;
+}
+
+// 1 if a skill that can start next is one of `asked`, and its arguments may be within all limits,
+// 0 if none is.
+template <class Context, class Asked, class... Limits>
+double ahead(const Context &context, const char *digest, const Asked &asked,
+             const Limits &...limits)
+{
+    if (!is_readable(context, digest) || !context.is_ahead_known)
+        return NAN;
+    for (const auto &skill : context.ahead)
+        if (has(asked, skill.skill) && ((is_open(skill, limits) || is_within(skill, limits)) && ...))
             return 1.0;
     return 0.0;
 }

@@ -234,10 +234,13 @@ class SkillArgument:
 
 @dataclass(frozen=True)
 class Doing:
-    """`doing Push(Object: Fragile)`: a skill runs, with a thing of a class."""
+    """`doing Push(Object: Fragile)`: a skill runs, with a thing of a class. `ahead Push`: it can
+    start next.
+    """
 
     skill: Name
     arguments: tuple[SkillArgument, ...]
+    is_ahead: bool
     span: Span
 
 

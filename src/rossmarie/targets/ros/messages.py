@@ -132,12 +132,13 @@ def skill_question(step: ir.SkillStep) -> str:
     """A question to the skills that `message` has, as a double in C++."""
     asked = f"message, {c99_names.string(step.export)}, skills::names({_texts(step.skills)})"
     match step:
-        case ir.Doing(arguments=arguments):
+        case ir.Doing(arguments=arguments, is_ahead=is_ahead):
             limits = (
                 f"skills::limit({_texts((parameter, *classes))})"
                 for parameter, classes in arguments
             )
-            return f"skills::doing({', '.join([asked, *limits])})"
+            asks = "ahead" if is_ahead else "doing"
+            return f"skills::{asks}({', '.join([asked, *limits])})"
         case ir.Quantity(parameter=parameter, property=asked_property, is_truth=is_truth):
             named = (parameter,) if asked_property is None else (parameter, asked_property)
             number = f"skills::quantity({asked}, {_texts(named)})"

@@ -25,7 +25,8 @@ struct Skill {
 
 struct Context {
     std::string digest;
-    std::vector<Skill> running;
+    std::vector<Skill> running, ahead;
+    bool is_ahead_known = false;
 };
 
 template <class Element> static void resize(std::vector<Element> &elements)
@@ -42,12 +43,10 @@ static double number()
     return std::stod(text);
 }
 
-static bool read(Context &context)
+static void read(std::vector<Skill> &skills)
 {
-    if (!(std::cin >> std::quoted(context.digest)))
-        return false;
-    resize(context.running);
-    for (auto &skill : context.running) {
+    resize(skills);
+    for (auto &skill : skills) {
         std::cin >> std::quoted(skill.skill);
         resize(skill.arguments);
         for (auto &argument : skill.arguments) {
@@ -60,6 +59,14 @@ static bool read(Context &context)
             }
         }
     }
+}
+
+static bool read(Context &context)
+{
+    if (!(std::cin >> std::quoted(context.digest) >> context.is_ahead_known))
+        return false;
+    read(context.running);
+    read(context.ahead);
     return true;
 }
 
