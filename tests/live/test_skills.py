@@ -19,7 +19,7 @@ SOON = 0.2
 """Seconds in which a node that is not held up says what it has noticed."""
 
 CLEARED, ACTIVATED_WITHOUT_INPUT = 0, 2
-LOST = {"contact", "heavy"}
+LOST = {"contact", "heavy", "next_fragile"}
 """The rules that are active while nobody knows which skills run, and something is touched."""
 
 Skill = tuple[str, list[tuple[str, str, float]]]
@@ -83,6 +83,24 @@ def test_a_rule_gives_way_to_a_skill_with_its_things(begin: Begin) -> None:
     robot.set(skills=[GLASS], force=0.0)
     becomes(robot, set())
     passes(robot, 1.0)
+
+
+def test_a_rule_holds_before_a_skill_starts(begin: Begin) -> None:
+    robot = begin("")
+    robot.set(force=0.0, skills=[BOX])
+    becomes(robot, set())
+    passes(robot, 1.0)
+    robot.set(ahead=[GLASS])
+    becomes(robot, {"next_fragile"})
+    passes(robot, 0.1)
+    robot.set(ahead=[["Drive", []], BOX])
+    becomes(robot, set())
+    robot.set(ahead=[["Push", []]])  # nobody knows yet what will be pushed
+    becomes(robot, {"next_fragile"})
+    robot.set(ahead=[])
+    becomes(robot, set())
+    robot.set(ahead=None)
+    becomes(robot, {"next_fragile"})
 
 
 def test_what_is_not_known_exempts_from_nothing(begin: Begin) -> None:

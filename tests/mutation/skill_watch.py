@@ -20,7 +20,8 @@ from support.compiled import machine_of
 from support.exempted import differences, random_events, random_program
 from support.programs import errors_of
 from support.rule_skills import FILE, HEAD, content
-from support.skill_worlds import any_context, asked_of, honest_context, random_world
+from support.skill_tales import any_context, honest_context
+from support.skill_worlds import asked_of, random_world
 
 WORLDS = 60
 CONTEXTS = 16

@@ -21,7 +21,8 @@ from mutation.skill_faults import COMPILER, NODE
 from support.depth import deep, is_deep
 from support.parts import GXX, needs
 from support.skill_node import RUNTIME, bits, of_node
-from support.skill_worlds import Asked, any_context, asked_of, random_world
+from support.skill_tales import any_context
+from support.skill_worlds import Asked, asked_of, random_world
 
 PACKAGE = Path(rossmarie.__file__).parent
 TESTS = Path(__file__).parents[1]

@@ -19,7 +19,8 @@ from rossmarie.ir.skills import SkillContext, SkillMessage, answer
 from support.depth import examples
 from support.recordings import ROS1, ROS2
 from support.skill_contexts import message
-from support.skill_worlds import Asked, any_context, asked_of, honest_context, random_world
+from support.skill_tales import any_context, honest_context
+from support.skill_worlds import Asked, asked_of, random_world
 
 CONTEXTS = 12
 seeds = st.integers(0, 2**64)

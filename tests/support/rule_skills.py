@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,11 @@ def running(skill: str, **things: str) -> RunningSkill:
     return RunningSkill(skill, tuple(SkillArgument(name, type=t) for name, t in things.items()))
 
 
+def ahead(skill: str, **things: str) -> RunningSkill:
+    """A skill that can start next, with the classes of its things that are known."""
+    return replace(running(skill, **things), is_ahead=True)
+
+
 class Robot:
     """A robot with rules over `HEAD`, which tells of a force and of the skills that it runs."""
 
@@ -52,10 +58,18 @@ class Robot:
         self.monitor = Interpreter(self.machine)
 
     def tell(
-        self, at_s: float, *skills: RunningSkill, force: float | None = None, digest: str = DIGEST
+        self,
+        at_s: float,
+        *skills: RunningSkill,
+        force: float | None = None,
+        digest: str = DIGEST,
+        is_ahead_known: bool = True,
     ) -> tuple[ir.Event, ...]:
-        """A message that tells which skills run, and with `force` one of that as well."""
-        messages = {self._channel("/skill_context"): self._answers(SkillContext(digest, skills))}
+        """A message that tells which skills run and can start next, and with `force` one of that as
+        well.
+        """
+        context = replace(SkillContext.of(digest, skills), is_ahead_known=is_ahead_known)
+        messages = {self._channel("/skill_context"): self._answers(context)}
         if force is not None:
             messages |= self._force(force)
         return tuple(self.monitor.update(_ns(at_s), messages))

@@ -11,6 +11,7 @@ from ears import Ears, run
 from geometry_msgs.msg import Twist, WrenchStamped
 from skill_context_msgs.msg import (
     RunningSkill,
+    SkillAhead,
     SkillArgument,
     SkillContext,
     SkillPermission,
@@ -34,6 +35,7 @@ class Skillful(Ears):
         super().__init__(*arguments)
         self.digest, self.skills, self.is_talking, self.force = "", [], True, 0.0
         self.permits = []
+        self.ahead = []  # None: nobody knows
         self._contexts = self.publisher(SPACE + "/skill_context", SkillContext)
         self._forces = self.publisher(SPACE + "/ft", WrenchStamped)
         self._planner = self.publisher(SPACE + "/unfil_cmd_vel", Twist)
@@ -55,6 +57,12 @@ class Skillful(Ears):
             skill.arguments = [self._argument(*each) for each in arguments]
             skill.permits = [self._permission(each) for each in self.permits]
             context.running.append(skill)
+        context.is_ahead_known = self.ahead is not None
+        for name, arguments in self.ahead or ():
+            skill = SkillAhead()
+            skill.skill = name
+            skill.arguments = [self._argument(*each) for each in arguments]
+            context.ahead.append(skill)
         self.note("context", None)
         self._contexts.publish(context)
 

@@ -44,7 +44,7 @@ def skills_ahead(root: RunningSkill, then: SkillCall | None = None) -> list[Ahea
 
 
 class _After(NamedTuple):
-    """What can follow when leaves end: skills that start, or the end of what they are in."""
+    """The skills that can start when leaves end, and how what they are in can end then."""
 
     skills: Sequence[Ahead]
     may_succeed: bool

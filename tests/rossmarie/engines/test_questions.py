@@ -30,7 +30,7 @@ def test_a_message_answers_all_questions_on_its_topic() -> None:
     asked = [i for i, s in enumerate(MACHINE.slots) if MACHINE.inputs[s.input].channel == SKILLS]
     found = values.messages({"skill_context": CONTEXT})
     assert sorted(found) == [SKILLS]
-    assert [found[SKILLS].slots[index] for index in asked] == [1.0, 1.0, 1.0, 7.0]
+    assert [found[SKILLS].slots[index] for index in asked] == [1.0, 1.0, 1.0, 7.0, 0.0]
     other = values.messages({"skill_context": replace(CONTEXT, digest="")})
     assert np.isnan([other[SKILLS].slots[index] for index in asked]).all()
 
@@ -56,7 +56,11 @@ def test_what_is_asked_has_to_be_observed(observe: dict[str, int | slice]) -> No
 def test_a_policy_is_guarded_by_what_it_does(tmp_path: Path) -> None:
     rules = Path(shutil.copytree(FOLDER, tmp_path / "rules")) / "skillful.ross"
     text = rules.read_text(encoding="utf-8")
-    rules.write_text("\n".join(line for line in text.splitlines() if "weight" not in line))
+    rules.write_text(
+        "\n".join(
+            line for line in text.splitlines() if "weight" not in line and "ahead" not in line
+        )
+    )
     observe = {"force.x": 0, "force.y": 1, "force.z": 2, QUESTION: 3}
     guard = Guard(compile_file(rules).machine, observe, {"linear.x": 0})
     decision = guard.step(0, np.array([20.0, 0.0, 0.0, 0.0]), np.array([1.0]))

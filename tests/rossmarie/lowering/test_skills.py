@@ -8,7 +8,7 @@ from rossmarie import ir
 from rossmarie.ir.skills import RunningSkill, SkillArgument
 from support.compiled import machine_of
 from support.programs import errors_of
-from support.rule_skills import HEAD, Robot, running
+from support.rule_skills import HEAD, Robot, ahead, running
 
 PUSH = running("Push", Object="skiros.Box")
 FRAGILE = running("Push", Object="skiros.Glass")
@@ -77,6 +77,39 @@ def test_s58_a_truth_of_a_skill_is_0_or_1(number: float, active: set[str]) -> No
     """)
     robot.tell(0, RunningSkill("Push", (SkillArgument("Gently", number=number),)))
     assert robot.active() == active
+
+
+# --- S67 ---------------------------------------------------------------------------------------
+
+
+def test_s67_a_question_about_what_can_start_next() -> None:
+    robot = Robot("rule it: if ahead Push(Object: Fragile) then { stop; };")
+    robot.tell(0, FRAGILE, ahead("Drive"), ahead("Push", Object="skiros.Box"))
+    assert robot.active() == set()
+    robot.tell(0.1, ahead("Push", Object="skiros.Glass"))
+    assert robot.active() == {"it"}
+    robot.tell(0.2, PUSH)
+    assert robot.active() == set()
+
+
+def test_s67_a_value_that_nobody_knows_fits_every_class() -> None:
+    robot = Robot("rule it: if ahead Push(Object: Fragile) then { stop; };")
+    robot.tell(0, ahead("Push"))
+    assert robot.active() == {"it"}
+
+
+def test_s67_nobody_knows_what_is_ahead() -> None:
+    """It is lost for as long as that, and what runs is known."""
+    robot = Robot("""
+    rule next: if ahead Push then { stop; };
+    rule now: if doing Push then { stop; };
+    """)
+    robot.tell(0)
+    assert robot.active() == set()
+    robot.tell(0.1, is_ahead_known=False)
+    assert robot.active() == {"next"}
+    robot.tell(0.2)
+    assert robot.active() == set()
 
 
 # --- S59 ---------------------------------------------------------------------------------------

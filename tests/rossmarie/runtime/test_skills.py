@@ -10,7 +10,8 @@ from rossmarie.ir.skills import answer
 from support.parts import GXX, needs
 from support.skill_contexts import random_context, random_question
 from support.skill_node import bits, of_node
-from support.skill_worlds import any_context, asked_of, random_world
+from support.skill_tales import any_context
+from support.skill_worlds import asked_of, random_world
 
 QUESTIONS = 40
 CONTEXTS = 600
