@@ -8,8 +8,9 @@ was asked to. One that fails ends the task: nobody knows any more whether the ta
 from __future__ import annotations
 
 import enum
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass, field
 from queue import Empty, SimpleQueue
 
 from py_trees.behaviour import Behaviour
@@ -19,6 +20,7 @@ from dslkit import garbage
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.running import Running
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.engine.task import Task
@@ -45,6 +47,31 @@ class Recovery:
     call: SkillCall
     afterwards: Afterwards
     done: Callable[[bool, str], None]
+    _released: threading.Event = field(default_factory=threading.Event, init=False)
+
+    def release(self) -> None:
+        """Ask for the end of this tree, and of no other, from any thread: the task goes on where it
+        was. A tree that has not begun never does.
+        """
+        self._released.set()
+
+    @property
+    def is_released(self) -> bool:
+        """True if nobody wants this tree any more."""
+        return self._released.is_set()
+
+
+def newly_asked(queue: SimpleQueue[Recovery]) -> Iterator[Recovery]:
+    """Those that somebody asked for, and still wants; the others are told that they are stopped."""
+    while True:
+        try:
+            asked = queue.get_nowait()
+        except Empty:
+            return
+        if asked.is_released:
+            asked.done(False, "it was stopped")
+        else:
+            yield asked
 
 
 class InterruptibleTask(Task):
@@ -60,9 +87,17 @@ class InterruptibleTask(Task):
     ) -> None:
         super().__init__(call, setting)
         self._replan = replan
-        self._asked: SimpleQueue[Recovery | None] = SimpleQueue()
+        self._asked: SimpleQueue[Recovery] = SimpleQueue()
         self._recovery: Recovery | None = None
         self._tree: RunningSkill | None = None
+        self._interrupted: list[Running] | None = None
+
+    @property
+    def running(self) -> Iterable[Running]:
+        """The skills of the task that run. While a tree runs in their place, and until they run
+        again, they are those that ran when it began.
+        """
+        return self.setting.running if self._interrupted is None else self._interrupted
 
     @property
     def recovering(self) -> RunningSkill | None:
@@ -73,16 +108,14 @@ class InterruptibleTask(Task):
         """Ask for a tree, from any thread. One that runs already gives way to it."""
         self._asked.put(recovery)
 
-    def release(self) -> None:
-        """Ask for the end of the tree, from any thread: the task goes on where it was."""
-        self._asked.put(None)
-
     def tick(self) -> Status:
         """One tick, of the tree if there is one, else of the task."""
         with deep():
             self._take()
         if self._tree is None:
-            return super().tick()
+            status = super().tick()
+            self._interrupted = None
+            return status
         self.ticks += 1
         with deep(), garbage.not_now():
             for _ in self._tree.tick():
@@ -98,16 +131,15 @@ class InterruptibleTask(Task):
 
     def _take(self) -> None:
         """The last that was asked for since the tick before."""
-        while True:
-            try:
-                asked = self._asked.get_nowait()
-            except Empty:
-                return
-            self._give_up("it was stopped" if asked is None else "another tree is asked for")
-            if asked is not None:
-                self._begin(asked)
+        if self._recovery is not None and self._recovery.is_released:
+            self._give_up("it was stopped")
+        for asked in newly_asked(self._asked):
+            self._give_up("another tree is asked for")
+            self._begin(asked)
 
     def _begin(self, asked: Recovery) -> None:
+        if self._interrupted is None:
+            self._interrupted = list(self.setting.running)
         for leaf in list(_running_primitives(self.root)):
             leaf.stop(Status.INVALID)
         plan = self.setting.plans.of(asked.call)[0]
