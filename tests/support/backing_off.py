@@ -73,7 +73,7 @@ action away {
 action far {
     tree BackOff(From: doing Push.Object, Steps: 10000) within 20 min then resume else halt;
 }
-rule stuck: if force > 5 N for 0.2 sec then { away; };
+rule stuck: if force > 5 N then { away; };
 rule pulled: if force < -5 N for 0.2 sec then { far; };
 priority stuck over pulled;
 """

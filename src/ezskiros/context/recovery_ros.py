@@ -10,7 +10,8 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-from ezskiros.context.ros import NoRosError
+from ezskiros.context.ros import NoRosError, begin_ros2
+from ezskiros.engine.interruption import Recovery
 from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
 
 NAME = "recovery"
@@ -52,8 +53,10 @@ def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
     if not rospy.core.is_initialized():
         rospy.init_node(_NODE, anonymous=True, disable_signals=True)
 
+    asked: dict[str, Recovery] = {}
+
     def begin(handle: Any) -> None:
-        goal = handle.get_goal()
+        goal, name = handle.get_goal(), handle.get_goal_id().id
         handle.set_accepted()
 
         def done(is_success: bool, why: str) -> None:
@@ -61,15 +64,23 @@ def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
             if is_success:
                 handle.set_succeeded(result)
             elif handle.get_goal_status().status == _PREEMPTING:
-                handle.set_canceled(result)
+                handle.set_canceled(result, why)
             else:
-                handle.set_aborted(result)
+                handle.set_aborted(result, why)
+            asked.pop(
+                name, None
+            )  # `begin` has returned: the server lets both in one after the other
 
-        _begin(goals, goal, done)
+        recovery = _begin(goals, goal, done)
+        if recovery is not None:
+            asked[name] = recovery
 
-    server = actionlib.ActionServer(
-        NAME, messages.RecoverAction, begin, lambda _: goals.cancel(), auto_start=False
-    )
+    def cancel(handle: Any) -> None:
+        recovery = asked.get(handle.get_goal_id().id)
+        if recovery is not None:
+            recovery.release()
+
+    server = actionlib.ActionServer(NAME, messages.RecoverAction, begin, cancel, auto_start=False)
     server.start()
     return lambda: None  # it ends with the node
 
@@ -78,11 +89,13 @@ _PREEMPTING = 6
 """The status of a goal of ROS 1 that is to be cancelled (`actionlib_msgs/GoalStatus`)."""
 
 
-def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -> None:
+def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -> Recovery | None:
+    """The tree that a goal asks for; None if that is refused."""
     try:
-        goals.begin(goal.digest, goal.skill, list(goal.arguments), goal.afterwards, done)
+        return goals.begin(goal.digest, goal.skill, list(goal.arguments), goal.afterwards, done)
     except RefusedError as problem:
         done(False, str(problem))
+        return None
 
 
 # --- ROS 2 ---------------------------------------------------------------------------------------
@@ -91,9 +104,9 @@ def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -
 def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
     actions, executors = _imported("rclpy.action"), _imported("rclpy.executors")
     kind = _imported("skill_context_msgs.action").Recover
-    if not rclpy.ok():
-        rclpy.init()
+    begin_ros2(rclpy)
     node = rclpy.create_node(_NODE)
+    stopped = threading.Event()
 
     def execute(handle: Any) -> Any:
         ended = threading.Event()
@@ -103,11 +116,11 @@ def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
             end.append((is_success, why))
             ended.set()
 
-        _begin(goals, handle.request, done)
-        while not ended.wait(_SOON_S):
-            if handle.is_cancel_requested:
-                goals.cancel()
-        is_success, why = end[0]
+        recovery = _begin(goals, handle.request, done)
+        while not ended.wait(_SOON_S) and not stopped.is_set():
+            if recovery is not None and handle.is_cancel_requested:
+                recovery.release()
+        is_success, why = end[0] if end else (False, "no task runs any more")
         if is_success:
             handle.succeed()
         elif handle.is_cancel_requested:
@@ -124,6 +137,7 @@ def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
     threading.Thread(target=executor.spin, daemon=True).start()
 
     def stop() -> None:
+        stopped.set()  # what is asked for after the last tick would be waited for without end
         executor.shutdown()
         server.destroy()
         node.destroy_node()

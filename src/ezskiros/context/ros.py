@@ -47,12 +47,20 @@ def _ros1(rospy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Ca
 
 
 def _ros2(rclpy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Callable[[], Any]]:
-    if not rclpy.ok():
-        rclpy.init()
+    begin_ros2(rclpy)
     node = rclpy.create_node(_NODE)
     publisher = node.create_publisher(messages.SkillContext, TOPIC, 1)
     clock = node.get_clock()
     return publisher.publish, lambda: clock.now().to_msg()
+
+
+def begin_ros2(rclpy: ModuleType) -> None:
+    """Begin ROS 2 in this process, unless it has begun. Signals stay what they are: ROS 2 would end
+    itself at Ctrl-C, before the task has stopped, and would let nobody end the process by SIGTERM.
+    """
+    if not rclpy.ok():
+        nothing = importlib.import_module("rclpy.signals").SignalHandlerOptions.NO
+        rclpy.init(signal_handler_options=nothing)
 
 
 class Messages:

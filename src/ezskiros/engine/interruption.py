@@ -10,10 +10,11 @@ While another way to its goal is looked for, nothing moves.
 from __future__ import annotations
 
 import enum
+import threading
 from collections import deque
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import Future
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from queue import Empty, SimpleQueue
 
 from py_trees.behaviour import Behaviour
@@ -24,6 +25,7 @@ from ezskiros.engine.ahead import Ahead, skills_ahead
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.running import Running
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.engine.task import Task
@@ -50,6 +52,31 @@ class Recovery:
     call: SkillCall
     afterwards: Afterwards
     done: Callable[[bool, str], None]
+    _released: threading.Event = field(default_factory=threading.Event, init=False)
+
+    def release(self) -> None:
+        """Ask for the end of this tree, and of no other, from any thread: the task goes on where it
+        was. A tree that has not begun never does.
+        """
+        self._released.set()
+
+    @property
+    def is_released(self) -> bool:
+        """True if nobody wants this tree any more."""
+        return self._released.is_set()
+
+
+def newly_asked(queue: SimpleQueue[Recovery]) -> Iterator[Recovery]:
+    """Those that somebody asked for, and still wants; the others are told that they are stopped."""
+    while True:
+        try:
+            asked = queue.get_nowait()
+        except Empty:
+            return
+        if asked.is_released:
+            asked.done(False, "it was stopped")
+        else:
+            yield asked
 
 
 class NoWayError(Exception):
@@ -72,10 +99,18 @@ class InterruptibleTask(Task):
         self._call, self._replan = call, replan
         self._aim = call
         self._left: deque[SkillCall] = deque()
-        self._asked: SimpleQueue[Recovery | None] = SimpleQueue()
+        self._asked: SimpleQueue[Recovery] = SimpleQueue()
         self._recovery: Recovery | None = None
         self._tree: RunningSkill | None = None
         self._search: Future[Way] | None = None
+        self._interrupted: list[Running] | None = None
+
+    @property
+    def running(self) -> Iterable[Running]:
+        """The skills of the task that run. While a tree runs in their place, and until they run
+        again, they are those that ran when it began.
+        """
+        return self.setting.running if self._interrupted is None else self._interrupted
 
     @property
     def recovering(self) -> RunningSkill | None:
@@ -97,10 +132,6 @@ class InterruptibleTask(Task):
     def recover(self, recovery: Recovery) -> None:
         """Ask for a tree, from any thread. One that runs already gives way to it."""
         self._asked.put(recovery)
-
-    def release(self) -> None:
-        """Ask for the end of the tree, from any thread: the task goes on where it was."""
-        self._asked.put(None)
 
     def tick(self) -> Status:
         """One tick, of the tree if there is one, else of the task."""
@@ -126,6 +157,7 @@ class InterruptibleTask(Task):
 
     def _tick_task(self) -> Status:
         status = super().tick()
+        self._interrupted = None
         if status is not Status.SUCCESS or not self._left:
             return status
         self._start(self._left.popleft())
@@ -133,16 +165,15 @@ class InterruptibleTask(Task):
 
     def _take(self) -> None:
         """The last that was asked for since the tick before."""
-        while True:
-            try:
-                asked = self._asked.get_nowait()
-            except Empty:
-                return
-            self._give_up("it was stopped" if asked is None else "another tree is asked for")
-            if asked is not None:
-                self._begin(asked)
+        if self._recovery is not None and self._recovery.is_released:
+            self._give_up("it was stopped")
+        for asked in newly_asked(self._asked):
+            self._give_up("another tree is asked for")
+            self._begin(asked)
 
     def _begin(self, asked: Recovery) -> None:
+        if self._interrupted is None:
+            self._interrupted = list(self.setting.running)
         for leaf in list(_running_primitives(self.root)):
             leaf.stop(Status.INVALID)
         self._recovery = asked

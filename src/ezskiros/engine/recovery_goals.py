@@ -43,15 +43,11 @@ class Host(Protocol):
 
     @property
     def running(self) -> Iterable[Running]:
-        """The skills that run."""
+        """The skills of the task that run; while a tree does, those that ran when it began."""
         ...
 
     def recover(self, recovery: Recovery) -> None:
-        """Run a tree at the next tick."""
-        ...
-
-    def release(self) -> None:
-        """Stop the tree at the next tick."""
+        """Run a tree at the next tick. Raises `RefusedError` if it can never run it."""
         ...
 
 
@@ -59,11 +55,16 @@ class TaskHost:
     """A task of our engine."""
 
     def __init__(self, task: InterruptibleTask) -> None:
-        setting, library = task.setting, task.setting.library
+        library = task.setting.library
         interfaces = ((each, library.skill(each)) for each in library.descriptions())
         self.known = {found.name: (each, found) for each, found in interfaces if found is not None}
-        self.world, self.running = setting.world, setting.running
-        self.recover, self.release = task.recover, task.release
+        self.world, self.recover = task.setting.world, task.recover
+        self._task = task
+
+    @property
+    def running(self) -> Iterable[Running]:
+        """As of the task."""
+        return self._task.running
 
 
 class RecoveryGoals:
@@ -79,15 +80,17 @@ class RecoveryGoals:
         arguments: Sequence[str],
         afterwards: str,
         done: Callable[[bool, str], None],
-    ) -> None:
+    ) -> Recovery:
         """Run a tree at the next tick; `done` is told how it ends. Raises `RefusedError`."""
         if digest != self._digest:
             raise RefusedError("the rules were checked with another export of the skills")
-        self._host.recover(Recovery(self._call(skill, arguments), Afterwards(afterwards), done))
-
-    def cancel(self) -> None:
-        """The rule was released: the tree stops, and the task goes on."""
-        self._host.release()
+        call = self._call(skill, arguments)
+        try:
+            recovery = Recovery(call, Afterwards(afterwards), done)
+        except ValueError:
+            raise RefusedError(f"a task cannot go on by `{afterwards}`") from None
+        self._host.recover(recovery)
+        return recovery
 
     def _call(self, name: str, arguments: Sequence[str]) -> SkillCall:
         found = self._host.known.get(name)

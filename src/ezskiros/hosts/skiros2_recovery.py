@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from queue import Empty, SimpleQueue
+from queue import SimpleQueue
 from typing import Any
 
 from ezskiros.context.recovery_ros import serve
 from ezskiros.context.ros import NoRosError
-from ezskiros.engine.interruption import Afterwards, Recovery
+from ezskiros.engine.interruption import Afterwards, Recovery, newly_asked
 from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
 from ezskiros.engine.running import Running
 from ezskiros.engine.world import World
@@ -44,10 +44,11 @@ class HostedRecoveries:
         self.known: dict[str, tuple[SkillClass, SkillInterface]] = {}
         self.add(trees)
         self._context = context
-        self._asked: SimpleQueue[Recovery | None] = SimpleQueue()
+        self._asked: SimpleQueue[Recovery] = SimpleQueue()
         self._recovery: Recovery | None = None
         self._root: Any = None
         self._visitor: Any = None
+        self._interrupted: list[Running] | None = None
 
     def add(self, trees: Iterable[HostedTree]) -> None:
         """Know these as well: they are of another library."""
@@ -68,18 +69,16 @@ class HostedRecoveries:
 
     @property
     def running(self) -> Iterable[Running]:
-        """The skills that run."""
-        return self._context.running
+        """The skills of the tasks that run. While a tree runs in their place, and until they run
+        again, they are those that ran when it began.
+        """
+        return self._context.running if self._interrupted is None else self._interrupted
 
     def recover(self, recovery: Recovery) -> None:
         """Ask for a tree, from any thread. One that runs already gives way to it."""
         if recovery.afterwards is Afterwards.REPLAN:
             raise RefusedError("SkiROS2 does not plan again by itself: use `then retry`")
         self._asked.put(recovery)
-
-    def release(self) -> None:
-        """Ask for the end of the tree, from any thread: the tasks go on where they were."""
-        self._asked.put(None)
 
     # --- for the ticker ---------------------------------------------------------------------------
 
@@ -99,6 +98,7 @@ class HostedRecoveries:
         if self._root is None or ticking._tasks_to_preempt:  # noqa: SLF001
             self._give_up("the task is stopped")
             usual(ticking)
+            self._interrupted = None
             return
         self._context.keep()
         state = self._visitor.traverse(self._root)
@@ -107,14 +107,11 @@ class HostedRecoveries:
 
     def _take(self, ticking: Any) -> None:
         """The last that was asked for since the tick before."""
-        while True:
-            try:
-                asked = self._asked.get_nowait()
-            except Empty:
-                return
-            self._give_up("it was stopped" if asked is None else "another tree is asked for")
-            if asked is not None:
-                self._begin(asked, ticking)
+        if self._recovery is not None and self._recovery.is_released:
+            self._give_up("it was stopped")
+        for asked in newly_asked(self._asked):
+            self._give_up("another tree is asked for")
+            self._begin(asked, ticking)
 
     def _begin(self, asked: Recovery, ticking: Any) -> None:
         tasks = ticking._visitor  # noqa: SLF001
@@ -125,6 +122,8 @@ class HostedRecoveries:
         except Exception as problem:  # what SkiROS2 raises if it does not have the skill
             asked.done(False, f"SkiROS2 cannot run it: {problem}")
             return
+        if self._interrupted is None:
+            self._interrupted = list(self._context.running)
         for task in ticking._tasks.values():  # noqa: SLF001
             for leaf in list(_running_primitives(task)):
                 leaf.visitPreempt(tasks)

@@ -97,8 +97,10 @@ def _in_background(search: Callable[[], Way]) -> Future[Way]:
     def work() -> None:
         try:
             future.set_result(search())
-        except Exception as problem:
+        except NoWayError as problem:
             future.set_exception(problem)
+        except Exception as problem:  # the robot stands: the task has to end in order
+            future.set_exception(NoWayError(f"the search has failed: {problem!r}"))
 
     threading.Thread(target=work, name="replan", daemon=True).start()
     return future

@@ -89,9 +89,10 @@ class Scene:
     events: list[Event]
     told: list[tuple[bool, str]] = field(default_factory=list)
 
-    def ask(self, skill: str, afterwards: Afterwards = Afterwards.RESUME) -> None:
-        call = self.call(skill)
-        self.task.recover(Recovery(call, afterwards, lambda *end: self.told.append(end)))
+    def ask(self, skill: str, afterwards: Afterwards = Afterwards.RESUME) -> Recovery:
+        recovery = Recovery(self.call(skill), afterwards, lambda *end: self.told.append(end))
+        self.task.recover(recovery)
+        return recovery
 
     def call(self, skill: str) -> SkillCall:
         found = {each.__name__: each for each in self.task.setting.library.descriptions()}
@@ -198,9 +199,9 @@ def test_a_rule_that_is_released_ends_the_search(begin: Begin) -> None:
     search: Future[Way] = Future()
     scene = begin("Both", search)
     scene.ticks(3)
-    scene.ask("Clear", Afterwards.REPLAN)
+    recovery = scene.ask("Clear", Afterwards.REPLAN)
     scene.ticks(5)
-    scene.task.release()
+    recovery.release()
     scene.ticks(1)
     search.set_result([scene.call("Patient")])
     assert scene.ticks(6) is Status.SUCCESS
@@ -242,12 +243,37 @@ def test_a_recovery_that_fails_ends_the_task(begin: Begin) -> None:
 def test_a_rule_that_is_released_ends_the_tree(begin: Begin) -> None:
     scene = begin("Both")
     scene.ticks(3)
-    scene.ask("Clear")
+    recovery = scene.ask("Clear")
     scene.ticks(1)
-    scene.task.release()
+    recovery.release()
     assert scene.ticks(3) is Status.SUCCESS
     assert scene.lives()[-4:] == ["+aside", "!aside", "+second", "second"]
     assert scene.told == [(False, "it was stopped")]
+
+
+def test_a_tree_that_is_released_before_the_next_tick_never_begins(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.ticks(3)
+    scene.ask("Clear").release()
+    assert scene.ticks(3) is Status.SUCCESS
+    assert scene.lives() == ["+first", "first", "+second", "second"]
+    assert scene.told == [(False, "it was stopped")]
+
+
+def test_a_release_ends_no_tree_of_another_rule(begin: Begin) -> None:
+    """The node cancels one goal and sends another at once; they may come in either order."""
+    scene = begin("Both")
+    scene.ticks(3)
+    first = scene.ask("Clear")
+    scene.ticks(1)
+    scene.ask("Patient")
+    first.release()
+    scene.ticks(1)
+    assert scene.told == [(False, "it was stopped")]
+    assert scene.lives()[-4:] == ["+aside", "!aside", "+left", "+right"]
+    first.release()
+    assert scene.ticks(12) is Status.SUCCESS
+    assert scene.told[1:] == [(True, "")]
 
 
 def test_a_tree_gives_way_to_another(begin: Begin) -> None:

@@ -9,7 +9,7 @@ import pytest
 from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
-from ezskiros.engine.interruption import InterruptibleTask
+from ezskiros.engine.interruption import InterruptibleTask, Recovery
 from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError, TaskHost
 from support.engine import Skills
 
@@ -64,8 +64,16 @@ class Robot:
         self.told: list[tuple[bool, str]] = []
         self.task.tick()
 
-    def begin(self, *arguments: str, skill: str = "Reroute", digest: str = DIGEST) -> None:
-        self.goals.begin(digest, skill, arguments, "resume", lambda *end: self.told.append(end))
+    def begin(
+        self,
+        *arguments: str,
+        skill: str = "Reroute",
+        digest: str = DIGEST,
+        afterwards: str = "resume",
+    ) -> Recovery:
+        return self.goals.begin(
+            digest, skill, arguments, afterwards, lambda *end: self.told.append(end)
+        )
 
     def started(self, skill: str) -> Event:
         started = (each for each in self.events if each.happened is Happened.STARTED)
@@ -100,6 +108,29 @@ def test_values_are_those_of_the_skill_that_runs(robot: Robot) -> None:
     assert (values["Speed"], values["Quietly"], values["Gear"].name) == (0.25, False, "FAST")
 
 
+def test_values_are_those_of_the_skill_that_another_tree_interrupts(robot: Robot) -> None:
+    """It does not run any more; the tree that gives way has a Drive of its own."""
+    passed = [f"{name}=@Drive.{name}" for name in ("Target", "Speed", "Quietly", "Gear")]
+    robot.begin("Target=store", *GIVEN)
+    robot.task.tick()
+    assert [str(each.values()["Target"]) for each in robot.task.setting.running][-1:] == [
+        "skiros:Location-2"
+    ]
+    robot.begin(*passed)
+    robot.task.tick()
+    assert str(robot.started("Reroute").values["Target"]) == "skiros:Location-1"
+    assert robot.ends() is Status.SUCCESS
+    assert robot.told == [(False, "another tree is asked for"), (True, "")]
+
+
+def test_a_skill_that_runs_again_has_its_new_values(robot: Robot) -> None:
+    robot.begin("Target=store", *GIVEN)
+    while not robot.told:
+        robot.task.tick()
+    robot.task.tick()
+    assert [*robot.task.running] == [*robot.task.setting.running]
+
+
 GIVEN = ("Speed=1", "Quietly=true", "Gear=SLOW")
 
 
@@ -128,8 +159,13 @@ def test_rules_of_another_export_are_refused(robot: Robot) -> None:
 
 
 def test_a_goal_that_is_cancelled_ends(robot: Robot) -> None:
-    robot.begin("Target=store", *GIVEN)
+    recovery = robot.begin("Target=store", *GIVEN)
     robot.task.tick()
-    robot.goals.cancel()
+    recovery.release()
     assert robot.ends() is Status.SUCCESS
     assert robot.told == [(False, "it was stopped")]
+
+
+def test_a_task_goes_on_in_a_way_that_is_known(robot: Robot) -> None:
+    with pytest.raises(RefusedError, match="cannot go on by `dance`"):
+        robot.begin("Target=store", *GIVEN, afterwards="dance")

@@ -95,3 +95,15 @@ def test_the_tree_stops_when_the_rule_is_released(
     feel(ros1, 0.0, started)
     until(lambda: said(notes) == [*BEGUN, "released", "push cable"], f"{said(notes)}")
     until(lambda: active(state) == [], "the rule is released")
+
+
+def test_the_tree_of_another_rule_takes_its_place(
+    ros1: Ros1, notes: Path, state: Ears, started: list[Process]
+) -> None:
+    sensor = feel(ros1, -20.0, started)
+    until(lambda: said(notes) == BEGUN, f"{said(notes)}")
+    sensor.end()
+    feel(ros1, 20.0, started)
+    both = [*BEGUN, "released", "back_off cable", "push cable"]
+    until(lambda: said(notes) == both, f"the skills note {both}")
+    until(lambda: tasks(state)["away"] == "done", f"{tasks(state)}")

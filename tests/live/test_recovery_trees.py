@@ -1,0 +1,137 @@
+"""A rule runs a behavior tree in the place of the task that `ezskiros run` runs."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import signal
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from support import command_line
+from support.backing_off import BEGUN, SKILLS, active, rules, said, tasks
+from support.live import LIMIT, Ears, Process, Ros, talking, until
+from support.ontologies import HALL
+
+ROOT = Path(__file__).parents[2]
+DEBIAN = "/usr/lib/python3/dist-packages"
+"""Where Debian has rospy."""
+PUSH, PULL = 20.0, -20.0
+"""Forces (N): a short tree answers the first, one that ends with its rule the second."""
+
+Feel = Callable[[float], Process]
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The folder of a robot: its ontology and scene, its skills, and their export."""
+    folder = tmp_path_factory.mktemp("backing_off")
+    shutil.copytree(HALL, folder / "ontology")
+    shutil.copy(HALL.parent / "lab.turtle", folder)
+    (folder / "skills.py").write_text(SKILLS.format(up=0), encoding="utf-8")
+    exported = ("skills.py", "lab.turtle", "--ontology", "ontology", "-o", "skills.json")
+    done = command_line.run("ezskiros", "export", *exported, folder=folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return folder
+
+
+@pytest.fixture(scope="module")
+def program(ros: Ros, folder: Path) -> Path:
+    """The node of the rules, which need the export."""
+    return ros.prepare([ROOT / "ros" / ros.name / "skill_context_msgs", rules(folder)])[1]
+
+
+@pytest.fixture
+def notes(tmp_path: Path) -> Path:
+    """What the skills that run note."""
+    return tmp_path / "notes"
+
+
+@pytest.fixture
+def task(
+    ros: Ros, program: Path, folder: Path, notes: Path, tmp_path: Path, started: list[Process]
+) -> Process:
+    """A task that runs, and a guard beside it."""
+    places = [ros.variables.get("PYTHONPATH", ""), *sys.path]
+    if ros.name == "ros1":
+        places.append(DEBIAN)
+    paths = os.pathsep.join(filter(None, places))
+    variables = {**ros.variables, "PYTHONPATH": paths, "NOTES": str(notes)}
+    words = ("run", "Push", str(folder), "Object=cable", "--scene", str(folder / "lab.turtle"))
+    options = ("--context", str(folder / "skills.json"), "--ontology", str(folder / "ontology"))
+    command = [sys.executable, "-m", "ezskiros", *words, *options]
+    task = Process(command, variables, tmp_path / "run.log", talking)
+    started.append(task)
+    until(lambda: said(notes) == BEGUN[:1], "the task runs")
+    started.append(ros.begin(program, {"patience": LIMIT}))
+    return task
+
+
+@pytest.fixture
+def state(ros: Ros, started: list[Process]) -> Ears:
+    ears = ros.ears("/stuck_safety/state", "stuck_safety/State")
+    started.append(ears)
+    return ears
+
+
+@pytest.fixture
+def feel(ros: Ros, started: list[Process]) -> Feel:
+    """Lets the robot feel a force (N), until another one is felt."""
+
+    def feel(newton: float) -> Process:
+        sensor = ros.publish(20, "/force", "std_msgs/Float64", f"data: {newton}")
+        started.append(sensor)
+        return sensor
+
+    return feel
+
+
+def becomes(notes: Path, wanted: list[str]) -> None:
+    until(lambda: said(notes) == wanted, f"the skills note {wanted}")
+
+
+@pytest.mark.usefixtures("task")
+def test_the_tree_of_a_rule_runs_and_the_task_resumes(notes: Path, state: Ears, feel: Feel) -> None:
+    feel(PUSH)
+    becomes(notes, [*BEGUN, "push cable"])
+    assert active(state) == ["stuck"]
+    until(lambda: tasks(state)["away"] == "done", f"{tasks(state)}")
+
+
+@pytest.mark.usefixtures("task")
+def test_the_tree_stops_when_the_rule_is_released(notes: Path, state: Ears, feel: Feel) -> None:
+    sensor = feel(PULL)
+    becomes(notes, BEGUN)
+    sensor.end()
+    feel(0.0)
+    becomes(notes, [*BEGUN, "released", "push cable"])
+    until(lambda: active(state) == [], "the rule is released")
+
+
+@pytest.mark.usefixtures("task")
+def test_the_tree_of_another_rule_takes_its_place(notes: Path, state: Ears, feel: Feel) -> None:
+    """The node cancels the one and asks for the other at once, in whichever order they come."""
+    sensor = feel(PULL)
+    becomes(notes, BEGUN)
+    sensor.end()
+    feel(PUSH)
+    becomes(notes, [*BEGUN, "released", "back_off cable", "push cable"])
+    until(lambda: tasks(state)["away"] == "done", f"{tasks(state)}")
+
+
+@pytest.mark.parametrize(
+    ("how", "code", "noted"),
+    [(signal.SIGINT, 1, [*BEGUN, "released"]), (signal.SIGTERM, 128 + signal.SIGTERM, BEGUN)],
+)
+def test_a_task_that_is_stopped_meanwhile_ends(
+    task: Process, notes: Path, feel: Feel, how: int, code: int, noted: list[str]
+) -> None:
+    feel(PULL)
+    becomes(notes, BEGUN)
+    task.running.send_signal(how)
+    assert task.running.wait(LIMIT) == code, task.said()
+    assert "Traceback" not in task.said(), task.said()
+    assert said(notes) == noted
