@@ -40,7 +40,7 @@ class Robot(Ears):
         self.torques = None  # of all joints, without their names
         self.efforts = None  # pairs of a joint and its torque in Nm, or None; None: all are silent
         self.parts = None  # pairs of a part and its level, "OK" or "ERROR"; None: all are silent
-        self.place = None  # x and y in m and a frame; None: it is silent
+        self.place = [27.0, 1.0, "map"]  # x and y in m, outside of all places, and a frame
         self.cloud = None  # the fields of a cloud, its data in hexadecimals; None: it is silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
@@ -60,7 +60,7 @@ class Robot(Ears):
         self._torques = None
         self._parts = None
         self._cloud = None
-        self._place = None
+        self._place = self.sensor("/place", PoseStamped)
         self._clock = None
         self._mode = self.publisher("/mode", String)
         self._arm_moving = self.publisher("/arm/moving", Bool)
@@ -109,11 +109,9 @@ class Robot(Ears):
             fields = [PointField(**each) for each in self.cloud["fields"]]
             data = bytes.fromhex(self.cloud["data"])
             self._cloud.publish(PointCloud2(**{**self.cloud, "fields": fields, "data": data}))
-        if self.place is not None:
-            self._place = self._place or self.sensor("/place", PoseStamped)
-            message = PoseStamped()
-            message.pose.position.x, message.pose.position.y, message.header.frame_id = self.place
-            self._place.publish(message)
+        place = PoseStamped()
+        place.pose.position.x, place.pose.position.y, place.header.frame_id = self.place
+        self._place.publish(place)
         self._arm_moving.publish(Bool(data=self.moving))
         self._mode.publish(String(data=self.mode))
 
