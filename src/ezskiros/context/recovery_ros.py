@@ -67,9 +67,8 @@ def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
                 handle.set_canceled(result, why)
             else:
                 handle.set_aborted(result, why)
-            asked.pop(
-                name, None
-            )  # `begin` has returned: the server lets both in one after the other
+            # `begin` has returned: the server lets both in one after the other.
+            asked.pop(name, None)
 
         recovery = _begin(goals, goal, done)
         if recovery is not None:
