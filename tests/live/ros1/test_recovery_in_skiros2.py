@@ -36,45 +36,32 @@ def notes(ros1: Ros1, robot: Robot, tmp_path: Path, started: list[Process]) -> P
 
 
 @pytest.fixture
-def state(ros1: Ros1, started: list[Process]) -> Ears:
-    ears = ros1.ears("/stuck_safety/state", "stuck_safety/State")
-    started.append(ears)
-    return ears
-
-
-def feel(ros1: Ros1, newton: float, started: list[Process]) -> Process:
-    sensor = ros1.publish(20, "/force", "std_msgs/Float64", f"data: {newton}")
+def sensor(ros1: Ros1, started: list[Process]) -> Ears:
+    """Feels a force, and hears of the rules."""
+    sensor = ros1.ears("/stuck_safety/state", "stuck_safety/State", script="forceful.py")
     started.append(sensor)
     return sensor
 
 
-def test_the_tree_of_a_rule_runs_and_the_task_resumes(
-    ros1: Ros1, notes: Path, state: Ears, started: list[Process]
-) -> None:
-    feel(ros1, 20.0, started)
+def test_the_tree_of_a_rule_runs_and_the_task_resumes(notes: Path, sensor: Ears) -> None:
+    sensor.set(force=20.0)
     until(lambda: said(notes) == [*BEGUN, "push cable"], f"{said(notes)}")
-    assert active(state) == ["stuck"]
-    until(lambda: tasks(state)["away"] == "done", f"{tasks(state)}")
+    assert active(sensor) == ["stuck"]
+    until(lambda: tasks(sensor)["away"] == "done", f"{tasks(sensor)}")
 
 
-def test_the_tree_stops_when_the_rule_is_released(
-    ros1: Ros1, notes: Path, state: Ears, started: list[Process]
-) -> None:
-    sensor = feel(ros1, -20.0, started)
+def test_the_tree_stops_when_the_rule_is_released(notes: Path, sensor: Ears) -> None:
+    sensor.set(force=-20.0)
     until(lambda: said(notes) == BEGUN, f"{said(notes)}")
-    sensor.end()
-    feel(ros1, 0.0, started)
+    sensor.set(force=0.0)
     until(lambda: said(notes) == [*BEGUN, "released", "push cable"], f"{said(notes)}")
-    until(lambda: active(state) == [], "the rule is released")
+    until(lambda: active(sensor) == [], "the rule is released")
 
 
-def test_the_tree_of_another_rule_takes_its_place(
-    ros1: Ros1, notes: Path, state: Ears, started: list[Process]
-) -> None:
-    sensor = feel(ros1, -20.0, started)
+def test_the_tree_of_another_rule_takes_its_place(notes: Path, sensor: Ears) -> None:
+    sensor.set(force=-20.0)
     until(lambda: said(notes) == BEGUN, f"{said(notes)}")
-    sensor.end()
-    feel(ros1, 20.0, started)
+    sensor.set(force=20.0)
     both = [*BEGUN, "released", "back_off cable", "push cable"]
     until(lambda: said(notes) == both, f"the skills note {both}")
-    until(lambda: tasks(state)["away"] == "done", f"{tasks(state)}")
+    until(lambda: tasks(sensor)["away"] == "done", f"{tasks(sensor)}")
