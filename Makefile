@@ -113,6 +113,7 @@ bench: $(READY) compiler ros1 prover
 	@benchmarks/peers/setup.sh
 	PYTHONPATH=tests $(RUN)/python benchmarks/run.py --out docs/reference/performance.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/ros_nodes.py --out docs/reference/performance-nodes.md
+	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/recovering.py --out docs/reference/performance-recovery.md
 	$(RUN)/python benchmarks/operators.py --out docs/reference/performance-operators.md
 	$(RUN)/python benchmarks/places.py --out docs/reference/performance-places.md
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md

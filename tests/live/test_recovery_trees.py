@@ -6,7 +6,6 @@ import os
 import shutil
 import signal
 import sys
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -21,8 +20,6 @@ DEBIAN = "/usr/lib/python3/dist-packages"
 """Where Debian has rospy."""
 PUSH, PULL = 20.0, -20.0
 """Forces (N): a short tree answers the first, one that ends with its rule the second."""
-
-Feel = Callable[[float], Process]
 
 
 @pytest.fixture(scope="module")
@@ -71,22 +68,11 @@ def task(
 
 
 @pytest.fixture
-def state(ros: Ros, started: list[Process]) -> Ears:
-    ears = ros.ears("/stuck_safety/state", "stuck_safety/State")
-    started.append(ears)
-    return ears
-
-
-@pytest.fixture
-def feel(ros: Ros, started: list[Process]) -> Feel:
-    """Lets the robot feel a force (N), until another one is felt."""
-
-    def feel(newton: float) -> Process:
-        sensor = ros.publish(20, "/force", "std_msgs/Float64", f"data: {newton}")
-        started.append(sensor)
-        return sensor
-
-    return feel
+def robot(ros: Ros, started: list[Process]) -> Ears:
+    """Feels a force, and hears of the rules."""
+    robot = ros.ears("/stuck_safety/state", "stuck_safety/State", script="forceful.py")
+    started.append(robot)
+    return robot
 
 
 def becomes(notes: Path, wanted: list[str]) -> None:
@@ -94,32 +80,30 @@ def becomes(notes: Path, wanted: list[str]) -> None:
 
 
 @pytest.mark.usefixtures("task")
-def test_the_tree_of_a_rule_runs_and_the_task_resumes(notes: Path, state: Ears, feel: Feel) -> None:
-    feel(PUSH)
+def test_the_tree_of_a_rule_runs_and_the_task_resumes(notes: Path, robot: Ears) -> None:
+    robot.set(force=PUSH)
     becomes(notes, [*BEGUN, "push cable"])
-    assert active(state) == ["stuck"]
-    until(lambda: tasks(state)["away"] == "done", f"{tasks(state)}")
+    assert active(robot) == ["stuck"]
+    until(lambda: tasks(robot)["away"] == "done", f"{tasks(robot)}")
 
 
 @pytest.mark.usefixtures("task")
-def test_the_tree_stops_when_the_rule_is_released(notes: Path, state: Ears, feel: Feel) -> None:
-    sensor = feel(PULL)
+def test_the_tree_stops_when_the_rule_is_released(notes: Path, robot: Ears) -> None:
+    robot.set(force=PULL)
     becomes(notes, BEGUN)
-    sensor.end()
-    feel(0.0)
+    robot.set(force=0.0)
     becomes(notes, [*BEGUN, "released", "push cable"])
-    until(lambda: active(state) == [], "the rule is released")
+    until(lambda: active(robot) == [], "the rule is released")
 
 
 @pytest.mark.usefixtures("task")
-def test_the_tree_of_another_rule_takes_its_place(notes: Path, state: Ears, feel: Feel) -> None:
+def test_the_tree_of_another_rule_takes_its_place(notes: Path, robot: Ears) -> None:
     """The node cancels the one and asks for the other at once, in whichever order they come."""
-    sensor = feel(PULL)
+    robot.set(force=PULL)
     becomes(notes, BEGUN)
-    sensor.end()
-    feel(PUSH)
+    robot.set(force=PUSH)
     becomes(notes, [*BEGUN, "released", "back_off cable", "push cable"])
-    until(lambda: tasks(state)["away"] == "done", f"{tasks(state)}")
+    until(lambda: tasks(robot)["away"] == "done", f"{tasks(robot)}")
 
 
 @pytest.mark.parametrize(
@@ -127,9 +111,9 @@ def test_the_tree_of_another_rule_takes_its_place(notes: Path, state: Ears, feel
     [(signal.SIGINT, 1, [*BEGUN, "released"]), (signal.SIGTERM, 128 + signal.SIGTERM, BEGUN)],
 )
 def test_a_task_that_is_stopped_meanwhile_ends(
-    task: Process, notes: Path, feel: Feel, how: int, code: int, noted: list[str]
+    task: Process, notes: Path, robot: Ears, how: int, code: int, noted: list[str]
 ) -> None:
-    feel(PULL)
+    robot.set(force=PULL)
     becomes(notes, BEGUN)
     task.running.send_signal(how)
     assert task.running.wait(LIMIT) == code, task.said()

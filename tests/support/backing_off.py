@@ -4,11 +4,17 @@ skill notes the events of its life in a file.
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 
+from ezskiros.hosts.owl_files import owl_files
+from ezskiros.ontology import load
 from rossmarie.driver import compile_file
 from rossmarie.ir import Machine
+from support import command_line
 from support.live import Ears
+from support.ontologies import HALL
+from support.skiros2_live import Robot
 
 SKILLS = """
 import os
@@ -71,15 +77,43 @@ action away {
     tree BackOff(From: doing Push.Object, Steps: 10) within 20 sec then resume else halt;
 }
 action far {
-    tree BackOff(From: doing Push.Object, Steps: 10000) within 20 min then resume else halt;
+    tree BackOff(From: "cable", Steps: 10000) within 20 min then resume else halt;
 }
 rule stuck: if force > 5 N then { away; };
-rule pulled: if force < -5 N for 0.2 sec then { far; };
+rule pulled: if force < -5 N then { far; };
 priority stuck over pulled;
 """
 """A push is answered by a short tree, a pull by one that ends with the rule only."""
 
+_HOST = 'from ezskiros.hosts.skiros2 import host\n\nhost(__name__, context="../skills.json")\n'
+
 BEGUN = ["push cable", "preempted", "back_off cable"]
+
+
+def hosted(folder: Path) -> Robot:
+    """A robot that SkiROS2 runs; the folder gets its ontology and scene, its library of skills, and
+    their export. The task pushes a cable.
+    """
+    shutil.copytree(HALL, folder / "ontology")
+    shutil.copy(HALL.parent / "lab.turtle", folder)
+    library = folder / "backing_skills"
+    library.mkdir()
+    (library / "__init__.py").write_text(_HOST, encoding="utf-8")
+    (library / "motions.py").write_text(SKILLS.format(up=1), encoding="utf-8")
+    exported = ("backing_skills", "lab.turtle", "--ontology", "ontology", "-o", "skills.json")
+    done = command_line.run("ezskiros", "export", *exported, folder=folder)
+    assert done.returncode == 0, done.stdout + done.stderr
+    files, found = owl_files(load(folder / "ontology", relations=False))
+    assert found == []
+    for name, text in files.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return Robot(
+        workspace=folder,
+        scene="lab.turtle",
+        library="backing_skills",
+        skills=["push", "back_off"],
+        begins=["push", "Object=cable"],
+    )
 
 
 def rules(folder: Path) -> Machine:

@@ -25,7 +25,7 @@ from ezskiros.engine.ahead import Ahead, skills_ahead
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Code, Reason
-from ezskiros.engine.running import Running
+from ezskiros.engine.running import Running, with_values_of_now
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.engine.task import Task
@@ -172,8 +172,7 @@ class InterruptibleTask(Task):
             self._begin(asked)
 
     def _begin(self, asked: Recovery) -> None:
-        if self._interrupted is None:
-            self._interrupted = list(self.setting.running)
+        self._interrupted = with_values_of_now(self.running)
         for leaf in list(_running_primitives(self.root)):
             leaf.stop(Status.INVALID)
         self._recovery = asked

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import itertools
 import os
-from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
 from typing import Any
 
 from ezskiros.skills.interface import SkillInterface
@@ -21,6 +22,11 @@ class Running:
     goal: str
     since: float
     values: Callable[[], Mapping[str, Any]]
+
+
+def with_values_of_now(running: Iterable[Running]) -> list[Running]:
+    """The same skills, with the values that they have now: what ran them may run others later."""
+    return [replace(each, values=partial(dict, each.values())) for each in running]
 
 
 class RunningSkills:

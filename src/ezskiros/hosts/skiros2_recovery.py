@@ -15,7 +15,7 @@ from ezskiros.context.recovery_ros import serve
 from ezskiros.context.ros import NoRosError
 from ezskiros.engine.interruption import Afterwards, Recovery, newly_asked
 from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
-from ezskiros.engine.running import Running
+from ezskiros.engine.running import Running, with_values_of_now
 from ezskiros.engine.world import World
 from ezskiros.hosts.skiros2_api import api, ticker
 from ezskiros.hosts.skiros2_context import HostedContext
@@ -119,11 +119,11 @@ class HostedRecoveries:
             visitor = api().VisitorExecutor(tasks._wm, tasks._instanciator)  # noqa: SLF001
             visitor.setVerbose(tasks._verbose)  # noqa: SLF001
             root = self._tree(asked, tasks)
+            interrupted = with_values_of_now(self.running)
         except Exception as problem:  # what SkiROS2 raises if it does not have the skill
             asked.done(False, f"SkiROS2 cannot run it: {problem}")
             return
-        if self._interrupted is None:
-            self._interrupted = list(self._context.running)
+        self._interrupted = interrupted
         for task in ticking._tasks.values():  # noqa: SLF001
             for leaf in list(_running_primitives(task)):
                 leaf.visitPreempt(tasks)
@@ -166,6 +166,7 @@ class HostedRecoveries:
         if not is_success:
             ticking._tasks_to_preempt.extend(tasks)  # noqa: SLF001
             usual(ticking)
+            self._interrupted = None
             recovery.done(False, "the recovery has failed")
             return
         if recovery.afterwards is Afterwards.RETRY:

@@ -9,7 +9,6 @@ from typing import Any
 from ezskiros.engine.world import World
 from ezskiros.hosts.skiros2_api import api
 from ezskiros.ontology import Ontology
-from ezskiros.ontology.iris import THING
 from ezskiros.ontology.statements import Value
 
 
@@ -127,7 +126,9 @@ class HostedWorld(World):
 
     def labelled(self, label: str) -> list[str]:
         """The things of a label, sorted."""
-        return [each for each in self.things(THING) if self.label(each) == label]
+        # SkiROS2 has none of the class owl:Thing; without a class it looks among all.
+        found = self._wmi.resolve_elements(api().Element("", label)) if label else ()
+        return sorted({self.iri(each.id) for each in found or () if each.label == label})
 
     # --- the world model --------------------------------------------------------------------------
 
