@@ -12,6 +12,7 @@ from crosscheck.errors import NotAllAsked
 from crosscheck.exemptions import find_unused, find_wider
 from crosscheck.fights import find_fights
 from crosscheck.permissions import find_not_granted
+from crosscheck.recoveries import find_hindered
 from crosscheck.robot import Robot, load
 from crosscheck.things import find_never_in_scene, find_no_numbers, find_nothing_to_take
 from crosscheck.workable import find_unworkable
@@ -53,6 +54,7 @@ def findings(robot: Robot, scene: Scene | None = None) -> Iterator[Diagnostic]:
     yield from find_types_that_differ(robot)
     yield from find_unread(robot)
     yield from find_unused(robot)
+    yield from find_hindered(robot)
     if scene is not None:
         yield from find_nothing_to_take(robot, scene)
         yield from find_never_in_scene(robot, scene)
