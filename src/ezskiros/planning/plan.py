@@ -10,6 +10,7 @@ from pathlib import Path
 from dslkit.diagnostics import Diagnostic, Remark, Severity, listed
 from dslkit.source import SourceFile, Span, is_file
 from ezskiros.check.scene_errors import NoOntologyForScene
+from ezskiros.learning.lessons import Cost
 from ezskiros.ontology.iris import THING
 from ezskiros.ontology.load import load_named
 from ezskiros.planning import errors
@@ -17,6 +18,7 @@ from ezskiros.planning.actions import Action, actions
 from ezskiros.planning.facts import Literal, is_so, spelled
 from ezskiros.planning.goals import Goal, GoalError, goals
 from ezskiros.planning.pddl import Problem, Step
+from ezskiros.planning.prices import expected_s
 from ezskiros.planning.reach import Missing, Reach
 from ezskiros.planning.reach import TimeOverError as ReachTimeOverError
 from ezskiros.planning.scene import Scene, read_scene
@@ -32,12 +34,22 @@ class Plan:
     steps: Sequence[Step]
     goals: Sequence[Goal]
     scene: Scene
+    costs: Sequence[Cost] = ()
+    """What was known of the time that skills lose to rules."""
+
+    @property
+    def expected_s(self) -> float:
+        """The seconds that it is expected to lose to rules."""
+        return sum(
+            expected_s(each.action.skill.name, each.things, self.costs) for each in self.steps
+        )
 
 
 def find_plan(
-    library: Library, scene_path: Path, goal: str, seconds: float
+    library: Library, scene_path: Path, goal: str, seconds: float, costs: Sequence[Cost] = ()
 ) -> tuple[Plan | None, Sequence[Diagnostic]]:
-    """A plan, and what is to be said of it: why there is none, and which skills are left out.
+    """A plan, and what is to be said of it: why there is none, and which skills are left out. With
+    costs it is the one that is expected to lose the least time to rules, as far as that is found.
 
     Raises `NoPlannerError` if the planner is not installed.
     """
@@ -59,9 +71,9 @@ def find_plan(
     except GoalError as problem:
         return None, [*found, problem.diagnostic]
     known, left_out = actions(library, ontology.model)
-    search = _Search(scene, known, wanted, seconds)
+    search = _Search(scene, known, wanted, seconds, costs)
     steps, more = search.run()
-    plan = Plan(steps, wanted, scene) if steps is not None else None
+    plan = Plan(steps, wanted, scene, costs) if steps is not None else None
     return plan, [*found, *(left_out if steps is None else ()), *more]
 
 
@@ -75,6 +87,7 @@ class _Search:
     actions: Sequence[Action]
     goals: Sequence[Goal]
     seconds: float
+    costs: Sequence[Cost]
 
     def run(self) -> tuple[Sequence[Step] | None, Sequence[Diagnostic]]:
         """The steps, or why there are none."""
@@ -95,7 +108,8 @@ class _Search:
             ]
             if blocked:
                 return None, blocked
-            steps = solve(Problem(self.actions, wanted, world, things), self.seconds)
+            problem = Problem(self.actions, wanted, world, things, self.costs)
+            steps = solve(problem, self.seconds)
         except (TimeOverError, ReachTimeOverError):
             return None, [errors.PlanningTimeOver(seconds=self.seconds).at(span)]
         if steps is None:
