@@ -76,7 +76,7 @@ def checked(
 
 
 def lessons_of(knowledge: Path | None) -> tuple[Lessons | None, Sequence[Diagnostic]]:
-    """What runs taught, and why a file does not say it; ends the run if it cannot be read."""
+    """The lessons in a file, and why there are none; ends the run if it cannot be read."""
     if knowledge is None:
         return None, ()
     from ezskiros.learning.knowledge import read_knowledge

@@ -113,7 +113,7 @@ class _Search:
 
 
 def _expected(plan: Plan, lessons: Lessons) -> str:
-    """What the plan is expected to lose, by the runs that this was learnt from."""
+    """The seconds that a plan is expected to lose, and the number of runs that say so."""
     runs = f"{lessons.runs} run{'s' if lessons.runs != 1 else ''}"
     return f"expected to lose {plan.expected_s:.1f} s to rules, after {runs}"
 

@@ -16,7 +16,7 @@ _MOST_PLACES = 3
 
 
 def findings(lessons: Lessons, library: Library) -> Iterator[Diagnostic]:
-    """What the runs say of the skills that are checked, at the names of these."""
+    """The findings of runs on the skills that are checked, at the names of these."""
     found = (library.skill(each) for each in library.checked)
     skills = {each.name: each for each in found if each is not None}
     ontology = library.ontology()

@@ -1,4 +1,4 @@
-"""From runs to lessons: counts of what was seen, and no guesses."""
+"""Runs become lessons: counts of what was seen, and no guesses."""
 
 from __future__ import annotations
 

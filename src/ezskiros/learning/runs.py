@@ -49,7 +49,7 @@ def read_runs(paths: Iterable[Path]) -> tuple[Sequence[Run], Sequence[Diagnostic
 
 
 def _read(path: Path) -> Trace | Verdicts | Diagnostic:
-    """What a file has, or what is wrong with it."""
+    """The record in a file, or the finding that there is none."""
     try:
         return _record(read_text(path))
     except RecordError as problem:

@@ -36,7 +36,7 @@ def hits(run: Run) -> Iterator[Hit]:
 
 
 def activations(run: Run) -> Iterator[Activation]:
-    """What became active while the task of a run was there."""
+    """The activations while the task of a run was there."""
     for each in run.verdicts.activations:
         if run.trace.start_ns <= each.start_ns <= run.trace.end_ns:
             yield each
@@ -56,7 +56,7 @@ def _running_at(
 
 
 def _of_one_tree(running: Sequence[Execution]) -> Sequence[Execution]:
-    """Of several trees the one that started last: a recovery runs in the place of the task."""
+    """The executions of the tree that started last: a recovery runs in the place of the task."""
     roots = [each for each in running if len(each.path) == 1]
     if not roots:
         return running

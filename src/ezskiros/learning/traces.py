@@ -56,7 +56,7 @@ def read_trace(first: Line, rest: Iterable[Line]) -> Trace:
 
 
 class _Reader:
-    """What runs at the line that is read."""
+    """The executions up to the line that is read."""
 
     def __init__(self, first: Line) -> None:
         self._first = self._last_line = first

@@ -42,7 +42,7 @@ class Problem:
     world: World
     things: Sequence[str]
     costs: Sequence[Cost] = ()
-    """What skills lose to rules. Without any, one plan is as good as another."""
+    """The time that skills lose to rules. Without any, one plan is as good as another."""
 
     def domain(self) -> str:
         """The file of the domain: facts and actions."""

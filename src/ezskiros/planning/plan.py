@@ -35,7 +35,7 @@ class Plan:
     goals: Sequence[Goal]
     scene: Scene
     costs: Sequence[Cost] = ()
-    """What was known of the time that skills lose to rules."""
+    """The time that skills are known to lose to rules."""
 
     @property
     def expected_s(self) -> float:

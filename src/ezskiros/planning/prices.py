@@ -38,7 +38,7 @@ class Prices:
 
 
 def prices(action: Action, costs: Iterable[Cost]) -> Prices:
-    """What an action costs. Places with which it has never lost time have the usual price."""
+    """The prices of an action. Places with which it has never lost time have the usual price."""
     known = {each.name for each in action.things}
     usual = STEP
     found: defaultdict[tuple[int, tuple[str, ...]], list[tuple[str, ...]]] = defaultdict(list)

@@ -5,7 +5,6 @@ changes the next check and the next plan.
 from __future__ import annotations
 
 import json
-import shutil
 from pathlib import Path
 from typing import Any
 
@@ -14,32 +13,39 @@ import pytest
 from ezskiros.ontology.load import VARIABLE
 from support import command_line
 from support.learning import RAMP, header, refill, write
+from support.markdown import blocks
 
-FIXTURE = Path(__file__).parents[2] / "fixtures" / "ezskiros" / "learning"
+PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "learn-from-runs.md"
 GOAL = "(depot:Charged porter true)"
 SCENE = ("--scene", "depot.turtle")
+ONTOLOGY = {VARIABLE: "depot.ttl"}
 STATIONS = ("on the ramp", "behind the shelves", "on the ramp")
+
+
+def put_depot(folder: Path) -> None:
+    """The skills, the scene and the rule of the page that tells users how to learn."""
+    for each in blocks(PAGE.read_text("utf-8")):
+        if each.name:
+            (folder / each.name).write_text(each.text, encoding="utf-8")
 
 
 @pytest.fixture(scope="module")
 def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder in which a robot has charged some times, with all that is known of it."""
-    folder = tmp_path_factory.mktemp("runs") / "depot"
-    shutil.copytree(FIXTURE, folder)
-    for number, station in enumerate(STATIONS):
-        recording = folder / f"run_{number}.csv"
-        recording.write_text("time_ns,tilt\n", encoding="utf-8")
+    folder = tmp_path_factory.mktemp("runs")
+    put_depot(folder)
+    for number, station in enumerate(STATIONS, 1):
         ran = command_line.run(
             "ezskiros",
             *("run", "Refill", "charging.py", *SCENE, "Robot=porter", f"Station={station}"),
             *("--trace", f"trace_{number}.jsonl", "--period", "0.01"),
             folder=folder,
-            variables={VARIABLE: "depot.ttl", "RECORDING": str(recording)},
+            variables=ONTOLOGY,
         )
         assert ran.returncode == 0, ran.stdout + ran.stderr
         out = ("--out", f"out_{number}")
         replayed = command_line.run(
-            "rossmarie", "replay", "ramp.ross", recording.name, *out, folder=folder
+            "rossmarie", "replay", "swaying.ross", f"run_{number}.csv", *out, folder=folder
         )
         assert replayed.returncode == 0, replayed.stdout
     return folder
@@ -47,9 +53,7 @@ def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 def asked(folder: Path, *arguments: str) -> str:
     """What a command prints that succeeds."""
-    done = command_line.run(
-        "ezskiros", *arguments, folder=folder, variables={VARIABLE: "depot.ttl"}
-    )
+    done = command_line.run("ezskiros", *arguments, folder=folder, variables=ONTOLOGY)
     assert (done.returncode, done.stderr) == (0, ""), done.stdout
     return done.stdout
 
@@ -95,7 +99,7 @@ def test_the_same_is_printed_as_json(runs: Path, said: str) -> None:
 def test_the_next_check_tells_it_at_the_skill(runs: Path, said: str) -> None:
     text = asked(runs, "check", "charging.py", "--knowledge", "knowledge.json")
     assert "warning[EZS870]: `Drive` tripped `tilting` in 2 of 3 runs" in text
-    assert "--> charging.py:14:7" in text
+    assert "--> charging.py:13:7" in text
     assert "= note: with Start = skiros:Location-2, Target = depot:Station-3 in 2 of 2 runs" in text
     assert "= note: its description has no hold-condition" in text
     assert "EZS870" not in asked(runs, "check", "charging.py")
@@ -164,13 +168,13 @@ def test_texts_of_records_do_nothing_to_a_terminal(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("command", ["check", "plan"])
 def test_knowledge_that_cannot_be_read_is_told(command: str, tmp_path: Path) -> None:
-    shutil.copytree(FIXTURE, tmp_path, dirs_exist_ok=True)
+    put_depot(tmp_path)
     more = (*SCENE, "--goal", GOAL) if command == "plan" else ()
     done = command_line.run(
         "ezskiros",
         *(command, "charging.py", *more, "--knowledge", "missing.json"),
         folder=tmp_path,
-        variables={VARIABLE: "depot.ttl"},
+        variables=ONTOLOGY,
     )
     assert done.returncode == 2
     assert done.stderr == "ezskiros: cannot read missing.json: no such file or directory\n"
@@ -179,7 +183,7 @@ def test_knowledge_that_cannot_be_read_is_told(command: str, tmp_path: Path) -> 
         "ezskiros",
         *(command, "charging.py", *more, "--knowledge", "missing.json"),
         folder=tmp_path,
-        variables={VARIABLE: "depot.ttl"},
+        variables=ONTOLOGY,
     )
     assert (done.returncode, done.stderr) == (1, "")
     assert "error[EZS869]" in done.stdout
