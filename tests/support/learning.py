@@ -10,10 +10,12 @@ from typing import Any
 from ezskiros.learning.learn import learn
 from ezskiros.learning.lessons import Lessons
 from ezskiros.learning.runs import read_runs
+from support.markdown import blocks
 
 START_NS = 1_700_000_000 * 10**9
 RAMP, SHELF = "http://example.org/depot#Station-3", "http://example.org/depot#Station-4"
 LOCATIONS = {RAMP, SHELF}
+PAGE = Path(__file__).parents[2] / "docs" / "how-to" / "learn-from-runs.md"
 
 
 def stamp(seconds: float) -> int:
@@ -103,3 +105,10 @@ def learnt(folder: Path, *runs: tuple[list[dict[str, Any]], list[dict[str, Any]]
     found, wrong = read_runs(files)
     assert wrong == [], [each.title for each in wrong]
     return learn(found, LOCATIONS)
+
+
+def put_depot(folder: Path) -> None:
+    """The skills, the scene and the rule of the page that tells users how to learn."""
+    for each in blocks(PAGE.read_text("utf-8")):
+        if each.name:
+            (folder / each.name).write_text(each.text, encoding="utf-8")

@@ -65,9 +65,13 @@ def learn(
     else:
         from rich.console import Console
 
+        from ezskiros.learning.proposals import proposals
         from ezskiros.learning.report import print_report
 
         print_report(lessons, Console(highlight=False), places.short)
+        for number, text_to_paste in enumerate(proposals(lessons, places)):
+            typer.echo("\n" if number else "\nProposals\n\n", nl=False)
+            typer.echo(text_to_paste)
     if out is not None:
         output.save(out, text)
 

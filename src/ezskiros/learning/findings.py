@@ -37,6 +37,7 @@ def _tripped(trip: Trip, skill: SkillInterface, spell: Spell) -> Diagnostic:
     notes: list[Remark] = [
         found.Place(places=places_text(places, spell), share=str(share))
         for places, share in list(trip.at.items())[:_MOST_PLACES]
+        if places and share.runs
     ]
     notes.append(found.WithHold() if skill.hold else found.WithoutHold())
     return found.at(skill.span, notes=notes)

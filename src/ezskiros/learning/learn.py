@@ -107,8 +107,8 @@ class _Gathering:
             if each.execution is not None:
                 runs[self._places(each.execution)].add(each.run)
         counts = Counter(places for each in ran for places in each)
-        in_order = sorted(runs, key=lambda places: (-len(runs[places]), places))
-        return {each: Share(len(runs[each]), counts[each]) for each in in_order if each}
+        in_order = sorted(counts, key=lambda places: (-len(runs[places]), places))
+        return {each: Share(len(runs[each]), counts[each]) for each in in_order}
 
     def lost(self) -> Iterator[Lost]:
         """The rules that became active for lack of an input."""

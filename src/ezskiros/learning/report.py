@@ -55,13 +55,14 @@ def _tables(
 
 
 def _trip_rows(trip: Trip, spell: Spell) -> Iterator[Sequence[str]]:
-    """A row for the skill, and one for each of its places."""
+    """A row for the skill, and one for each of its places at which the rule became active."""
     skill = trip.skill if trip.skill is not None else "(none)"
     within = ", ".join(trip.within)
     counts = (str(trip.share), str(trip.activations), f"{trip.lost_s:.1f} s")
     yield trip.rule, skill, within, "", *counts
     for places, share in trip.at.items():
-        yield "", "", "", places_text(places, spell), str(share), "", ""
+        if places and share.runs:
+            yield "", "", "", places_text(places, spell), str(share), "", ""
 
 
 def _cost_row(cost: Cost, spell: Spell) -> Sequence[str]:

@@ -12,21 +12,12 @@ import pytest
 
 from ezskiros.ontology.load import VARIABLE
 from support import command_line
-from support.learning import RAMP, header, refill, write
-from support.markdown import blocks
+from support.learning import RAMP, header, put_depot, refill, write
 
-PAGE = Path(__file__).parents[3] / "docs" / "how-to" / "learn-from-runs.md"
 GOAL = "(depot:Charged porter true)"
 SCENE = ("--scene", "depot.turtle")
 ONTOLOGY = {VARIABLE: "depot.ttl"}
 STATIONS = ("on the ramp", "behind the shelves", "on the ramp")
-
-
-def put_depot(folder: Path) -> None:
-    """The skills, the scene and the rule of the page that tells users how to learn."""
-    for each in blocks(PAGE.read_text("utf-8")):
-        if each.name:
-            (folder / each.name).write_text(each.text, encoding="utf-8")
 
 
 @pytest.fixture(scope="module")

@@ -48,7 +48,7 @@ def test_runs_are_counted_and_not_activations(tmp_path: Path) -> None:
     )
     (trip,) = lessons.trips
     assert (lessons.runs, trip.share, trip.activations) == (6, Share(2, 4), 3)
-    assert trip.at == {(("Target", RAMP),): Share(2, 3)}
+    assert trip.at == {(("Target", RAMP),): Share(2, 3), (("Target", SHELF),): Share(0, 1)}
 
 
 def test_several_runs_may_be_in_one_recording(tmp_path: Path) -> None:
