@@ -44,8 +44,8 @@ class Trip:
     """One rule, and the skill that ran innermost when it became active: None if none ran.
 
     `share` is of the runs of the skill that the rule watched; `at` has those with each of its
-    places or none, `within` the activations by the skills right above it, and `evidence` the cause of the
-    first one.
+    places or none, `within` the activations by the skills right above it, and `evidence` the cause
+    of the first one.
     """
 
     rule: str
