@@ -66,7 +66,8 @@ ROSSMARIE = Tool(
     },
 )
 # 0 files of skills, 1 ontologies, 2 descriptions, 3 what is said about things, 4 meaning,
-# 5 behavior trees, 6 scenes, 7 migration, 8 running, drawing and planning, 9 defects of the tool.
+# 5 behavior trees, 6 scenes, 7 migration, 8 running, drawing, planning and learning, 9 defects of
+# the tool.
 EZSKIROS = Tool(
     ezskiros.catalog.CATALOG,
     "EZS",
@@ -84,6 +85,7 @@ EZSKIROS = Tool(
         "hosts": {8},
         "locations": {6},
         "planning": {8},
+        "learning": {8},
         "catalog": {9},
     },
 )

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from ezskiros.export import read, trees
+from ezskiros.learning import records
 from ezskiros.ontology import limits as ontologies
 from ezskiros.trees import launch
 from rossmarie.driver import package_xml
@@ -71,6 +72,7 @@ def number(count: int) -> str:
         ),
         ("Elements of a `package.xml` in each other", number(package_xml.DEEPEST)),
         ("File of skills", mib(read.LARGEST_EXPORT)),
+        ("Record of a run, or knowledge of runs", mib(records.LARGEST_RECORD)),
         ("Levels of a behavior tree in a file of skills", number(trees.MOST_LEVELS)),
         (
             "Values that are known at launch",

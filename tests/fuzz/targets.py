@@ -8,15 +8,19 @@ C, bytes are no file but calls of it.
 
 from __future__ import annotations
 
+import io
+import json
 import re
 import tempfile
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache, partial
 from pathlib import Path
 from random import Random
+from typing import Any
 
+from rich.console import Console
 from rosbags import rosbag1
 from rosbags.rosbag2 import CompressionMode, StoragePlugin
 from rosbags.typesys.store import Typestore
@@ -33,6 +37,10 @@ from ezskiros import session
 from ezskiros.driver import check_paths
 from ezskiros.engine.scenes import load_world
 from ezskiros.export import changed_sources, not_exported, read_export
+from ezskiros.learning.knowledge import known, read_knowledge, text_of
+from ezskiros.learning.learn import learn
+from ezskiros.learning.report import print_report
+from ezskiros.learning.runs import read_runs
 from ezskiros.migrate.files import migrate_paths
 from ezskiros.ontology import Ontology, load
 from fuzz.engine import trying
@@ -42,6 +50,7 @@ from rossmarie.lowering import lower
 from rossmarie.recordings import RecordingError, open_recording
 from rossmarie.recordings.system_model import write_model
 from support.clouds import MOST, READ, message, random_cloud
+from support.learning import LOCATIONS, RAMP, active, header, refill
 from support.ontologies import HALL
 from support.recordings import (
     ROS1,
@@ -311,6 +320,41 @@ def _read_export(content: bytes, folder: Path) -> None:
     _say(check_robot(_written(KNOWING_SKILLS.encode(), folder, "fuzzed.ross")), CROSSCHECK)
 
 
+# --- runs ------------------------------------------------------------------------------------
+
+RUN = (refill(0, RAMP), [header(-1, 11), *active(2, 5)])
+
+
+def _lines(found: Sequence[Mapping[str, Any]]) -> bytes:
+    return b"".join(json.dumps(each).encode() + b"\n" for each in found)
+
+
+def _records() -> list[bytes]:
+    """A trace, verdicts, and the knowledge of both."""
+    with tempfile.TemporaryDirectory() as folder:
+        paths = [_written(_lines(each), Path(folder), f"{len(each)}.jsonl") for each in RUN]
+        runs, _ = read_runs(paths)
+        knowledge = known(learn(runs, LOCATIONS), runs, Path(folder))
+        return [*map(_lines, RUN), text_of(knowledge).encode()]
+
+
+def _read_records(content: bytes, folder: Path) -> None:
+    """Learn from a damaged file with each other half, and read it as knowledge."""
+    path = _written(content, folder, "fuzzed.jsonl")
+    for other in RUN:
+        runs, found = read_runs([path, _written(_lines(other), folder, "other.jsonl")])
+        _say(found, EZSKIROS)
+        lessons = learn(runs, LOCATIONS)
+        text_of(known(lessons, runs, folder))
+        print_report(lessons, Console(file=io.StringIO()), str)
+    knowledge = read_knowledge(path)
+    if isinstance(knowledge, Diagnostic):
+        _say([knowledge], EZSKIROS)
+    else:
+        text_of(knowledge)
+        print_report(knowledge.lessons, Console(file=io.StringIO()), str)
+
+
 TARGETS = {
     "rules": Target(_rules, _check_rules),
     "bag": Target(_bags, partial(_replay, ".bag")),
@@ -321,6 +365,7 @@ TARGETS = {
     "scene": Target(_scenes, _open_scene),
     "skills": Target(_values, _describe),
     "export": Target(_exports, _read_export),
+    "runs": Target(_records, _read_records),
     ENGINE: Target(trying.seeds, trying.read),
 }
 """By what `make fuzz TARGET=...` calls them."""

@@ -13,6 +13,7 @@ from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
 from ezskiros.export import errors as export_errors
 from ezskiros.hosts import owl_errors, skiros2_errors
+from ezskiros.learning import errors as learning_errors
 from ezskiros.locations import errors as location_errors
 from ezskiros.migrate import errors as migrate_errors
 from ezskiros.migrate import implementation_errors
@@ -45,6 +46,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *drawing_errors.ALL,
     *planning_errors.ALL,
     *export_errors.ALL,
+    *learning_errors.ALL,
     *skiros2_errors.ALL,
     *owl_errors.ALL,
     *catalog_errors.ALL,

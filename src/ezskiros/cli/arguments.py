@@ -29,6 +29,10 @@ Folders = Annotated[
     list[Path] | None,
     typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`.", exists=True),
 ]
+Knowledge = Annotated[
+    Path | None,
+    typer.Option("--knowledge", metavar="FILE", help="What `ezskiros learn` wrote."),
+]
 
 
 def name_ontology(paths: list[Path] | None) -> None:

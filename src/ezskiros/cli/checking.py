@@ -9,10 +9,12 @@ from typing import TYPE_CHECKING, Any
 from dslkit.command_line import Format
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.extensions import extension
+from dslkit.writing import reason
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # users wait for what is imported
     from ezskiros.confinement import Report
+    from ezskiros.learning.lessons import Lessons
 
 Work = Callable[[Collector], Any]
 
@@ -51,24 +53,59 @@ def asked(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> tuple[A
     return report.value, report
 
 
-def checked(paths: Sequence[Path], values: Path | None = None) -> Report:
-    """Check files; the value is the number of them."""
+def checked(
+    paths: Sequence[Path], values: Path | None = None, lessons: Lessons | None = None
+) -> Report:
+    """Check files; the value is the number of them. What lessons say of skills is found, too."""
     from ezskiros.driver import check_paths
 
     if values is not None:  # before the child starts, which seals what has been imported
-        import ezskiros.trees.launch  # noqa: F401
-    return reported(lambda collector: len(check_paths(paths, values, collector).files))
+        import ezskiros.trees.launch
+    if lessons is not None:
+        import ezskiros.learning.findings  # noqa: F401
+
+    def work(collector: Collector) -> int:
+        found = check_paths(paths, values, collector)
+        if lessons is not None:
+            from ezskiros.learning.findings import findings
+
+            collector.extend(findings(lessons, found.library))
+        return len(found.files)
+
+    return reported(work)
+
+
+def lessons_of(knowledge: Path | None) -> tuple[Lessons | None, Sequence[Diagnostic]]:
+    """The lessons in a file, and why there are none; ends the run if it cannot be read."""
+    if knowledge is None:
+        return None, ()
+    from ezskiros.learning.knowledge import read_knowledge
+
+    try:
+        found = read_knowledge(knowledge)
+    except OSError as problem:
+        output.fail(f"cannot read {knowledge}: {reason(problem)}", exit_code=2)
+    return (None, [found]) if isinstance(found, Diagnostic) else (found.lessons, ())
 
 
 def print_check(
-    paths: Sequence[Path], values: Path | None, form: Format, rules: Path | None = None
+    paths: Sequence[Path],
+    values: Path | None,
+    form: Format,
+    rules: Path | None = None,
+    knowledge: Path | None = None,
 ) -> int:
     """Check, print what is found, and give the exit code. With `rules`, what only these and the
-    skills together can tell is found as well.
+    skills together can tell is found as well; with `knowledge`, what runs say of the skills.
     """
     together = None if rules is None else _looking_at_both()
-    report = checked(paths, values)
-    found = (*report.diagnostics, *(together(rules) if together is not None else ()))
+    lessons, wrong = lessons_of(knowledge)
+    report = checked(paths, values, lessons)
+    found = (
+        *report.diagnostics,
+        *(together(rules) if together is not None else ()),
+        *wrong,
+    )
     output.print_diagnostics(found, form, file_count=file_count(report, paths))
     return output.exit_code(found)
 

@@ -16,9 +16,10 @@ import typer
 from dslkit.command_line import Format
 from dslkit.parameters import Group
 from dslkit.writing import reason
-from ezskiros.cli.arguments import Folders, Skills, name_ontology
+from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
 from ezskiros.cli.checking import asked, print_check
 from ezskiros.cli.export import export
+from ezskiros.cli.learn import learn
 from ezskiros.cli.output import output
 from ezskiros.cli.owl import owl
 from ezskiros.cli.plan import plan
@@ -71,6 +72,7 @@ def check(
         Path | None,
         typer.Option("--rules", metavar="FILE", help="Also look at skills and rules together."),
     ] = None,
+    knowledge: Knowledge = None,
     fixed: Annotated[
         bool, typer.Option("--fix", help="Add the pre-conditions that compound skills lack first.")
     ] = False,
@@ -84,9 +86,9 @@ def check(
             output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
         fix(paths)
     if watched:
-        _check_again_and_again(paths, ontology or [], values, form, rules)
+        _check_again_and_again(paths, ontology or [], values, form, rules, knowledge)
         return
-    raise typer.Exit(print_check(paths, values, form, rules))
+    raise typer.Exit(print_check(paths, values, form, rules, knowledge))
 
 
 @app.command()
@@ -112,6 +114,7 @@ app.command()(show)
 app.command()(plan)
 app.command()(owl)
 app.command()(export)
+app.command()(learn)
 
 
 @app.command()
@@ -222,6 +225,7 @@ def _check_again_and_again(
     values: Path | None,
     form: Format,
     rules: Path | None,
+    knowledge: Path | None,
 ) -> None:
     """Each time from the start: what has been imported is forgotten with the process."""
     from ezskiros.cli.watch import watch
@@ -230,11 +234,11 @@ def _check_again_and_again(
 
     def files() -> list[Path]:
         known = [path for path in ontology if path.exists()]
-        named = [*paths, *(each for each in (values, rules) if each)]
+        named = [*paths, *(each for each in (values, rules, knowledge) if each)]
         return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
     def check_once() -> None:
-        print_check(paths, values, form, rules)
+        print_check(paths, values, form, rules, knowledge)
         sys.stdout.flush()
 
     watch(files, check_once)

@@ -10,12 +10,15 @@ import typer
 
 from dslkit.command_line import Format
 from dslkit.diagnostics import Collector
-from ezskiros.cli.arguments import Folders, OptionalSkills, name_ontology
-from ezskiros.cli.checking import asked, checked, print_check
+from ezskiros.cli.arguments import Folders, Knowledge, OptionalSkills, name_ontology
+from ezskiros.cli.checking import asked, checked, lessons_of, print_check
 from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # every command waits for what is imported here
     from rich.console import Console
+
+    from ezskiros.learning.lessons import Lessons
+    from ezskiros.planning.plan import Plan
 
 
 def plan(
@@ -34,6 +37,7 @@ def plan(
         Path | None, typer.Option(metavar="FILE", help="Write it as a compound skill, too.")
     ] = None,
     seconds: Annotated[float, typer.Option(min=0.1, help="How long it may take.")] = 60.0,
+    knowledge: Knowledge = None,
     ontology: Folders = None,
 ) -> None:
     """Find skills that lead from a scene to a goal: a behavior tree, checked and tried out."""
@@ -41,6 +45,9 @@ def plan(
         output.fail(f"`{write}` is no file for a module of Python, such as plan.py", exit_code=2)
     if write is not None:
         output.try_file(write)
+    lessons, wrong = lessons_of(knowledge)
+    if wrong:
+        output.reject(wrong)
     name_ontology(ontology)
     paths = paths or [Path()]
     report = checked(paths)
@@ -50,7 +57,7 @@ def plan(
 
     console = console_for_outlines()
     # The search for what is out of reach, and that for a plan, may take this long each.
-    search = _Search(paths, scene, goal, seconds, write, console)
+    search = _Search(paths, scene, goal, seconds, write, console, lessons)
     found, report = asked(search.run, 2 * seconds, may_act=True)
     output.print_findings(report.diagnostics)
     if not found["has_plan"]:
@@ -74,6 +81,7 @@ class _Search:
     seconds: float
     write: Path | None
     console: Console
+    lessons: Lessons | None
 
     def run(self, collector: Collector) -> dict[str, Any]:
         """The plan as text, and as source if that is to be written."""
@@ -87,18 +95,27 @@ class _Search:
 
         library = check_paths(self.paths).library
         try:
-            plan, said = find_plan(library, self.scene, self.goal, self.seconds)
+            costs = self.lessons.costs if self.lessons is not None else ()
+            plan, said = find_plan(library, self.scene, self.goal, self.seconds, costs)
         except NoPlannerError as problem:
             raise RefusedError(str(problem)) from None
         collector.extend(said)
         found: dict[str, Any] = {"has_plan": plan is not None, "text": ""}
         if plan is not None and plan.steps:
             found["text"] = outlines_text([drawn(plan)], self.console)
+            if self.lessons is not None:
+                found["text"] += f"{_expected(plan, self.lessons)}\n"
             if self.write is not None:
                 folder = other_folder(plan, self.write)
                 found["folder"] = str(folder) if folder else None
                 found["source"] = "" if folder else source(plan, self.write.stem, self.goal)
         return found
+
+
+def _expected(plan: Plan, lessons: Lessons) -> str:
+    """The seconds that a plan is expected to lose, and the number of runs that say so."""
+    runs = f"{lessons.runs} run{'s' if lessons.runs != 1 else ''}"
+    return f"expected to lose {plan.expected_s:.1f} s to rules, after {runs}"
 
 
 def _write(path: Path, text: str, paths: list[Path]) -> None:

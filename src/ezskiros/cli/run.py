@@ -193,7 +193,7 @@ class _Run:
         self._live = LiveTree(self._console) if self._console.is_terminal else None
         self._trace: Trace | None = None
         self._context: Context | None = None
-        self._start = setting.clock()
+        self._start, self._start_ns = setting.clock(), time.time_ns()
         self._is_interrupted = False
 
     def to_the_end(self, *, is_asked: bool, trace: Path | None) -> Outcome:
@@ -212,7 +212,8 @@ class _Run:
                 stack.enter_context(without_stand_ins())
             if trace is not None:
                 stack.enter_context(output.writing(trace))
-                self._trace = Trace(stack.enter_context(trace.open("w", encoding="utf-8")))
+                file = stack.enter_context(trace.open("w", encoding="utf-8"))
+                self._trace = Trace(file, self._start_ns)
             stack.enter_context(self._interruptible())
             if self._live is not None:
                 self._live.start()

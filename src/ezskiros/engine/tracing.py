@@ -12,16 +12,19 @@ from ezskiros.engine.values import WorldThing
 
 
 class Trace:
-    """Writes one JSON object per event. Raises `OSError`, as files do."""
+    """Writes one JSON object per event. Raises `OSError`, as files do.
 
-    def __init__(self, file: TextIO) -> None:
+    `start_ns` is when the task starts, in nanoseconds since 1970 (UTC): the clock of recordings.
+    """
+
+    def __init__(self, file: TextIO, start_ns: int) -> None:
         self._file = file
+        self._start_ns = start_ns
 
     def write(self, event: Event, tick: int, seconds: float) -> None:
         """An event, the number of its tick from 1 on, and the seconds since the task started."""
         line: dict[str, object] = {
-            "tick": tick,
-            "time": round(seconds, 6),
+            **self._when(tick, seconds),
             "event": event.happened.value,
             "path": list(event.path),
             "skill": event.skill,
@@ -35,8 +38,13 @@ class Trace:
 
     def write_context(self, context: Mapping[str, Any], tick: int, seconds: float) -> None:
         """The skills that run now, as the message about them has it."""
-        line = {"tick": tick, "time": round(seconds, 6), "event": "context", **context}
+        line = {**self._when(tick, seconds), "event": "context", **context}
         self._file.write(json.dumps(line, ensure_ascii=False, allow_nan=False) + "\n")
+
+    def _when(self, tick: int, seconds: float) -> dict[str, object]:
+        """The time of a line. Its stamp goes by `seconds`, so that it never jumps back."""
+        at_ns = self._start_ns + round(seconds * 1e9)
+        return {"tick": tick, "time": round(seconds, 6), "at_ns": at_ns}
 
 
 def _plain(value: Any) -> object:

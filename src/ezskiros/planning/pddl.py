@@ -3,6 +3,7 @@
 All things are of one type, and classes are facts that never change: a class of OWL can have several
 superclasses, a type of PDDL one. What follows from an effect, by inverses, special cases and
 functional relations, is an effect as well. Names are numbers: PDDL does not tell `a` from `A`.
+An action with several prices is written once for each: facts that never change say which is whose.
 """
 
 from __future__ import annotations
@@ -13,12 +14,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from ezskiros.engine.world import World
+from ezskiros.learning.lessons import Cost
 from ezskiros.planning.actions import Action
 from ezskiros.planning.facts import EVERYTHING, About, Fluent, Literal, is_so
+from ezskiros.planning.prices import Price, Prices, prices
 
 _REQUIREMENTS = (
     ":strips", ":typing", ":equality", ":negative-preconditions", ":disjunctive-preconditions",
-    ":conditional-effects", ":universal-preconditions",
+    ":conditional-effects", ":universal-preconditions", ":action-costs",
 )  # fmt: skip
 
 
@@ -38,18 +41,23 @@ class Problem:
     goals: Sequence[Literal]
     world: World
     things: Sequence[str]
+    costs: Sequence[Cost] = ()
+    """The time that skills lose to rules. Without any, one plan is as good as another."""
 
     def domain(self) -> str:
         """The file of the domain: facts and actions."""
+        arities = {name: _arity(fluent) for fluent, name in self._fluents.items()}
+        arities |= {name: len(price.parameters) for name, _, price in self._priced()}
         predicates = [
-            f"({name} {_typed(f'?thing_{number}' for number in range(_arity(fluent)))})"
-            for fluent, name in self._fluents.items()
+            f"({name} {_typed(f'?thing_{number}' for number in range(arity))})"
+            for name, arity in arities.items()
         ]
-        actions = [self._action(*each) for each in enumerate(self.actions)]
+        actions = [each for number in range(len(self.actions)) for each in self._variants(number)]
         parts = (
             f"(:requirements {' '.join(_REQUIREMENTS)})",
             "(:types thing)",
             f"(:predicates {' '.join(predicates)})",
+            *(("(:functions (total-cost) - number)",) if self.costs else ()),
             *actions,
         )
         return "\n".join(("(define (domain skills)", *parts, ")\n"))
@@ -59,8 +67,9 @@ class Problem:
         parts = (
             "(:domain skills)",
             f"(:objects {_typed(self._objects.values())})",
-            f"(:init {' '.join(self._so_at_the_start())})",
+            f"(:init {' '.join((*self._so_at_the_start(), *self._prices_at_the_start()))})",
             f"(:goal {_all(self._literal(each, self._objects) for each in self.goals)})",
+            *(("(:metric minimize (total-cost))",) if self.costs else ()),
         )
         return "\n".join(("(define (problem plan)", *parts, ")\n"))
 
@@ -71,7 +80,7 @@ class Problem:
         return [self._step(*line.split(), iris=iris) for line in lines if line]
 
     def _step(self, name: str, *given: str, iris: Mapping[str, str]) -> Step:
-        action = self.actions[int(name.rpartition("_")[2])]
+        action = self.actions[int(name.split("_")[1])]
         names = (each.name for each in action.things)
         return Step(action, dict(zip(names, (iris[each] for each in given), strict=True)))
 
@@ -103,17 +112,51 @@ class Problem:
         fact = f"({self._fluents[literal.fluent]} {' '.join(ends)})"
         return fact if literal.is_true else _not(fact)
 
-    def _action(self, number: int, action: Action) -> str:
+    @cached_property
+    def _prices(self) -> Sequence[Prices]:
+        return [prices(each, self.costs) for each in self.actions]
+
+    def _priced(self) -> Iterator[tuple[str, int, Price]]:
+        """The prices at places: the name of the fact, the number of the action, the price."""
+        for number, found in enumerate(self._prices):
+            for index, price in enumerate(found.at_places):
+                yield f"priced_{number}_{index}", number, price
+
+    def _prices_at_the_start(self) -> Iterator[str]:
+        if self.costs:
+            yield "(= (total-cost) 0)"
+        for name, _, price in self._priced():
+            for things in price.things:
+                if all(each in self._objects for each in things):
+                    yield f"({name} {' '.join(self._objects[each] for each in things)})"
+
+    def _variants(self, number: int) -> Iterator[str]:
+        """An action, once for each of its prices."""
+        action = self.actions[number]
         names = {each.name: f"?given_{index}" for index, each in enumerate(action.things)}
+        elsewhere = []
+        for fact, other, price in self._priced():
+            if other == number:
+                so = f"({fact} {' '.join(names[each] for each in price.parameters)})"
+                elsewhere.append(_not(so))
+                yield self._action(f"skill_{number}_{fact}", action, names, [so], price.cost)
+        usual = self._prices[number].usual
+        yield self._action(f"skill_{number}", action, names, elsewhere, usual)
+
+    def _action(
+        self, name: str, action: Action, names: Mapping[str, str], where: Iterable[str], cost: int
+    ) -> str:
         needs = [
             f"(or {' '.join(self._literal(each, names) for each in clause)})"
             for clause in action.needs
         ]
         apart = [_not(f"(= {names[one]} {names[other]})") for one, other in action.apart]
-        effects = (self._effect(action, each, names) for each in action.effects)
+        effects = [self._effect(action, each, names) for each in action.effects]
+        if self.costs:
+            effects.append(f"(increase (total-cost) {cost})")
         return (
-            f"(:action skill_{number} :parameters ({_typed(names.values())})"
-            f"\n :precondition {_all((*needs, *apart))}\n :effect {_all(effects)})"
+            f"(:action {name} :parameters ({_typed(names.values())})"
+            f"\n :precondition {_all((*needs, *apart, *where))}\n :effect {_all(effects)})"
         )
 
     def _effect(self, action: Action, effect: Literal, names: Mapping[str, str]) -> str:

@@ -9,10 +9,12 @@ from pathlib import Path
 from dslkit.diagnostics import Diagnostic, Severity
 from dslkit.source import SourceFile, Span, is_file
 from ezskiros.check.scene_errors import NoOntologyForScene
+from ezskiros.learning.lessons import Cost
 from ezskiros.ontology.load import load_named
 from ezskiros.planning.actions import actions
 from ezskiros.planning.goals import Goal, GoalError, goals
 from ezskiros.planning.pddl import Step
+from ezskiros.planning.prices import expected_s
 from ezskiros.planning.scene import Scene, read_scene
 from ezskiros.planning.search import Search
 from ezskiros.skills.load_errors import NoFile
@@ -26,12 +28,22 @@ class Plan:
     steps: Sequence[Step]
     goals: Sequence[Goal]
     scene: Scene
+    costs: Sequence[Cost] = ()
+    """The time that skills are known to lose to rules."""
+
+    @property
+    def expected_s(self) -> float:
+        """The seconds that it is expected to lose to rules."""
+        return sum(
+            expected_s(each.action.skill.name, each.things, self.costs) for each in self.steps
+        )
 
 
 def find_plan(
-    library: Library, scene_path: Path, goal: str, seconds: float
+    library: Library, scene_path: Path, goal: str, seconds: float, costs: Sequence[Cost] = ()
 ) -> tuple[Plan | None, Sequence[Diagnostic]]:
-    """A plan, and what is to be said of it: why there is none, and which skills are left out.
+    """A plan, and what is to be said of it: why there is none, and which skills are left out. With
+    costs it is the one that is expected to lose the least time to rules, as far as that is found.
 
     Raises `NoPlannerError` if the planner is not installed.
     """
@@ -53,8 +65,9 @@ def find_plan(
     except GoalError as problem:
         return None, [*found, problem.diagnostic]
     known, left_out = actions(library, ontology.model)
-    steps, more = Search(scene.world, ontology.model, known, wanted, seconds).run()
-    plan = Plan(steps, wanted, scene) if steps is not None else None
+    search = Search(scene.world, ontology.model, known, wanted, seconds, costs)
+    steps, more = search.run()
+    plan = Plan(steps, wanted, scene, costs) if steps is not None else None
     return plan, [*found, *(left_out if steps is None else ()), *more]
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from dslkit.diagnostics import Diagnostic, Remark, listed
 from dslkit.source import Span
 from ezskiros.engine.world import World
+from ezskiros.learning.lessons import Cost
 from ezskiros.ontology.iris import THING
 from ezskiros.ontology.model import Model
 from ezskiros.planning import errors
@@ -32,6 +33,8 @@ class Search:
     actions: Sequence[Action]
     goals: Sequence[Goal]
     seconds: float
+    costs: Sequence[Cost] = ()
+    """The time that skills are known to lose to rules."""
 
     def run(self) -> tuple[Sequence[Step] | None, Sequence[Diagnostic]]:
         """The steps, or why there are none. Raises `NoPlannerError`."""
@@ -52,7 +55,8 @@ class Search:
             ]
             if blocked:
                 return None, blocked
-            steps = solve(Problem(self.actions, wanted, world, things), self.seconds)
+            problem = Problem(self.actions, wanted, world, things, self.costs)
+            steps = solve(problem, self.seconds)
         except (TimeOverError, ReachTimeOverError):
             return None, [errors.PlanningTimeOver(seconds=self.seconds).at(span)]
         if steps is None:

@@ -23,7 +23,11 @@ from ezskiros.planning.pddl import Problem, Step
 
 _PACKAGE = "up_fast_downward"
 _PROGRAM = "downward/fast-downward.py"
-_SEARCH = ("--alias", "lama-first")
+_FIRST = ("--alias", "lama-first")
+_CHEAPEST = ("--alias", "lama")
+"""It goes on to cheaper plans, `plan.1`, `plan.2` and so on, until none is cheaper."""
+_END = "; cost = "
+"""Begins the last line of a plan."""
 # https://www.fast-downward.org/ExitCodes
 _FOUND = range(4)
 _UNSOLVABLE = range(10, 14)
@@ -42,7 +46,9 @@ class TimeOverError(Exception):
 
 
 def solve(problem: Problem, seconds: float) -> list[Step] | None:
-    """A plan; None if there is none. Raises `NoPlannerError` and `TimeOverError`."""
+    """A plan, the cheapest that is found in time if skills have costs; None if there is none.
+    Raises `NoPlannerError` and `TimeOverError`.
+    """
     program = _program()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -50,16 +56,27 @@ def solve(problem: Problem, seconds: float) -> list[Step] | None:
         (folder / "problem.pddl").write_text(problem.problem(), encoding="utf-8")
         # It is ended after these seconds below, and by itself where nobody is left to do that.
         limit = ("--overall-time-limit", f"{math.ceil(seconds) + 10}s")
-        files = ("--plan-file", "plan", *limit, *_SEARCH, "domain.pddl", "problem.pddl")
-        code, said = _run([sys.executable, str(program), *files], folder, seconds)
-        plan = folder / "plan"
-        if code in _FOUND and plan.exists():
-            return problem.steps(plan.read_text(encoding="utf-8"))
+        search = _CHEAPEST if problem.costs else _FIRST
+        files = ("--plan-file", "plan", *limit, *search, "domain.pddl", "problem.pddl")
+        try:
+            code, said = _run([sys.executable, str(program), *files], folder, seconds)
+        except TimeOverError:
+            code, said = _TIME_OVER[0], ""
+        plan = _last_plan(folder)
+        if plan is not None and code in (*_FOUND, *_TIME_OVER):
+            return problem.steps(plan)
     if code in _FOUND or code in _UNSOLVABLE:
         return None
     if code in _TIME_OVER:
         raise TimeOverError
     raise RuntimeError(f"the planner ended with exit code {code}: {said}")
+
+
+def _last_plan(folder: Path) -> str | None:
+    """The last plan that was written to its end; None if there is none."""
+    files = sorted(folder.glob("plan*"), key=lambda each: int(each.suffix[1:] or 0))
+    plans = [each.read_text(encoding="utf-8") for each in files]
+    return next((each for each in reversed(plans) if f"\n{_END}" in f"\n{each}"), None)
 
 
 def _program() -> Path:

@@ -86,6 +86,20 @@ def test_pick_and_place_runs_as_listed_in_the_thesis(tmp_path: Path) -> None:
     assert "pre-condition does not hold: " in again.stderr
 
 
+def test_each_line_of_a_trace_has_a_stamp(skills: Path) -> None:
+    """A stamp is the time of day, and differs from the start by the seconds of the line."""
+    before = time.time_ns()
+    done = run("work", "--trace", "trace.jsonl", "--timeout", "0.2", folder=skills)
+    after = time.time_ns()
+    assert done.returncode == 1
+    text = (skills / "trace.jsonl").read_text("utf-8")
+    events = [json.loads(line) for line in text.splitlines()]
+    assert before <= events[0]["at_ns"] < events[-1]["at_ns"] <= after
+    starts = [each["at_ns"] - round(each["time"] * 1e9) for each in events]
+    assert max(starts) - min(starts) <= 1_000  # seconds are told to the microsecond
+    assert {type(each["at_ns"]) for each in events} == {int}
+
+
 def test_skills_with_errors_are_not_run(tmp_path: Path) -> None:
     wrong = SKILLS.replace('return self.step("at it")', "return True")
     (tmp_path / "skills.py").write_text(wrong, encoding="utf-8")

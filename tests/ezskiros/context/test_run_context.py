@@ -149,6 +149,7 @@ def test_the_trace_has_what_runs(whiteboard: Path) -> None:
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (0, ""), done.stdout
     lines = [json.loads(line) for line in (whiteboard / "trace.jsonl").read_text().splitlines()]
+    assert all("at_ns" in each for each in lines)
     contexts = [each for each in lines if each["event"] == "context"]
     digest = json.loads((whiteboard / "skills.json").read_text())["digest"]
     assert {each["digest"] for each in contexts} == {digest}

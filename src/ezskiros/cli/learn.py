@@ -1,0 +1,104 @@
+"""`ezskiros learn`: what rules found while skills ran."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from dslkit.writing import reason
+from ezskiros.cli.arguments import Folders, name_ontology
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # every command waits for what is imported here
+    from ezskiros.learning.runs import Run
+    from ezskiros.learning.scene import Map
+
+
+class ReportFormat(str, enum.Enum):
+    """The format of a report."""
+
+    TEXT = "text"
+    JSON = "json"
+
+
+def learn(
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="VERDICTS... TRACES...",
+            help="What `rossmarie replay` and `ezskiros run --trace` wrote; stamps pair them.",
+            readable=False,
+        ),
+    ],
+    scene: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="The locations that count as places (.turtle)."),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", "-o", metavar="FILE", help="Write it, such as knowledge.json."),
+    ] = None,
+    form: Annotated[
+        ReportFormat, typer.Option("--format", help="How it is printed.")
+    ] = ReportFormat.TEXT,
+    ontology: Folders = None,
+) -> None:
+    """Learn from runs: which skills tripped which rules, where, and what it cost."""
+    if out is not None:
+        if out.suffix != ".json":  # none of the records may be lost
+            output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
+        output.try_file(out)
+    name_ontology(ontology)
+    from ezskiros.learning.knowledge import known, text_of
+    from ezskiros.learning.learn import learn as lessons_of
+
+    places = _places(scene)
+    runs = _runs(files)
+    lessons = lessons_of(runs, places.locations.keys())
+    text = text_of(known(lessons, runs, out.parent if out is not None else Path()))
+    if form is ReportFormat.JSON:
+        typer.echo(text, nl=False)
+    else:
+        from rich.console import Console
+
+        from ezskiros.learning.proposals import proposals
+        from ezskiros.learning.report import print_report
+
+        print_report(lessons, Console(highlight=False), places.short)
+        for number, text_to_paste in enumerate(proposals(lessons, places)):
+            typer.echo("\n" if number else "\nProposals\n\n", nl=False)
+            typer.echo(text_to_paste)
+    if out is not None:
+        output.save(out, text)
+
+
+def _places(scene: Path | None) -> Map:
+    """The locations of a scene; ends the run if something is wrong with it."""
+    from ezskiros.learning.scene import Map, read_map
+
+    if scene is None:
+        return Map()
+    try:
+        found, wrong = read_map(scene)
+    except OSError as problem:
+        output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
+    if found is None:
+        output.reject(wrong)
+    return found
+
+
+def _runs(files: Sequence[Path]) -> Sequence[Run]:
+    """The runs of some files; ends the run of the command if something is wrong with them."""
+    from ezskiros.learning.runs import read_runs
+
+    try:
+        runs, wrong = read_runs(files)
+    except OSError as problem:
+        output.fail(f"cannot read {problem.filename}: {reason(problem)}", exit_code=2)
+    if wrong:
+        output.reject(wrong)
+    return runs

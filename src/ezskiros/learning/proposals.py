@@ -1,0 +1,105 @@
+"""Proposals that people may take up, each with its evidence: rules that look ahead, pre-conditions.
+
+There is one only where places make a difference: a rule became active with some things, in several
+runs, and never with others.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from dslkit.diagnostics import listed
+from dslkit.diagnostics.visible import visible
+from ezskiros.learning.lessons import Lessons, Trip
+from ezskiros.learning.report import places_text
+from ezskiros.learning.scene import Map
+
+_LEAST_RUNS = 2
+"""Runs in which a rule became active: one may be by chance."""
+
+
+@dataclass(frozen=True)
+class Difference:
+    """A parameter by which runs differ: with all of `tripped` a rule became active, with none of
+    `free`. Both are IRIs of locations.
+    """
+
+    trip: Trip
+    parameter: str
+    tripped: Sequence[str]
+    free: Sequence[str]
+
+
+def differences(lessons: Lessons) -> Iterator[Difference]:
+    """The parameters that make a difference to a rule."""
+    for trip in lessons.trips:
+        if trip.share.runs < _LEAST_RUNS:
+            continue
+        for name in sorted({name for places in trip.at for name, _ in places}):
+            tripped, free = _things(trip, name)
+            if tripped and free:
+                yield Difference(trip, name, tripped, free)
+
+
+def _things(trip: Trip, parameter: str) -> tuple[Sequence[str], Sequence[str]]:
+    """The things of a parameter with which a rule became active, and the others: none of either if
+    it became active at times with one thing, or without any.
+    """
+    runs: dict[str, list[int]] = {}
+    for places, share in trip.at.items():
+        runs.setdefault(dict(places).get(parameter, ""), []).append(share.runs)
+    tripped = sorted(iri for iri, found in runs.items() if any(found))
+    free = sorted(iri for iri, found in runs.items() if not any(found))
+    is_clear = all(all(runs[iri]) for iri in tripped) and "" not in tripped
+    return (tripped, [each for each in free if each]) if is_clear else ((), ())
+
+
+def proposals(lessons: Lessons, known: Map) -> Iterator[str]:
+    """The proposals as texts: comments with the evidence, and what to paste."""
+    for found in differences(lessons):
+        yield "\n".join(visible(each) for each in _rule(found, known))
+        yield "\n".join(visible(each) for each in _pre_condition(found, known))
+
+
+def _rule(found: Difference, known: Map) -> Iterator[str]:
+    """A rule that acts before the robot is there."""
+    owl_class = _class_of(found, known)
+    things = listed([known.short(each) for each in found.tripped])
+    yield from _evidence(found, known, "//")
+    if owl_class is None:
+        yield f"// CLASS is to be a class of its own of {things}, in the ontology and the scene."
+    lost = [known.short(iri) for iri in found.tripped if not known.is_placed(iri)]
+    if lost:
+        yield f"// The scene has to say where {listed(lost)} lies."
+    yield "// Fill in POSE, MOTION, SPEED and ACTION; `rossmarie check` says whether it is in time."
+    name = owl_class or "CLASS"
+    yield f"rule ahead_of_{found.trip.rule}: if distance(POSE, {name}) < stopping(MOTION, SPEED)"
+    yield "    then { ACTION; }"
+    yield f"    keeps MOTION below SPEED in {name};"
+
+
+def _pre_condition(found: Difference, known: Map) -> Iterator[str]:
+    """A pre-condition by which plans and tasks leave the places alone."""
+    yield from _evidence(found, known, "#")
+    free = listed([known.short(each) for each in found.free])
+    tripped = listed([known.short(each) for each in found.tripped])
+    yield f"# This is for the description of {found.trip.skill}. PROPERTY is to be a data property:"
+    yield f"# True of {free}, and False of {tripped}."
+    yield f"self.pre_conditions += {found.parameter}.PROPERTY == True"
+
+
+def _evidence(found: Difference, known: Map, sign: str) -> Iterator[str]:
+    trip = found.trip
+    yield f"{sign} `{trip.rule}` became active during {trip.skill} in {trip.share}:"
+    for places, share in trip.at.items():
+        yield f"{sign}   {share} with {places_text(places, known.short) or 'no place'}"
+    yield f"{sign} It found this, first: {' '.join(trip.evidence.split())}"
+
+
+def _class_of(found: Difference, known: Map) -> str | None:
+    """A class that all things have that make the difference, and no other; by its name in rules."""
+    classes = [frozenset(known.classes(iri)) for iri in found.tripped]
+    others = frozenset().union(*(known.classes(iri) for iri in found.free))
+    shared = frozenset.intersection(*classes) - others
+    return known.name(min(shared)) if shared else None

@@ -1,0 +1,167 @@
+"""Files of JSON lines from outside: what is read of a line, and errors that say where it is wrong.
+
+Sizes are limited, and nothing is taken for what it is not: a number for a text, or NaN for a
+number.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any, NoReturn, TypeAlias, TypeVar
+
+from dslkit.diagnostics import Diagnostic, Remark
+from dslkit.source import SourceFile, Span, shown
+from ezskiros.learning.errors import NoKnowledge, NoRecord
+
+LARGEST_RECORD = 1 << 26
+"""Bytes of a file: a run of a day has less."""
+LATEST_NS = (1 << 63) - 1
+"""The last stamp: clocks count nanoseconds in 64 bits."""
+Fault: TypeAlias = type[NoRecord] | type[NoKnowledge]
+_Kind = TypeVar("_Kind")
+_KINDS: dict[type, str] = {
+    str: "a text",
+    int: "an integer",
+    bool: "true or false",
+    list: "a list",
+    dict: "an object",
+}
+
+
+class RecordError(Exception):
+    """A file that cannot be learnt from: the diagnostic says why."""
+
+    def __init__(self, diagnostic: Diagnostic) -> None:
+        super().__init__(diagnostic.title)
+        self.diagnostic = diagnostic
+
+
+@dataclass(frozen=True)
+class Line:
+    """An object of JSON, on one line of a file or in it. All methods raise `RecordError` with a
+    `fault`.
+    """
+
+    span: Span
+    values: dict[str, Any]
+    fault: Fault = NoRecord
+
+    def fail(self, reason: str, key: str = "", help: Remark | None = None) -> NoReturn:
+        """Raise the error for this object, at a key of it if that is there."""
+        at = self.span.text.find(f'"{key}"') if key else -1
+        place = self.span
+        if at >= 0:
+            start = self.span.start + at
+            place = Span(self.span.file, start, start + len(key) + 2)
+        found = self.fault(path=self.span.file.path, reason=reason)
+        raise RecordError(found.at(place, help=help))
+
+    def below(self, values: dict[str, Any]) -> Line:
+        """An object that lies in this one."""
+        return replace(self, values=values)
+
+    def _located(self, values: dict[str, Any], after: int) -> Line:
+        """An object that lies in this one, with its place if it is written there as Python writes
+        JSON.
+        """
+        text = json.dumps(values)
+        start = self.span.file.text.find(text, after, self.span.end)
+        span = Span(self.span.file, start, start + len(text)) if start >= 0 else self.span
+        return Line(span, values, self.fault)
+
+    def get(self, key: str, kind: type[_Kind]) -> _Kind:
+        """The value of a key, which has to be there and of this type."""
+        value = self.values.get(key)
+        if type(value) is not kind:
+            there = "is not there" if key not in self.values else f"is not {_KINDS[kind]}"
+            self.fail(f"`{key}` {there}", key)
+        return value
+
+    def stamp(self, key: str) -> int:
+        """A stamp in nanoseconds."""
+        found = self.get(key, int)
+        if not 0 <= found <= LATEST_NS:
+            self.fail(f"`{key}` is no stamp in nanoseconds", key)
+        return found
+
+    def count(self, key: str) -> int:
+        """A number of things."""
+        found = self.get(key, int)
+        if found < 0:
+            self.fail(f"`{key}` is less than 0", key)
+        return found
+
+    def seconds(self, key: str) -> float:
+        """A duration in seconds."""
+        found = self.values.get(key)
+        is_number = type(found) in (int, float)
+        if not is_number or not 0 <= found <= LATEST_NS / 1e9:  # type: ignore[operator]
+            self.fail(f"`{key}` is no duration in seconds", key)
+        return float(found)  # type: ignore[arg-type]
+
+    def objects(self, key: str) -> Iterator[Line]:
+        """A list of objects. They have their own places up to the first that is not found."""
+        after, is_found = self.span.start, True
+        for each in self.get(key, list):
+            if not isinstance(each, dict):
+                self.fail(f"`{key}` is not a list of objects", key)
+            line = self._located(each, after) if is_found else self.below(each)
+            is_found, after = line.span is not self.span, line.span.start
+            yield line
+
+    def texts(self, key: str) -> tuple[str, ...]:
+        """A list of texts."""
+        found = self.get(key, list)
+        if not all(isinstance(each, str) for each in found):
+            self.fail(f"`{key}` is not a list of texts", key)
+        return tuple(found)
+
+
+def read_text(path: Path, fault: Fault = NoRecord) -> SourceFile:
+    """A file from outside. Raises `RecordError`, and `OSError` if it cannot be read."""
+    file = SourceFile(shown(str(path)), "")
+    with path.open("rb") as opened:
+        content = opened.read(LARGEST_RECORD + 1)
+    whole = Line(Span(file, 0, 0), {}, fault)
+    if len(content) > LARGEST_RECORD:
+        whole.fail(f"it is larger than {LARGEST_RECORD >> 20} MiB")
+    try:
+        return SourceFile.decoded(file.path, content)
+    except UnicodeDecodeError as problem:
+        whole.fail(f"byte {problem.start + 1} is not UTF-8")
+
+
+def lines(file: SourceFile) -> Iterator[Line]:
+    """The lines of a file, each an object of JSON. Raises `RecordError`."""
+    start = 0
+    for text in file.text.split("\n"):
+        span = Span(file, start, start + len(text))
+        start += len(text) + 1
+        if text.strip():
+            yield Line(span, _object(span))
+
+
+def parsed(text: str) -> Any:
+    """A text of JSON. Raises `json.JSONDecodeError`, `ValueError` and `RecursionError`."""
+    return json.loads(text, parse_constant=_refuse_constant)
+
+
+def _refuse_constant(spelled: str) -> None:
+    raise ValueError(f"`{spelled}` is no number of JSON")
+
+
+def _object(span: Span) -> dict[str, Any]:
+    try:
+        found = parsed(span.text)
+    except json.JSONDecodeError as problem:
+        at = span.start + min(problem.pos, max(len(span.text) - 1, 0))
+        where = Span(span.file, at, min(at + 1, span.end))
+        Line(where, {}).fail(f"this is not JSON ({problem.msg})")
+    except (ValueError, RecursionError) as problem:
+        Line(span, {}).fail(str(problem) if isinstance(problem, ValueError) else "it is too deep")
+    if not isinstance(found, dict):
+        Line(span, {}).fail("this is no object of JSON")
+    return found

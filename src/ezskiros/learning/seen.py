@@ -1,0 +1,69 @@
+"""Laying a trace and its verdicts side by side: which skills ran when a rule became active."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from ezskiros.learning.runs import Run
+from ezskiros.learning.traces import Execution
+from ezskiros.learning.verdicts import Activation
+
+
+@dataclass(frozen=True, eq=False)
+class Hit:
+    """An activation with the executions that ran: the `innermost` ones, and all on the way to them.
+    `lost_s` is for how many seconds it stayed active within the run; where several rules hold, the
+    time is that of the first.
+    """
+
+    activation: Activation
+    running: Sequence[Execution]
+    innermost: Sequence[Execution]
+    lost_s: float
+
+
+def hits(run: Run) -> Iterator[Hit]:
+    """The activations of a run by what the rules look for, in the order of time."""
+    found = [each for each in activations(run) if not each.is_lost]
+    covered = run.trace.start_ns
+    stamps = (each.start_ns for each in found)
+    for each, running in zip(found, _running_at(run.trace.executions, stamps), strict=True):
+        end = min(each.end_ns, run.trace.end_ns)
+        lost = max(0, end - max(each.start_ns, covered))
+        covered = max(covered, end)
+        yield Hit(each, running, _innermost(running), lost / 1e9)
+
+
+def activations(run: Run) -> Iterator[Activation]:
+    """The activations while the task of a run was there."""
+    for each in run.verdicts.activations:
+        if run.trace.start_ns <= each.start_ns <= run.trace.end_ns:
+            yield each
+
+
+def _running_at(
+    executions: Iterable[Execution], stamps: Iterable[int]
+) -> Iterator[Sequence[Execution]]:
+    """The executions at each of some instants that never decrease."""
+    waiting = sorted(executions, key=lambda each: each.start_ns, reverse=True)
+    running: list[Execution] = []
+    for at in stamps:
+        while waiting and waiting[-1].start_ns <= at:
+            running.append(waiting.pop())
+        running = [each for each in running if each.end_ns > at]
+        yield _of_one_tree(running)
+
+
+def _of_one_tree(running: Sequence[Execution]) -> Sequence[Execution]:
+    """The executions of the tree that started last: a recovery runs in the place of the task."""
+    roots = [each for each in running if len(each.path) == 1]
+    if not roots:
+        return running
+    last = max(roots, key=lambda each: each.start_ns)
+    return [each for each in running if each.path[0] == last.path[0]]
+
+
+def _innermost(running: Sequence[Execution]) -> Sequence[Execution]:
+    above = {each.path[:-1] for each in running}
+    return [each for each in running if each.path not in above]

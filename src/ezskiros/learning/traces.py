@@ -1,0 +1,120 @@
+"""Traces of a run as data: `ezskiros run --trace` (docs/reference/skill-trace.md)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from dslkit.source import SourceFile
+from ezskiros.learning.errors import NoRecord
+from ezskiros.learning.records import Line
+
+_ENDS = ("succeeded", "failed", "preempted")
+_EVENTS = ("started", "running", "chosen", "context", *_ENDS)
+_LONGEST_REASON = 300
+"""Characters of the reason of a failure that are kept."""
+
+
+@dataclass(frozen=True)
+class Execution:
+    """One run of a skill, from its start to its end, in nanoseconds. `values` are the texts among
+    the values of its parameters, IRIs of things included. `outcome` is `succeeded`, `failed` or
+    `preempted`; `reason` says why it failed. One that failed before it started has no duration and
+    no values.
+    """
+
+    path: tuple[str, ...]
+    skill: str
+    start_ns: int
+    end_ns: int
+    values: Mapping[str, str]
+    outcome: str = "preempted"
+    reason: str = ""
+
+
+@dataclass(frozen=True)
+class Trace:
+    """All executions of one run of a task, in the order of their ends."""
+
+    file: SourceFile
+    start_ns: int
+    end_ns: int
+    executions: Sequence[Execution]
+
+
+def is_event(line: Line) -> bool:
+    """Say whether a first line is that of a trace."""
+    return line.values.get("event") in _EVENTS
+
+
+def read_trace(first: Line, rest: Iterable[Line]) -> Trace:
+    """A trace from its lines. Raises `RecordError`."""
+    reader = _Reader(first)
+    for line in (first, *rest):
+        reader.take(line)
+    return reader.trace()
+
+
+class _Reader:
+    """The executions up to the line that is read."""
+
+    def __init__(self, first: Line) -> None:
+        self._first = self._last_line = first
+        self._start = self._last = _stamp(first)
+        self._running: dict[tuple[str, ...], Execution] = {}
+        self._found: list[Execution] = []
+
+    def trace(self) -> Trace:
+        if self._running:
+            path = " > ".join(next(iter(self._running)))
+            self._last_line.fail(f"it breaks off here, while `{path}` runs")
+        if not self._found:
+            self._first.fail("no skill runs in it")
+        return Trace(self._first.span.file, self._start, self._last, self._found)
+
+    def take(self, line: Line) -> None:
+        at, event = _stamp(line), line.get("event", str)
+        if at < self._last:
+            line.fail("this stamp is earlier than the one before", "at_ns")
+        self._last, self._last_line = at, line
+        if event != "started" and event not in _ENDS:
+            return
+        path, skill = line.texts("path"), line.get("skill", str)
+        if not path:
+            line.fail("`path` names no skill", "path")
+        text = line.get("text", str)[:_LONGEST_REASON]
+        if event == "started":
+            self._end(path, at)
+            self._running[path] = Execution(path, skill, at, at, _texts(line))
+        elif path in self._running:
+            self._end(path, at, event, text)
+        elif event == "failed":  # it could not start
+            self._found.append(Execution(path, skill, at, at, {}, event, text))
+
+    def _end(
+        self, path: tuple[str, ...], at: int, outcome: str = "preempted", text: str = ""
+    ) -> None:
+        """The end of what runs at a path, and of all below it."""
+        for other in self._below(path):
+            ended = replace(self._running.pop(other), end_ns=at)
+            if other == path:
+                ended = replace(ended, outcome=outcome, reason=text)
+            self._found.append(ended)
+
+    def _below(self, path: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+        found = [each for each in self._running if each[: len(path)] == path]
+        yield from sorted(found, key=len, reverse=True)
+
+
+def _stamp(line: Line) -> int:
+    if "at_ns" not in line.values:
+        line.fail("`at_ns` is not there", "time", help=NoRecord.WithoutStamp())
+    return line.stamp("at_ns")
+
+
+def _texts(line: Line) -> Mapping[str, str]:
+    """The values that are texts. A skill without parameters has none."""
+    if "parameters" not in line.values:
+        return {}
+    found = line.get("parameters", dict)
+    return {name: value for name, value in found.items() if isinstance(value, str)}

@@ -1,0 +1,68 @@
+"""Prices of actions: what runs say that a skill loses to rules at some places.
+
+A planner minimizes the sum of whole numbers. Each step costs `STEP`, and what it is expected to
+lose comes on top, in tenths of a second: so a step is worth one second that is lost.
+"""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from ezskiros.learning.lessons import Cost
+from ezskiros.planning.actions import Action
+
+STEP = 10
+_HIGHEST = 1_000_000
+"""More than a day: sums of prices have to fit into 32 bits."""
+
+
+@dataclass(frozen=True)
+class Price:
+    """A price of an action, where some of its parameters stand for certain things: one of `things`,
+    each with the IRIs in the order of `parameters`.
+    """
+
+    cost: int
+    parameters: tuple[str, ...]
+    things: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True)
+class Prices:
+    """The prices of an action: a usual one, and those at places."""
+
+    usual: int
+    at_places: Sequence[Price] = ()
+
+
+def prices(action: Action, costs: Iterable[Cost]) -> Prices:
+    """The prices of an action. Places with which it has never lost time have the usual price."""
+    known = {each.name for each in action.things}
+    usual = STEP
+    found: defaultdict[tuple[int, tuple[str, ...]], list[tuple[str, ...]]] = defaultdict(list)
+    for each in costs:
+        extra = min(round(each.expected_s * 10), _HIGHEST)
+        names = tuple(name for name, _ in each.places)
+        if each.skill != action.skill.name or extra == 0 or not known.issuperset(names):
+            continue
+        if names:
+            found[extra, names].append(tuple(iri for _, iri in each.places))
+        else:
+            usual += extra
+    at_places = [
+        Price(STEP + extra, names, tuple(things)) for (extra, names), things in found.items()
+    ]
+    return Prices(usual, at_places)
+
+
+def expected_s(skill: str, things: Mapping[str, str], costs: Iterable[Cost]) -> float:
+    """The seconds that a step is expected to lose: a skill, with IRIs by its parameters."""
+    fitting = [
+        each
+        for each in costs
+        if each.skill == skill and all(things.get(name) == iri for name, iri in each.places)
+    ]
+    at_places = [each.expected_s for each in fitting if each.places and each.lost_s]
+    return min(at_places, default=sum(each.expected_s for each in fitting if not each.places))
