@@ -68,6 +68,8 @@ class InterruptibleTask(Task):
 
     def __init__(self, call: SkillCall, setting: Setting, replan: Replan) -> None:
         super().__init__(call, setting)
+        self.begun: Callable[[RunningSkill], object] = lambda _: None
+        """Hears of each tree that takes the place of another: recoveries, and skills of a plan."""
         self._call, self._replan = call, replan
         self._aim = call
         self._left: deque[SkillCall] = deque()
@@ -135,6 +137,7 @@ class InterruptibleTask(Task):
         plan = self.setting.plans.of(asked.call)[0]
         self._recovery = asked
         self._tree = root_skill(asked.call, self.setting, plan.label or plan.skill.name)
+        self.begun(self._tree)
 
     def _give_up(self, why: str) -> None:
         """End the tree, if one runs."""
@@ -193,6 +196,7 @@ class InterruptibleTask(Task):
     def _start(self, call: SkillCall) -> None:
         plan = self.setting.plans.of(call)[0]
         self.root = root_skill(call, self.setting, plan.label or plan.skill.name)
+        self.begun(self.root)
 
     def _stop_task(self) -> None:
         with deep():
