@@ -8,12 +8,25 @@ from typing import Protocol
 NAVIGATE = "/navigate"
 """The action server of the base: it drives along its route to a place."""
 
+LOOK_OUT = "/look_out"
+"""The action server that waits until the way ahead of the base is free."""
+
 ARM = "/arm"
 """The action server of the arm: it carries what it holds, places it, and retracts."""
 
+RECOVERY = "/recovery"
+"""The action server of a task: it runs a behavior tree in the place of the task."""
+
 Scalar = bool | float | str
-Goal = Mapping[str, Scalar]
+Value = Scalar | tuple[Scalar, ...]
+Goal = Mapping[str, Value]
 """The fields of a goal, by name."""
+
+
+def number_in(goal: Goal, name: str) -> float:
+    """A number of a goal; 0 if it has none there, as in ROS."""
+    value = goal.get(name, 0.0)
+    return float(value) if isinstance(value, int | float) else 0.0
 
 
 class Server(Protocol):

@@ -15,6 +15,7 @@ class Arm(str, enum.Enum):
     ROSSMARIE = "rossmarie"  # by rules, it recovers
     SKILL_AWARE = "skill_aware"  # the same, by rules that know which skills run
     PROACTIVE = "proactive"  # the same, by rules that know what lies ahead
+    TREES = "trees"  # the same, by rules that let it run behavior trees
 
 
 class Terrain(str, enum.Enum):
@@ -55,6 +56,14 @@ class Passage(str, enum.Enum):
     EMPTY = "empty"  # nobody
 
 
+class Blockage(str, enum.Enum):
+    """The obstacles that stand across the ways to a hall."""
+
+    PALLET = "pallet"  # a pallet on the first way, for good
+    TROLLEY = "trolley"  # a trolley on the first way, which somebody takes away soon
+    BOTH = "both"  # a pallet on the first way, and on the second a trolley
+
+
 class Formulation(str, enum.Enum):
     """The numbers that are learned for the insertion of a peg."""
 
@@ -80,6 +89,7 @@ VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
     "human": (Person.INSIDE, Person.OUTSIDE),
     "contact": (Encounter.COLLISION, Encounter.JAMMED, Encounter.MEANT),
     "corridor": (Passage.CHILD, Passage.EMPTY),
+    "blocked": (Blockage.PALLET, Blockage.TROLLEY, Blockage.BOTH),
 }
 """Of each experiment, by its name. The first one is run if none is named."""
 
@@ -90,6 +100,7 @@ ARMS: Mapping[str, tuple[Arm, ...]] = {
     "human": _THESIS,
     "contact": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE),
     "corridor": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE),
+    "blocked": (Arm.NONE, Arm.ROSSMARIE, Arm.TREES),
 }
 """The guards of each experiment, by its name, in the order in which they are shown."""
 

@@ -96,6 +96,8 @@ class InterruptibleTask(Task):
 
     def __init__(self, call: SkillCall, setting: Setting, replan: Replan) -> None:
         super().__init__(call, setting)
+        self.begun: Callable[[RunningSkill], object] = lambda _: None
+        """Hears of each tree that takes the place of another: recoveries, and skills of a plan."""
         self._call, self._replan = call, replan
         self._aim = call
         self._left: deque[SkillCall] = deque()
@@ -177,6 +179,7 @@ class InterruptibleTask(Task):
             leaf.stop(Status.INVALID)
         self._recovery = asked
         self._tree = self._made(asked.call)
+        self.begun(self._tree)
 
     def _give_up(self, why: str) -> None:
         """End the tree, if one runs."""
@@ -234,6 +237,7 @@ class InterruptibleTask(Task):
 
     def _start(self, call: SkillCall) -> None:
         self.root = self._made(call)
+        self.begun(self.root)
 
     def _made(self, call: SkillCall) -> RunningSkill:
         plan = self.setting.plans.of(call)[0]

@@ -33,7 +33,7 @@ _BRACKET = 0.5  # m, the height of the beams that carry tables
 
 
 def dress_course(spec: Any) -> None:
-    """Show a corridor to a room that lies higher, unless all is flat."""
+    """Show a corridor to a room that lies higher, unless all is flat, or there are two ways."""
     found = CourseParameters()
     paint(spec.geom("floor"), TILES)
     for geom in spec.worldbody.geoms:
@@ -44,6 +44,9 @@ def dress_course(spec: Any) -> None:
         elif geom.name.startswith("ramp"):
             paint(geom, GRIP)
             _edge(spec.worldbody, geom, found.ramp_width / 2)
+    if spec.geom("rack") is not None:
+        paint(spec.geom("rack"), STEEL)
+        return
     far = 1.6
     _add_wall(spec.worldbody, (-4.0, far), (found.room_x, far), 0.0, high=2.0)
     if spec.geom("platform") is None:

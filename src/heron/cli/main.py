@@ -37,6 +37,7 @@ from heron.cli.options import Filming, Guarding, Jobs, Ray, Seed, View
 from heron.variants import (
     VARIANTS,
     Arm,
+    Blockage,
     Encounter,
     Formulation,
     LearningArm,
@@ -152,6 +153,18 @@ def corridor(
     _run("corridor", arm, passage, seed, view, film)
 
 
+@runs.command()
+def blocked(
+    arm: Guarding = Arm.TREES,
+    blockage: Annotated[Blockage, typer.Option(help="What stands in the way.")] = Blockage.PALLET,
+    seed: Seed = 0,
+    view: View = False,
+    film: Filming = None,
+) -> None:
+    """Experiment VI: drive to a hall, while something stands across the short way."""
+    _run("blocked", arm, blockage, seed, view, film)
+
+
 runs.command()(insertion)
 
 
@@ -211,7 +224,7 @@ def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
 @app.command()
 def record(
     experiment: Annotated[
-        str, typer.Argument(help="Which one: nav, place, human, contact or corridor.")
+        str, typer.Argument(help="Which one: nav, place, human, contact, corridor or blocked.")
     ],
     out: Annotated[Path, typer.Option(help="The file, such as drive.mcap.")],
     arm: Guarding = Arm.ROSSMARIE,

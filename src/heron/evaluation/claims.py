@@ -25,12 +25,16 @@ from heron.evaluation.claim import (
 from heron.evaluation.place_claims import claims_of_places
 from heron.evaluation.sample import Sample
 from heron.evaluation.skill_claims import claims_of_skills
+from heron.evaluation.tree_claims import claims_of_trees
 from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
 from heron.variants import Arm
 
 
 def claims_of(sample: Sample) -> Iterator[Claim]:
     """All that is expected of a variant."""
+    if Arm.TREES in sample.arms:
+        yield from claims_of_trees(sample)
+        return
     if Arm.PROACTIVE in sample.arms:
         yield from claims_of_places(sample)
         return

@@ -41,8 +41,10 @@ same seeds in these arms:
 - *ROSSMARie with skills*: the same by rules that know which skills run, in experiments IV and V.
 - *ROSSMARie with places*: the same by rules that know what lies ahead, in experiment V only. There
   the arm *ROSSMARie* has rules that know sensors only.
+- *ROSSMARie with trees*: rules let the robot run a behavior tree, and the planner find another way,
+  in experiment VI only.
 
-The thesis leaves the last two open (chapter 5). The expectations of them are older than the runs.
+The thesis leaves the last three open (chapter 5). The expectations of them are older than the runs.
 
 [How to run the experiments](how-to/run-the-experiments.md) says what differs from seed to seed, and
 how this page is made.

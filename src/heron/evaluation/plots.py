@@ -28,6 +28,7 @@ _COLORS = {
     Arm.ROSSMARIE: "#1f6fb4",
     Arm.SKILL_AWARE: "#7d4fb0",
     Arm.PROACTIVE: "#0f8f8f",
+    Arm.TREES: "#b5447a",
 }
 _MARKERS = "os^Dv"
 _WIDTH, _HEIGHT = 2.5, 2.3

@@ -1,5 +1,6 @@
 """The experiments of the thesis: each in several arms, on the same seeds, with measures."""
 
+from heron.experiments.blocked import BlockedEpisode, BlockedMeasures, run_blocked
 from heron.experiments.contact import ContactEpisode, ContactMeasures, run_contact
 from heron.experiments.corridor import CorridorEpisode, CorridorMeasures, run_corridor
 from heron.experiments.experiment import Episode, Experiment, Measure
@@ -17,6 +18,8 @@ __all__ = [
     "EXPERIMENTS",
     "STUDIES",
     "USUAL",
+    "BlockedEpisode",
+    "BlockedMeasures",
     "ContactEpisode",
     "ContactMeasures",
     "CorridorEpisode",
@@ -34,6 +37,7 @@ __all__ = [
     "PlacingMeasures",
     "Settings",
     "Study",
+    "run_blocked",
     "run_contact",
     "run_corridor",
     "run_human",

@@ -33,6 +33,11 @@ CORRIDOR_RULES = {
     Arm.PROACTIVE: FOLDER / "corridor_places.ross",
 }
 
+BLOCKED_RULES = {
+    Arm.ROSSMARIE: FOLDER / "blocked.ross",
+    Arm.TREES: FOLDER / "blocked_trees.ross",
+}
+
 
 @cache
 def machine_of(rules: Path) -> Machine:

@@ -87,6 +87,7 @@ ARM_NAMES: Mapping[Arm, str] = {
     Arm.ROSSMARIE: "ROSSMARie",
     Arm.SKILL_AWARE: "ROSSMARie with skills",
     Arm.PROACTIVE: "ROSSMARie with places",
+    Arm.TREES: "ROSSMARie with trees",
 }
 
 

@@ -10,14 +10,21 @@ from collections.abc import Mapping
 from operator import attrgetter
 
 from heron.appearance import Camera
+from heron.experiments.blocked import BlockedEpisode, run_blocked
 from heron.experiments.contact import ContactEpisode, run_contact
 from heron.experiments.corridor import CorridorEpisode, run_corridor
-from heron.experiments.experiment import EXEMPTIONS, Experiment, Measure, Signal
+from heron.experiments.experiment import (
+    EXEMPTIONS,
+    INTERVENTIONS,
+    Experiment,
+    Measure,
+    Signal,
+)
 from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.placing import PlacingEpisode, run_placing
 from heron.scene import BaseParameters
-from heron.variants import Encounter, Passage, Person, Table, Terrain
+from heron.variants import Blockage, Encounter, Passage, Person, Table, Terrain
 
 
 def _peak(place: str, words: str) -> Measure:
@@ -55,6 +62,7 @@ _ENCOUNTERS = {
     Encounter.MEANT: "all contact is meant",
 }
 _ON_BUMP = ("peak_front", "peak_drive", "peak_rear")
+_TOUCHED = "touched"
 _OVER_TORQUE = "time_over_torque"
 _USUAL_TORQUE = BaseParameters().torque
 
@@ -270,6 +278,44 @@ CORRIDOR = Experiment(
     opening=("child", -1.0),
 )
 
+
+def _of_obstacles(episode: BlockedEpisode) -> str:
+    return _BLOCKED[episode.blockage]
+
+
+_BLOCKED = {
+    Blockage.PALLET: "a pallet on the first way",
+    Blockage.TROLLEY: "a trolley on the first way, for a while",
+    Blockage.BOTH: "both ways are blocked, the second for a while",
+}
+
+BLOCKED = Experiment(
+    name="blocked",
+    title="VI, a blocked way",
+    about=(
+        "Two ways lead from a junction to a hall, and something stands across the short one. The "
+        "base stops before it by itself. An operator comes if it stands there for too long."
+    ),
+    run=run_blocked,
+    describe=_of_obstacles,
+    own_measures=(
+        Measure("replanned", "reroutes", "", 0, attrgetter("replanned")),
+        Measure("nearest", "least distance to an obstacle", "m", 2, attrgetter("nearest")),
+        Measure(_TOUCHED, "touches an obstacle", "s", 2, attrgetter(_TOUCHED)),
+    ),
+    hazards={"blocked": "way blocked"},
+    harms=dict.fromkeys(Blockage, (INTERVENTIONS.name,)),
+    gains={},
+    acts_within={},
+    signals=(
+        Signal("x", "along the first way", "m"),
+        Signal("y", "beside the first way", "m"),
+        Signal("distance", "distance to an obstacle, up to 2 m", "m"),
+    ),
+    cameras=(Camera("base", distance=5.5, azimuth=60.0, elevation=-48.0, above=0.4),),
+    opening=("blocked", 1.0),
+)
+
 EXPERIMENTS: Mapping[str, Experiment] = {
-    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT, CORRIDOR)
+    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT, CORRIDOR, BLOCKED)
 }

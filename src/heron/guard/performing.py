@@ -10,7 +10,7 @@ from functools import partial
 from typing import Protocol
 
 from heron import messages
-from heron.goals import Goal, Scalar
+from heron.goals import Goal
 from heron.guard.relay import Relay
 from heron.messages import Message
 from heron.topics import Carrier, Parameter, Topic
@@ -215,7 +215,7 @@ class Workshop:
                 return Setting(lambda: self.carrier.parameter(name), float(value), report)
             case SendGoal():
                 goal = {".".join(map(str, each.path)): each.value for each in effect.assignments}
-                return Sending(self.relays[effect.server], _scalars(goal), _resends(effect), report)
+                return Sending(self.relays[effect.server], goal, _resends(effect), report)
             case CancelGoal(confirmation=None):
                 return Sending(self.relays[effect.server], None, _resends(effect), report)
             case Limit() | Scale() | Log() | Diagnose() | Reset():
@@ -235,13 +235,6 @@ def servers(machine: Machine) -> set[str]:
 
 def _resends(effect: SendGoal | CancelGoal) -> bool:
     return effect.interrupted is Interrupted.RESEND
-
-
-def _scalars(goal: Mapping[str, Scalar | tuple[Scalar, ...]]) -> Goal:
-    scalars = {name: value for name, value in goal.items() if not isinstance(value, tuple)}
-    if len(scalars) < len(goal):
-        raise UnsupportedEffectError("arrays in goals are not sent here")
-    return scalars
 
 
 def _publication(effect: Publish, publish: Publisher) -> Performer:

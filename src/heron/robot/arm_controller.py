@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from heron.goals import ARM, Goal
+from heron.goals import ARM, Goal, number_in
 from heron.messages import Message
 from heron.robot.admittance import Admittance
 from heron.robot.arm import Arm
@@ -125,7 +125,7 @@ class ArmController:
             self._pressing = self._pressings[self._goal]
             self._pressing.begin(self._arm.grasp.copy())
         elif self._goal in self._places:
-            self._begin_to_carry(float(goal.get("seconds", 0.0)))
+            self._begin_to_carry(number_in(goal, "seconds"))
         else:
             self._end(is_reached=False)
 

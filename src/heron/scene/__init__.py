@@ -10,6 +10,7 @@ from heron.scene.person import PersonParameters
 from heron.scene.placing import TableParameters, build_placing
 from heron.scene.room import RoomParameters, build_room
 from heron.scene.scene import build_navigation
+from heron.scene.ways import Way, WaysParameters, build_ways
 
 __all__ = [
     "AXLES",
@@ -26,6 +27,8 @@ __all__ = [
     "RoomParameters",
     "Slope",
     "TableParameters",
+    "Way",
+    "WaysParameters",
     "add_base",
     "add_course",
     "build_cell",
@@ -33,5 +36,6 @@ __all__ = [
     "build_navigation",
     "build_placing",
     "build_room",
+    "build_ways",
     "course",
 ]

@@ -1,16 +1,17 @@
 """The motions of the robot: each is a goal for an action server."""
 
 from ezskiros import INFERRED, SkillDescription, contact, force, server
-from heron.goals import ARM, NAVIGATE
+from heron.goals import ARM, LOOK_OUT, NAVIGATE
 from heron.skills.servers import Sent
 from heron.skills.world import heron
 
 
 class Drive(SkillDescription):
-    """Drives the base to another place."""
+    """Drives the base along a way, from one place to another."""
 
     def description(self, Robot: heron.Robot, Start: INFERRED[heron.Place], Target: heron.Place):
         self.pre_conditions += Robot.at(Start)
+        self.pre_conditions += Start.leadsTo(Target)
         self.post_conditions += Robot.at(Target)
 
 
@@ -30,6 +31,74 @@ class drive(Drive.SkillBase):
     def onPreempt(self):
         self.sent.cancel()
         return self.fail("the base has stopped")
+
+
+class TurnBack(SkillDescription):
+    """Drives the base back along a way that it has not come to the end of, to its begin."""
+
+    def description(self, Robot: heron.Robot, Start: heron.Place):
+        self.pre_conditions += Robot.at(Start)
+        self.post_conditions += Robot.at(Start)
+
+
+class turn_back(TurnBack.SkillBase):
+    def onStart(self):
+        self.sent = Sent(NAVIGATE, {"place": str(self.params.Start)})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step(f"back to {self.params.Start}")
+        if not self.sent.is_reached:
+            return self.fail(f"no way back to {self.params.Start}")
+        return self.success(f"back at {self.params.Start}")
+
+    def onPreempt(self):
+        self.sent.cancel()
+        return self.fail("the base has stopped")
+
+
+class WaitUntilFree(SkillDescription):
+    """Stands until the way ahead is free.
+
+    Args:
+        Seconds: after which it waits no longer, and has failed.
+
+    """
+
+    def description(self, Seconds: float):
+        pass
+
+
+class wait_until_free(WaitUntilFree.SkillBase):
+    def onStart(self):
+        self.sent = Sent(LOOK_OUT, {"seconds": self.params.Seconds})
+        return True
+
+    def execute(self):
+        if self.sent.is_reached is None:
+            return self.step("waiting for the way to be free")
+        if not self.sent.is_reached:
+            return self.fail("the way is still blocked")
+        return self.success("the way is free")
+
+    def onPreempt(self):
+        self.sent.cancel()
+        return self.fail("waits no longer")
+
+
+class MarkAsBlocked(SkillDescription):
+    """Notes in the world model that a way leads nowhere any more."""
+
+    def description(self, Start: heron.Place, Target: heron.Place):
+        self.pre_conditions += Start.leadsTo(Target)
+        self.post_conditions += ~Start.leadsTo(Target)
+
+
+class mark_as_blocked(MarkAsBlocked.SkillBase):
+    def execute(self):
+        self.world.unrelate(self.params.Start, heron.leadsTo, self.params.Target)
+        return self.success(f"no way from {self.params.Start} to {self.params.Target}")
 
 
 class Reach(SkillDescription):

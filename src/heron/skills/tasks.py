@@ -1,7 +1,17 @@
 """The tasks of the experiments, as behavior trees."""
 
 from ezskiros import INFERRED, SkillDescription
-from heron.skills.motions import Drive, Grasp, Push, PutDown, Reach, Wipe
+from heron.skills.motions import (
+    Drive,
+    Grasp,
+    MarkAsBlocked,
+    Push,
+    PutDown,
+    Reach,
+    TurnBack,
+    WaitUntilFree,
+    Wipe,
+)
 from heron.skills.world import heron
 
 
@@ -16,6 +26,7 @@ class Fetch(SkillDescription):
         Block: INFERRED[heron.Block],
     ):
         self.pre_conditions += Robot.at(Start)
+        self.pre_conditions += Start.leadsTo(Target)
         self.pre_conditions += Target.carries(Block)
         self.pre_conditions += ~Robot.holds(Block)
         self.post_conditions += Robot.at(Target)
@@ -131,4 +142,51 @@ class tidy_up(TidyUp.SkillBase):
             Reach(Pose="before_board"),
             self.nofail(self.timeout(Wipe(Board=params.Board), params.Patience)),
             Reach(Pose="home"),
+        )
+
+
+class Deliver(SkillDescription):
+    """Experiment VI: drives to a place behind a junction, by the way straight on."""
+
+    def description(
+        self,
+        Robot: heron.Robot,
+        Begin: INFERRED[heron.Place],
+        Junction: INFERRED[heron.Place],
+        Place: heron.Place,
+    ):
+        self.pre_conditions += Robot.at(Begin)
+        self.pre_conditions += Begin.leadsTo(Junction)
+        self.pre_conditions += Junction.leadsTo(Place)
+        self.post_conditions += Robot.at(Place)
+
+
+class deliver(Deliver.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(
+            Drive(Start=params.Begin, Target=params.Junction),
+            Drive(Start=params.Junction, Target=params.Place),
+        )
+
+
+class GiveWay(SkillDescription):
+    """Waits for the way to be free; if that takes too long, turns back, and marks it as blocked.
+
+    Args:
+        Seconds: that it waits.
+
+    """
+
+    def description(
+        self, Robot: heron.Robot, Start: heron.Place, Target: heron.Place, Seconds: float
+    ):
+        self.pre_conditions += Robot.at(Start)
+        self.pre_conditions += Start.leadsTo(Target)
+
+
+class give_way(GiveWay.SkillBase):
+    def expandBT(self, params):
+        self.selectorstar(
+            WaitUntilFree(Seconds=params.Seconds),
+            self.serialstar(TurnBack(), MarkAsBlocked()),
         )

@@ -1,15 +1,20 @@
 """The tasks of the robot, as programs that know topics and action servers only."""
 
+from heron.tasks.look_out import LookOut, LookOutParameters
 from heron.tasks.navigation import Navigation, NavigationParameters
 from heron.tasks.outcome import Outcome
+from heron.tasks.place_navigation import PlaceNavigation
 from heron.tasks.skill_context import SkillContext
 from heron.tasks.skill_task import SkillTask
 from heron.tasks.tree import Span, Status, TreeSkill
 
 __all__ = [
+    "LookOut",
+    "LookOutParameters",
     "Navigation",
     "NavigationParameters",
     "Outcome",
+    "PlaceNavigation",
     "SkillContext",
     "SkillTask",
     "Span",

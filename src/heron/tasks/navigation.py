@@ -43,7 +43,10 @@ class Navigation:
         routes: Sequence[Sequence[Point]],
         parameters: NavigationParameters,
         clock: Callable[[], int],
+        is_blocked: Callable[[], bool] = lambda: False,
     ) -> None:
+        """It stands as long as something in front of the base, says `is_blocked`, is in its way."""
+        self._is_blocked = is_blocked
         self._routes = [list(route) for route in routes]
         self._parameters = parameters
         self._clock = clock
@@ -95,7 +98,8 @@ class Navigation:
         if abs(aside) > found.turn_on_the_spot:
             return messages.twist(0.0, turn)
         left = math.dist((x, y), self._routes[0][-1])
-        return messages.twist(min(found.cruise, 0.1 + 0.5 * left), turn)
+        speed = 0.0 if self._is_blocked() else min(found.cruise, 0.1 + 0.5 * left)
+        return messages.twist(speed, turn)
 
     def _aim(self, here: Point) -> Point:
         """A point on the present leg, some way ahead."""

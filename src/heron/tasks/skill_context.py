@@ -6,12 +6,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from dslkit.diagnostics import Diagnostic
 from ezskiros.context.snapshot import RunningSkill, SkillAhead, SkillArgument, Snapshots
-from ezskiros.export import read_export
 from heron import messages
 from heron.messages import Message
-from heron.skills import EXPORT
+from heron.skills.exported import digest
 from heron.tasks.skill_task import SkillTask
 from heron.topics import SKILL_CONTEXT, Carrier
 
@@ -27,10 +25,7 @@ class SkillContext:
         """Raises `ValueError` if the export of the skills is none."""
         self._publish = carrier.publisher(SKILL_CONTEXT)
         self._task = task
-        export = read_export(EXPORT)
-        if isinstance(export, Diagnostic):
-            raise ValueError(export.title)
-        self._snapshots = Snapshots(export.digest)
+        self._snapshots = Snapshots(digest())
         self._goals: dict[str, str] = {}
         task.running.changed = lambda: self._tell(task.now_ns)
 

@@ -3,49 +3,62 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from concurrent.futures import Future
 
 from py_trees.common import Status
 
-from ezskiros.engine.ahead import Ahead, skills_ahead
+from ezskiros.engine.ahead import Ahead
 from ezskiros.engine.events import Event
 from ezskiros.engine.expansion import Expansions
+from ezskiros.engine.interruption import InterruptibleTask, NoWayError, Way
 from ezskiros.engine.running import RunningSkills
 from ezskiros.engine.setting import Setting
-from ezskiros.engine.task import Task
+from ezskiros.engine.skill import RunningSkill
+from ezskiros.planning.replanning import way
 from ezskiros.runner import prepare
+from ezskiros.skills.calls import SkillCall
+from heron.goals import RECOVERY
 from heron.skills import FOLDER
+from heron.skills.exported import digest
 from heron.skills.servers import CARRIER
 from heron.tasks.outcome import Outcome
-from heron.tasks.tree import TreeSkill, tree_over_time
+from heron.tasks.recovery import RecoveryServer
+from heron.tasks.tree import Begun, TreeSkill, tree_over_time
 from heron.topics import Carrier
 
 _OUTCOMES = {Status.SUCCESS: Outcome.COMPLETED, Status.FAILURE: Outcome.GIVEN_UP}
 
 
 class SkillTask:
-    """Begins after a second, when sensors have settled."""
+    """Begins after a second, when sensors have settled. Rules may ask it for recovery trees."""
 
     period_ns = 40_000_000
     _BEGIN_NS = 1_000_000_000
 
     def __init__(self, carrier: Carrier, skill: str, scene: str, arguments: Iterable[str]) -> None:
-        """Raises `FaultyError` if the skills or the scene have errors."""
+        """Raises `FaultyError` if the skills or the scene have errors, and `ValueError` if the
+        export of the skills is none.
+        """
         ready = prepare(skill, [FOLDER], FOLDER / scene, ["Robot=heron", *arguments])
         self._carrier = carrier
         self.now_ns = self._offset_ns = 0
         """The time of the episode, at the last tick."""
-        self._task = Task(
-            ready.call,
-            Setting(
-                ready.library,
-                ready.world,
-                tell=lambda event: self._events.append((self.now_ns * 1e-9, event)),
-                clock=lambda: self.now_ns * 1e-9,
-                expansions=Expansions(ready.trees),
-            ),
+        setting = Setting(
+            ready.library,
+            ready.world,
+            tell=lambda event: self._events.append((self.now_ns * 1e-9, event)),
+            clock=lambda: self.now_ns * 1e-9,
+            expansions=Expansions(ready.trees),
         )
+        self._task = InterruptibleTask(ready.call, setting, self._way)
         self._events: list[tuple[float, Event]] = []
+        self._trees = [Begun(self._task.root, 0)]
+        self._task.begun = self._note
+        self.replanned = 0
+        """The number of times that another way to the goal was found."""
         self.outcome = Outcome.RUNNING
+        self._recovery = RecoveryServer(digest(), self._task)
+        carrier.serve(RECOVERY, self._recovery)
 
     @property
     def running(self) -> RunningSkills:
@@ -53,18 +66,19 @@ class SkillTask:
         return self._task.setting.running
 
     @property
-    def ahead(self) -> list[Ahead]:
-        """The skills that can start next."""
-        return skills_ahead(self._task.root)
+    def ahead(self) -> list[Ahead] | None:
+        """The skills that can start next; None if nobody knows them."""
+        return self._task.ahead
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
         """The skills of the task, and what has become of them."""
-        return tree_over_time(self._task.root, self._events)
+        return tree_over_time(self._trees, self._events)
 
     def go_on(self, carrier: Carrier, began_ns: int) -> None:
         """In another scene, which has a carrier and a time of its own."""
         self._carrier = carrier
+        carrier.serve(RECOVERY, self._recovery)
         self._offset_ns = began_ns
 
     def tick(self, now_ns: int) -> None:
@@ -77,3 +91,20 @@ class SkillTask:
             self.outcome = _OUTCOMES.get(self._task.tick(), Outcome.RUNNING)
         finally:
             CARRIER.reset(token)
+
+    def _note(self, root: RunningSkill) -> None:
+        self._trees.append(Begun(root, len(self._events)))
+
+    def _way(self, call: SkillCall) -> Future[Way]:
+        """Another way to the goal, searched at once: time stands still meanwhile. A thread would
+        make the episode depend on how busy the computer is.
+        """
+        found: Future[Way] = Future()
+        setting = self._task.setting
+        try:
+            found.set_result(way(setting.library, call, setting.world, setting.world.copy()))
+        except NoWayError as problem:
+            found.set_exception(problem)
+        else:
+            self.replanned += 1
+        return found

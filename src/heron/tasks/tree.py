@@ -41,6 +41,14 @@ class TreeSkill:
     spans: tuple[Span, ...]
 
 
+@dataclass(frozen=True)
+class Begun:
+    """A tree that has begun, by its root, after so many events of all trees."""
+
+    root: RunningSkill
+    after: int
+
+
 _ENDS = {
     Happened.SUCCEEDED: Status.SUCCEEDED,
     Happened.FAILED: Status.FAILED,
@@ -49,15 +57,24 @@ _ENDS = {
 
 
 def tree_over_time(
-    root: RunningSkill, events: Iterable[tuple[float, Event]]
+    trees: Sequence[Begun], events: Iterable[tuple[float, Event]]
 ) -> tuple[TreeSkill, ...]:
-    """All skills of a tree that has run, each before those below it."""
-    skills = list(_skills(root))
-    spans: dict[tuple[str, ...], list[Span]] = {skill.path: [] for skill in skills}
-    for at_s, event in events:
-        _note(spans[event.path], at_s, event.happened)
+    """All skills of the trees that have run, each before those below it. A tree that begins later
+    takes the place of one before, which may go on afterwards; of several that know a skill, an
+    event is of the last that has begun.
+    """
+    skills = [list(_skills(each.root)) for each in trees]
+    spans: list[dict[tuple[str, ...], list[Span]]] = [
+        {skill.path: [] for skill in each} for each in skills
+    ]
+    for number, (at_s, event) in enumerate(events):
+        begun = (known for each, known in zip(trees, spans, strict=True) if each.after <= number)
+        *_, latest = (known[event.path] for known in begun if event.path in known)
+        _note(latest, at_s, event.happened)
     return tuple(
-        TreeSkill(_label(skill), len(skill.path) - 1, tuple(spans[skill.path])) for skill in skills
+        TreeSkill(_label(skill), len(skill.path) - 1, tuple(known[skill.path]))
+        for each, known in zip(skills, spans, strict=True)
+        for skill in each
     )
 
 

@@ -132,6 +132,19 @@ def begin(tmp_path: Path) -> Begin:
     return begun
 
 
+def test_each_tree_that_takes_the_place_of_another_is_told_of(begin: Begin) -> None:
+    search: Future[Way] = Future()
+    scene = begin("Both", search)
+    trees: list[str] = []
+    scene.task.begun = lambda tree: trees.append(tree.name)
+    scene.ticks(3)
+    assert trees == [], "the task is the first"
+    scene.ask("Clear", Afterwards.REPLAN)
+    search.set_result((scene.call("Patient"), scene.call("Both")))
+    assert scene.ticks(30) is Status.SUCCESS
+    assert trees == ["clear", "patient", "both"]
+
+
 def test_what_was_done_stays_done(begin: Begin) -> None:
     scene = begin("Both")
     scene.ticks(3)

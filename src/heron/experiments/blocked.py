@@ -1,0 +1,257 @@
+"""Experiment VI, a blocked way: two ways lead to a hall, and something stands across one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import mujoco
+import numpy as np
+
+from heron.experiments.arms import BLOCKED_RULES, machine_of
+from heron.experiments.clearing_operator import ClearingOperator
+from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.measures import Flags, onsets, time_of, without_need
+from heron.experiments.observer import Observer, attended
+from heron.experiments.obstacles import Obstacle, Obstacles, varied
+from heron.experiments.runner import Node, run
+from heron.experiments.settings import USUAL, Settings
+from heron.experiments.trace import Trace
+from heron.guard import InProcessGuard, unfiltered
+from heron.robot import (
+    Base,
+    Drive,
+    DriveParameters,
+    Localization,
+    LocalizationParameters,
+    RangeScan,
+    RangeScanParameters,
+    WheelOdometry,
+    WheelOdometryParameters,
+)
+from heron.scene import BaseParameters, WaysParameters, build_ways
+from heron.scene.scene import STEP_NS
+from heron.tasks import (
+    LookOut,
+    LookOutParameters,
+    NavigationParameters,
+    Outcome,
+    PlaceNavigation,
+    SkillContext,
+    SkillTask,
+    TreeSkill,
+)
+from heron.topics import COMMAND, Carrier, InProcess, Remapped
+from heron.variants import Arm, Blockage
+from rossmarie.ir import OrderKind
+
+LONGEST_S = 300.0
+PATIENT = NavigationParameters(patience=120.0)
+"""It does not give up before an operator has come."""
+FAR = 2.0
+"""m; what is further away than this is not measured."""
+_EVERY = 5  # steps: nothing comes nearer by more than 1 cm meanwhile
+_SETTLING_STEPS = 500
+_SEEDED = ("obstacles", "odometry", "localization", "scan")
+_COLUMNS = ("x", "y", "speed", "distance", "is_blocked", "is_restricted")
+_HALL, _JUNCTION, _YARD = "heron:Place-4", "heron:Place-3", "heron:Place-5"
+
+
+@dataclass(frozen=True)
+class BlockedMeasures:
+    """Times in s, lengths in m.
+
+    `replanned` counts the routes and the plans that took the place of another, `nearest` is the
+    least distance between the base and an obstacle, `touched` for how long they touched.
+    """
+
+    is_completed: bool
+    duration: float
+    interventions: int
+    replanned: int
+    nearest: float
+    touched: float
+    reactions: Mapping[str, float]
+    time_restricted: float
+    time_restricted_without_need: float
+
+
+@dataclass(frozen=True)
+class BlockedEpisode:
+    """One run: what was run, how it went, and what the guard had to say."""
+
+    arm: Arm
+    blockage: Blockage
+    seed: int
+    obstacles: tuple[Obstacle, ...]
+    outcome: Outcome
+    measures: BlockedMeasures
+    told: tuple[tuple[float, str], ...]
+    onsets: Mapping[str, float]
+    tree: tuple[TreeSkill, ...]
+    trace: Trace
+
+
+class BlockedWitness:
+    """Writes down every step of the base."""
+
+    period_ns = STEP_NS
+
+    def __init__(self, physics: Base, obstacles: Obstacles, guard: InProcessGuard | None) -> None:
+        self._physics = physics
+        self._obstacles = obstacles
+        self._is_acting = acting(guard)
+        chassis = physics.model.geom("chassis").id
+        names = (each.name for each in obstacles.obstacles)
+        self._pairs = [(chassis, physics.model.geom(name).id) for name in names]
+        self._distance = FAR
+        self._rows: list[tuple[float, ...]] = []
+
+    def tick(self, now_ns: int) -> None:
+        """One step later."""
+        physics = self._physics
+        x, y, _ = physics.position.tolist()
+        if now_ns // STEP_NS % _EVERY == 0:
+            self._distance = self._measured()
+        speed = float(np.linalg.norm(physics.data.qvel[:2]))
+        is_blocked, is_acting = self._obstacles.is_blocked, self._is_acting()
+        self._rows.append((now_ns * 1e-9, x, y, speed, self._distance, is_blocked, is_acting))
+
+    def trace(self) -> Trace:
+        """All of it."""
+        times, *columns = np.array(self._rows).T
+        return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
+
+    def _measured(self) -> float:
+        model, data = self._physics.model, self._physics.data
+        found = (mujoco.mj_geomDistance(model, data, a, b, FAR, None) for a, b in self._pairs)
+        return float(min(found))
+
+
+@dataclass
+class _Robot:
+    """All that takes part in an episode."""
+
+    physics: Base
+    navigation: PlaceNavigation
+    task: SkillTask
+    guard: InProcessGuard | None
+    operator: ClearingOperator
+    witness: BlockedWitness
+    nodes: list[Node]
+
+
+def run_blocked(
+    arm: Arm,
+    blockage: Blockage,
+    seed: int,
+    observers: Sequence[Observer] = (),
+    settings: Settings = USUAL,
+) -> BlockedEpisode:
+    """One episode. The same arguments give the same episode, number for number."""
+    generators = seeded(_SEEDED, seed)
+    ways = WaysParameters()
+    obstacles = varied(blockage, ways, generators["obstacles"])
+    robot = _assembled(arm, ways, obstacles, generators, settings, observers)
+    run(
+        robot.physics,
+        robot.nodes,
+        round(LONGEST_S * 1e9),
+        lambda: robot.task.outcome is not Outcome.RUNNING,
+    )
+    trace = robot.witness.trace()
+    return BlockedEpisode(
+        arm=arm,
+        blockage=blockage,
+        seed=seed,
+        obstacles=obstacles,
+        outcome=robot.task.outcome,
+        measures=_measured(robot, trace),
+        told=told_by(robot.guard),
+        onsets=onsets(trace, hazards(trace)),
+        tree=robot.task.tree,
+        trace=trace,
+    )
+
+
+def _assembled(
+    arm: Arm,
+    ways: WaysParameters,
+    across: tuple[Obstacle, ...],
+    generators: Mapping[str, np.random.Generator],
+    settings: Settings,
+    observers: Sequence[Observer],
+) -> _Robot:
+    base = BaseParameters()
+    physics = Base(build_ways(ways, base, [each.name for each in across]))
+    obstacles = Obstacles(physics, across)
+    physics.settle(_SETTLING_STEPS)
+    carrier = InProcess()
+
+    def clock() -> int:
+        return physics.now_ns
+
+    nodes: list[Node] = [
+        obstacles,
+        WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
+        Localization(physics, carrier, generators["localization"], LocalizationParameters()),
+        RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
+        Drive(physics, carrier, base, DriveParameters()),
+    ]
+    guard = None
+    view: Carrier = carrier
+    if arm in BLOCKED_RULES:
+        guard = InProcessGuard(machine_of(BLOCKED_RULES[arm]), carrier, clock)
+        nodes.append(guard)
+        view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
+    look_out = LookOut(carrier, LookOutParameters(), clock)
+    navigation = PlaceNavigation(view, _routes(ways), PATIENT, clock, lambda: look_out.is_blocked)
+    task = SkillTask(carrier, "Deliver", "blocked.turtle", [f"Place={_HALL}"])
+    operator = ClearingOperator(physics, obstacles, settings.operator_delay)
+    witness = BlockedWitness(physics, obstacles, guard)
+    nodes += [task, SkillContext(carrier, task), look_out, navigation, operator, witness]
+    nodes += attended(observers, physics, carrier, guard)
+    return _Robot(physics, navigation, task, guard, operator, witness, nodes)
+
+
+def _routes(ways: WaysParameters) -> dict[str, tuple[tuple[tuple[float, float], ...], ...]]:
+    """The routes to each place, from the place before it. Navigation knows of the second one to
+    the hall by itself; plans of skills lead there by the yard.
+    """
+    return {
+        _JUNCTION: ((ways.junction,),),
+        _YARD: ((ways.yard,),),
+        _HALL: ((ways.hall,), (ways.junction, ways.yard, ways.hall)),
+    }
+
+
+def hazards(trace: Trace) -> dict[str, Flags]:
+    """The instants at which each hazard is there: the base has met what blocks its way."""
+    return {"blocked": trace.columns["is_blocked"] > 0}
+
+
+def _measured(robot: _Robot, trace: Trace) -> BlockedMeasures:
+    distance = trace.columns["distance"]
+    present = hazards(trace)
+    return BlockedMeasures(
+        is_completed=robot.task.outcome is Outcome.COMPLETED,
+        duration=robot.physics.now_ns * 1e-9,
+        interventions=robot.operator.visits,
+        replanned=robot.navigation.replanned + robot.task.replanned,
+        nearest=float(distance.min()),
+        touched=time_of(distance <= 0),
+        reactions=_reactions(robot.guard, trace, present),
+        time_restricted=time_of(trace.columns["is_restricted"] > 0),
+        time_restricted_without_need=time_of(without_need(trace, present)),
+    )
+
+
+def _reactions(
+    guard: InProcessGuard | None, trace: Trace, present: Mapping[str, Flags]
+) -> dict[str, float]:
+    """The time from when the base meets an obstacle to the first action of a rule."""
+    if guard is None:
+        return {}
+    starts = [each.at_ns * 1e-9 for each in guard.occurrences if each.kind is OrderKind.START]
+    found = onsets(trace, present).items()
+    return {hazard: starts[0] - onset for hazard, onset in found if starts}

@@ -1,0 +1,39 @@
+"""The operator of experiment VI: called when the base stands for too long, he comes after a while,
+and takes away what blocks its way.
+"""
+
+from __future__ import annotations
+
+import math
+
+from heron.experiments.obstacles import Obstacles
+from heron.robot import Base
+
+_MOVES = 0.3  # m; who has come so far does not stand
+
+
+class ClearingOperator:
+    """`visits` counts how often he had to come."""
+
+    period_ns = 100_000_000
+    PATIENCE_NS = 20_000_000_000
+    """The base calls him when it has stood for so long on its way."""
+
+    def __init__(self, physics: Base, obstacles: Obstacles, delay_s: float) -> None:
+        """`delay_s` is the time from a call until he is there."""
+        self._physics = physics
+        self._obstacles = obstacles
+        self._due_ns = self.PATIENCE_NS + round(delay_s * 1e9)
+        self._stood = (math.inf, math.inf)
+        self._since_ns = 0
+        self.visits = 0
+
+    def tick(self, now_ns: int) -> None:
+        """A moment later. A base that drives on before he is there needs him no more."""
+        x, y, _ = self._physics.position.tolist()
+        if math.dist((x, y), self._stood) > _MOVES:
+            self._stood, self._since_ns = (x, y), now_ns
+        elif now_ns - self._since_ns >= self._due_ns:
+            self._obstacles.take_away(now_ns)
+            self._since_ns = now_ns
+            self.visits += 1
