@@ -118,8 +118,20 @@ class Style:
                 self._word(name, unit)
             case ast.SwitchControllers(manager=name) | ast.CancelGoal(server=name):
                 self._word(name)
-            case ast.RunTree() | ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
+            case ast.RunTree():
+                self._tree(effect)
+            case ast.Log() | ast.Diagnose() | ast.Hook() | ast.Reset():
                 pass
+
+    def _tree(self, tree: ast.RunTree) -> None:
+        """Its arguments, broken in front of each."""
+        if not tree.arguments:
+            return
+        self.tight_behind.add(tree.skill.span.end)
+        for each in tree.arguments:
+            self.tight.add(self._start(each.parameter.span.end))
+            self.breaks[each.span.start] = _PART
+        self.breaks[self._start(tree.arguments[-1].span.end)] = Break(1, 0)
 
     def _fields(self, inner: Sequence[ast.FieldBound | ast.FieldAssignment]) -> None:
         """The lines in the braces of an effect, broken in front of each."""

@@ -252,6 +252,31 @@ entity e {
         "'''it's 'fine' '''const a = 1",
         "'''it's 'fine' '''\nconst a = 1;\n",
     ),
+    "a behavior tree": (
+        "action a{tree Go within 2 s;tree Drive ( Target :doing Drive . Target,Speed:-0.2 )within "
+        "20 sec then resume else b;} rule r: if ahead  Drive( Target :Room )then{a;}",
+        """\
+action a {
+    tree Go within 2 s;
+    tree Drive(Target: doing Drive.Target, Speed: -0.2) within 20 sec then resume else b;
+}
+
+rule r: if ahead Drive(Target: Room) then { a; };
+""",
+    ),
+    "a long behavior tree": (
+        "action a { tree GiveWay(Robot: doing Drive.Robot, Start: doing Drive.Start, Seconds: 8) "
+        "within 60 sec then replan else stop; }",
+        """\
+action a {
+    tree GiveWay(
+        Robot: doing Drive.Robot,
+        Start: doing Drive.Start,
+        Seconds: 8
+    ) within 60 sec then replan else stop;
+}
+""",
+    ),
     "documentation in front of a semicolon documents nothing": (
         "const a = 1 '''stray\nwords''' ; const b = 2",
         "const a = 1;\n// stray\n// words\nconst b = 2;\n",
