@@ -56,8 +56,7 @@ template <class Skills> bool are_readable(const Skills &skills)
 
 template <class Context> bool is_readable(const Context &context, const char *digest)
 {
-    return context.digest == digest && are_readable(context.running) &&
-           are_readable(context.ahead);
+    return context.digest == digest && are_readable(context.running) && are_readable(context.ahead);
 }
 
 // Whether an argument of a skill is of a class. A thing of several classes is there once for each.
@@ -102,7 +101,8 @@ double ahead(const Context &context, const char *digest, const Asked &asked,
     if (!is_readable(context, digest) || !context.is_ahead_known)
         return NAN;
     for (const auto &skill : context.ahead)
-        if (has(asked, skill.skill) && ((is_open(skill, limits) || is_within(skill, limits)) && ...))
+        if (has(asked, skill.skill) &&
+            ((is_open(skill, limits) || is_within(skill, limits)) && ...))
             return 1.0;
     return 0.0;
 }
