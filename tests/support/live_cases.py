@@ -66,7 +66,7 @@ input torques = topic /effort_states : std_msgs/Float64MultiArray .data
 input parts = topic /parts : diagnostic_msgs/DiagnosticArray .status up to 3;
 input cloud = topic /cloud : sensor_msgs/PointCloud2 .points up to 9;
 input mode = topic /mode : std_msgs/String;
-input place = topic /place : geometry_msgs/PoseStamped .pose timeout 0.5 sec;
+input place = topic /place : geometry_msgs/PoseStamped .pose;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
 rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until reset;
 rule passed_by: if bypassed then { alarm; };
