@@ -259,6 +259,7 @@ COMMANDS = {
         "explain EZS401",
         "explain Pick skills",
         "export skills --out skills.json",
+        "learn drive.csv",
         "migrate skills",
         "owl --ontology ontology --out owl",
         "plan skills --scene lab.turtle --goal '(skiros:contain shelf starter)'",

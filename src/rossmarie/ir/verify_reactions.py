@@ -32,7 +32,6 @@ def verify_reactions(machine: Machine) -> None:
         require(is_used, f"memory {index}", "nothing retraces it")
     for index in range(len(found.tasks)):
         _verify_task(machine, index)
-    _verify_resources(found)
     for index, plan in enumerate(found.plans):
         _verify_plan(found, plan, f"plan {index}")
     planned = sorted(task for plan in found.plans for task in plan.tasks)
@@ -69,16 +68,6 @@ def _verify_task(machine: Machine, index: int) -> None:
     if duration_ns is not None:
         require_duration(duration_ns, where)
     _verify_effect(machine, task.effect, where)
-
-
-def _verify_resources(found: reactions.Reactions) -> None:
-    """Nothing is two resources: two rules could have one half of it each."""
-    known: dict[reactions.Target, int | None] = {}
-    for index, task in enumerate(found.tasks):
-        target = reactions.target_of(task.effect)
-        if target is not None:
-            is_one = known.setdefault(target, task.resource) == task.resource
-            require(is_one, f"task {index}", f"{target} is two resources")
 
 
 def _verify_effect(machine: Machine, effect: reactions.Effect, where: str) -> None:

@@ -113,18 +113,6 @@ def test_tasks(change: dict[str, object], said: str) -> None:
     assert refused(found) == f"task 3 (CancelGoal): {said}"
 
 
-def test_nothing_is_two_resources() -> None:
-    first = next(n for n, each in enumerate(FOUND.tasks) if each.resource is not None)
-    other = (FOUND.tasks[first].resource or 0) + 1
-    tasks = (*FOUND.tasks, replace(FOUND.tasks[first], resource=other % len(FOUND.resources)))
-    found = replace(FOUND, tasks=tasks)
-    assert refused(found) == f"task {len(FOUND.tasks)}: {target_of(FOUND, first)} is two resources"
-
-
-def target_of(found: ir.Reactions, task: int) -> object:
-    return reactions.target_of(found.tasks[task].effect)
-
-
 def publish_to(command: int) -> reactions.Publish:
     return replace(publish(), command=command)
 
