@@ -19,6 +19,7 @@ from PIL import Image
 from typer.testing import CliRunner
 
 from heron.cli.main import _SHOWN_SEED, app
+from heron.experiments import EXPERIMENTS, Experiment
 from heron.films.clip import STRIP
 from heron.films.gallery import EXHIBITS, PAGE, page_of
 from heron.films.movie import encode, speed_for
@@ -163,3 +164,8 @@ def test_every_command_of_the_gallery_is_one_that_there_is() -> None:
         assert command[-1].endswith(".mp4")
         found = CliRunner().invoke(app, [*command[:-1], "no-film.txt"])
         assert "has to end in .mp4" in found.output, "all that is before the name is understood"
+
+
+@pytest.mark.parametrize("experiment", EXPERIMENTS.values(), ids=EXPERIMENTS)
+def test_one_signal_of_each_experiment_is_told_in_films(experiment: Experiment) -> None:
+    assert len([each for each in experiment.signals if each.short]) == 1

@@ -310,7 +310,7 @@ BLOCKED = Experiment(
     signals=(
         Signal("x", "along the first way", "m"),
         Signal("y", "beside the first way", "m"),
-        Signal("distance", "distance to an obstacle, up to 2 m", "m"),
+        Signal("distance", "distance to an obstacle, up to 2 m", "cm", 100.0, None, "distance"),
     ),
     cameras=(Camera("base", distance=5.5, azimuth=60.0, elevation=-48.0, above=0.4),),
     opening=("blocked", 1.0),
