@@ -14,7 +14,7 @@ from heron.experiments.experiment import ARM_NAMES
 from heron.films.episode import film_of
 from heron.films.movie import write_movie
 from heron.films.processes import in_processes
-from heron.variants import Encounter, Passage, Person, Table, Terrain
+from heron.variants import Blockage, Encounter, Passage, Person, Table, Terrain
 
 PAGE = "gallery.md"
 _FOLDER = "gallery"
@@ -83,6 +83,15 @@ EXHIBITS = (
         "The base drives along a corridor, and a child runs out of a door. Without a monitor the "
         "base hits the child at full speed. The rules know which part of the corridor belongs to a "
         "school: the base is slow there before any sensor sees a child, and stands in time.",
+    ),
+    Exhibit(
+        "blocked",
+        Blockage.PALLET,
+        "blockage",
+        "A pallet stands across the short way to a hall. Without a monitor the base stands before "
+        "it until an operator takes it away. The rules let the base run a behavior tree: it waits, "
+        "turns back to the junction, and marks the way as blocked. Then the planner finds the "
+        "other way.",
     ),
 )
 
