@@ -16,6 +16,7 @@ from typing import Any
 from crosscheck.live.facts import Facts
 from crosscheck.live.model import Alive, Message
 from crosscheck.live.reading import context_of, is_alive, state_of
+from ezskiros.context.ros import ros_libraries
 
 _NODE = "crosscheck_live"
 _MOST_WAITING = 1000
@@ -24,7 +25,6 @@ _LONGEST_WAIT = 1.0
 """Seconds for which a message waits for a place among them."""
 _LONGEST_SPIN = 0.2
 """Seconds for which ROS 2 waits for a message, until it looks whether this is to end."""
-_LIBRARIES = ("rospy", "rclpy")
 
 Read = Callable[[Any], Message | None]
 Take = Callable[[Any], None]
@@ -85,9 +85,10 @@ def _found(facts: Facts) -> tuple[Any, list[Topic]]:
     `NoRosError` that names all that is missing.
     """
     missing = []
-    library = next((found for name in _LIBRARIES if (found := _imported(name))), None)
+    libraries = ros_libraries()
+    library = next((found for name in libraries if (found := _imported(name))), None)
     if library is None:
-        missing.append(f"neither {' nor '.join(_LIBRARIES)}")
+        missing.append(f"neither {' nor '.join(libraries)}")
     packages = ("skill_context_msgs", facts.package, "diagnostic_msgs")
     messages = {name: _imported(f"{name}.msg") for name in packages}
     missing += [name for name, found in messages.items() if found is None]

@@ -1,5 +1,5 @@
-"""The action server `recovery` over ROS 1 or ROS 2, whichever of them this Python has: rules send
-it behavior trees. Nothing of ROS is imported before that is asked for.
+"""The action server `recovery` over ROS 1 or ROS 2, as the context is told: rules send it behavior
+trees. Nothing of ROS is imported before that is asked for.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-from ezskiros.context.ros import NoRosError, begin_ros2
+from ezskiros.context.ros import NoRosError, begin_ros2, ros_library
 from ezskiros.engine.interruption import Recovery
 from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
 
@@ -23,13 +23,9 @@ Stop = Callable[[], object]
 
 def serve(goals: RecoveryGoals) -> Stop:
     """Take goals from now on. Raises `NoRosError`."""
-    for library, served in ("rospy", _in_ros1), ("rclpy", _in_ros2):
-        try:
-            found = importlib.import_module(library)
-        except ImportError:
-            continue
-        return served(found, goals)
-    raise NoRosError("neither `rospy` nor `rclpy` is installed")
+    name, library = ros_library()
+    served = _in_ros1 if name == "rospy" else _in_ros2
+    return served(library, goals)
 
 
 def _imported(name: str) -> Any:

@@ -1,10 +1,12 @@
-"""The message over ROS 1 or ROS 2, whichever of them this Python has. Nothing of it is imported
-before that is asked for.
+"""The message over ROS 1 or ROS 2, whichever of them this Python has; of both, the one that is
+sourced. Nothing of it is imported before that is asked for.
 """
 
 from __future__ import annotations
 
+import contextlib
 import importlib
+import os
 import time
 from collections.abc import Callable
 from types import ModuleType
@@ -27,14 +29,26 @@ def connect(clock: Callable[[], float] = time.monotonic) -> Publish:
         messages = importlib.import_module("skill_context_msgs.msg")
     except ImportError:
         raise NoRosError("the messages `skill_context_msgs` are not installed") from None
-    for library, connected in ("rospy", _ros1), ("rclpy", _ros2):
-        try:
-            found = importlib.import_module(library)
-        except ImportError:
-            continue
-        publish, now = connected(found, messages)
-        return Messages(messages, publish, now, clock).publish
+    name, library = ros_library()
+    connected = _ros1 if name == "rospy" else _ros2
+    publish, now = connected(library, messages)
+    return Messages(messages, publish, now, clock).publish
+
+
+def ros_library() -> tuple[str, ModuleType]:
+    """The library of the ROS that this process speaks, `rospy` or `rclpy`, by its name. Raises
+    `NoRosError` if there is none.
+    """
+    for name in ros_libraries():
+        with contextlib.suppress(ImportError):
+            return name, importlib.import_module(name)
     raise NoRosError("neither `rospy` nor `rclpy` is installed")
+
+
+def ros_libraries() -> tuple[str, str]:
+    """The names of both, that of the ROS that is sourced first."""
+    is_ros2 = os.environ.get("ROS_VERSION") == "2"
+    return ("rclpy", "rospy") if is_ros2 else ("rospy", "rclpy")
 
 
 def _ros1(rospy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Callable[[], Any]]:

@@ -20,6 +20,9 @@ from ezskiros.skills.interface import Parameter
 from ezskiros.skills.permits import Permission, PermittedThing
 from ezskiros.skills.quantities import UNITS
 
+MOST_AHEAD = 64
+"""Of more than these nobody reads a message; so it says that nobody knows them."""
+
 
 @dataclass(frozen=True)
 class SkillProperty:
@@ -138,6 +141,8 @@ class Snapshots:
         Only the thread that ticks may ask for it.
         """
         told = None if ahead is None else tuple(dict.fromkeys(map(self._ahead, ahead)))
+        if told is not None and len(told) > MOST_AHEAD:
+            told = None
         return Snapshot(self._digest, tuple(map(self._running, running)), told)
 
     def _ahead(self, found: Ahead) -> SkillAhead:

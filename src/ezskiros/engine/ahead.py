@@ -15,7 +15,7 @@ from py_trees import composites, decorators
 from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
-from ezskiros.engine.depth import MOST_DEPTH
+from ezskiros.engine.depth import MOST_DEPTH, deep
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.skills.calls import SkillCall
@@ -37,10 +37,11 @@ def skills_ahead(root: RunningSkill, then: SkillCall | None = None) -> list[Ahea
     """The skills of a tree that can start next; all with which it begins if it does not run. `then`
     is what starts when it has succeeded.
     """
-    found = _after(root)
-    if then is None or not found.may_succeed:
-        return list(found.skills)
-    return [*found.skills, *_of_call(then, {}, root.setting, 0)]
+    with deep():
+        found = _after(root)
+        if then is None or not found.may_succeed:
+            return list(found.skills)
+        return [*found.skills, *_of_call(then, {}, root.setting, 0)]
 
 
 class _After(NamedTuple):
@@ -71,7 +72,7 @@ def _after(node: Behaviour) -> _After:
 
 
 def _after_child(node: composites.Sequence | composites.Selector) -> _After:
-    """Of a sequence or a selector: the child behind the one at hand may follow. Without memory, all
+    """The child behind the one at hand may follow in a sequence or a selector. Without memory, all
     before it start again at each tick.
     """
     child = node.current_child

@@ -166,8 +166,10 @@ class InterruptibleTask(Task):
         return Status.RUNNING
 
     def _take(self) -> None:
-        """The last that was asked for since the tick before."""
-        if self._recovery is not None and self._recovery.is_released:
+        """The last that was asked for since the tick before. A release ends a tree; a search goes
+        on, since the tree has done its work, and the old way need not be there any more.
+        """
+        if self._tree is not None and self._recovery is not None and self._recovery.is_released:
             self._give_up("it was stopped")
         for asked in newly_asked(self._asked):
             self._give_up("another tree is asked for")

@@ -25,8 +25,10 @@ from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
 from ezskiros.trees.library import Library
 
-SECONDS = 10.0
-"""The longest search: the robot stands meanwhile."""
+SECONDS = 5.0
+"""The longest time to find out whether there is a way, and as long again to find it: the robot
+stands meanwhile.
+"""
 
 
 def replanner(library: Library, world: World) -> Replan:

@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from ezskiros.context.ros import NoRosError, connect
+from ezskiros.context.ros import NoRosError, connect, ros_library
 from ezskiros.context.snapshot import (
     RunningSkill,
     SkillAhead,
@@ -156,6 +156,17 @@ def test_a_node_that_there_is_is_used(modules: Any) -> None:
     modules(**ros1(sent))
     connect()(Snapshot("digest", ()))
     assert [(each.running, each.ahead, each.is_ahead_known) for each in sent] == [([], [], False)]
+
+
+@pytest.mark.parametrize(("version", "name"), [("1", "rospy"), ("2", "rclpy"), (None, "rospy")])
+def test_of_both_that_is_taken_which_is_sourced(
+    modules: Any, monkeypatch: pytest.MonkeyPatch, version: str | None, name: str
+) -> None:
+    modules(rospy=ModuleType("rospy"), rclpy=ModuleType("rclpy"))
+    monkeypatch.delenv("ROS_VERSION", raising=False)
+    if version is not None:
+        monkeypatch.setenv("ROS_VERSION", version)
+    assert ros_library()[0] == name
 
 
 def test_the_message_of_ros_2(modules: Any) -> None:

@@ -7,8 +7,13 @@ from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
+import pytest
+
+from dslkit.source import SourceFile, Span
 from ezskiros.context.snapshot import Snapshots, plain
+from ezskiros.engine.ahead import Ahead
 from ezskiros.engine.task import Task
+from ezskiros.skills.interface import SkillInterface
 from support.engine import Skills
 
 SOURCE = """
@@ -175,3 +180,13 @@ def test_properties_are_in_si(tmp_path: Path) -> None:
         {"property": "shop.Mass", "number": 0.25},
         {"property": "shop.Holes", "number": 2.0},
     ]
+
+
+@pytest.mark.parametrize(("count", "is_known"), [(64, True), (65, False)])
+def test_of_too_many_nobody_says_what_is_ahead(count: int, is_known: bool) -> None:
+    """A message with more is read by nobody, and tells of nothing that runs."""
+    place = Span(SourceFile("skills.py", ""), 0, 0)
+    skills = (SkillInterface(f"Go{number}", place, (), (), (), ()) for number in range(count))
+    ahead = [Ahead(each, {}) for each in skills]
+    told = plain(Snapshots("digest").of([], [*ahead, *ahead]))
+    assert (len(told["ahead"]), told["is_ahead_known"]) == (count if is_known else 0, is_known)

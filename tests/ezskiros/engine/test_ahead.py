@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import inspect
+import sys
 from pathlib import Path
 
 import pytest
@@ -116,6 +118,21 @@ def test_a_value_that_is_found_at_the_start_is_not_known(tmp_path: Path) -> None
     leg, first = (each for each in skills_ahead(task.root))
     assert leg.values == {"Name": "b"}
     assert first.values == {"Name": "b", "Ends": "well"}
+
+
+def test_a_deep_task_has_all_ahead_of_it_too(tmp_path: Path) -> None:
+    tree = 'Go(Name="a")'
+    for _ in range(80):
+        tree = f"self.serialstar({tree})"
+    task, _ = task_of(tmp_path, f"self.serialstar(self.serialstar({tree}), Go(Name='b'))")
+    assert named(task) == {"Task", "a"}
+    task.tick()
+    limit = sys.getrecursionlimit()
+    sys.setrecursionlimit(len(inspect.stack()) + 60)
+    try:
+        assert named(task) == {"b"}
+    finally:
+        sys.setrecursionlimit(limit)
 
 
 _CHILD = st.builds(

@@ -207,8 +207,8 @@ def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
     assert [*scene.task.setting.running] == []
 
 
-def test_a_rule_that_is_released_ends_the_search(begin: Begin) -> None:
-    """The task goes on where it was, also when a way is found afterwards."""
+def test_a_rule_that_is_released_ends_no_search(begin: Begin) -> None:
+    """The tree has found that the old way is none."""
     search: Future[Way] = Future()
     scene = begin("Both", search)
     scene.ticks(3)
@@ -217,9 +217,9 @@ def test_a_rule_that_is_released_ends_the_search(begin: Begin) -> None:
     recovery.release()
     scene.ticks(1)
     search.set_result([scene.call("Patient")])
-    assert scene.ticks(6) is Status.SUCCESS
-    assert scene.told == [(False, "it was stopped")]
-    assert scene.lives()[-2:] == ["+second", "second"]
+    assert scene.ticks(7) is Status.SUCCESS
+    assert scene.told == [(True, "")]
+    assert scene.lives()[-4:] == ["+left", "+right", "left", "right"]
 
 
 def test_a_task_is_retried_as_it_began_after_another_way(begin: Begin) -> None:
