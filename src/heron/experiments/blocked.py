@@ -5,32 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 
 from heron.experiments.arms import BLOCKED_RULES, machine_of
 from heron.experiments.clearing_operator import ClearingOperator
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import seeded, told_by
 from heron.experiments.measures import Flags, onsets, time_of, without_need
+from heron.experiments.moving_base import SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
 from heron.experiments.obstacles import Obstacle, Obstacles, varied
 from heron.experiments.runner import Node, run
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import Trace
 from heron.guard import InProcessGuard, unfiltered
-from heron.robot import (
-    Base,
-    Drive,
-    DriveParameters,
-    Localization,
-    LocalizationParameters,
-    RangeScan,
-    RangeScanParameters,
-    WheelOdometry,
-    WheelOdometryParameters,
-)
+from heron.robot import Base
 from heron.scene import BaseParameters, WaysParameters, build_ways
-from heron.scene.scene import STEP_NS
 from heron.tasks import (
     LookOut,
     LookOutParameters,
@@ -48,12 +37,7 @@ from rossmarie.ir import OrderKind
 LONGEST_S = 300.0
 PATIENT = NavigationParameters(patience=120.0)
 """It does not give up before an operator has come."""
-FAR = 2.0
-"""m; what is further away than this is not measured."""
-_EVERY = 5  # steps: nothing comes nearer by more than 1 cm meanwhile
 _SETTLING_STEPS = 500
-_SEEDED = ("obstacles", "odometry", "localization", "scan")
-_COLUMNS = ("x", "y", "speed", "distance", "is_blocked", "is_restricted")
 _HALL, _JUNCTION, _YARD = "heron:Place-4", "heron:Place-3", "heron:Place-5"
 
 
@@ -92,42 +76,6 @@ class BlockedEpisode:
     trace: Trace
 
 
-class BlockedWitness:
-    """Writes down every step of the base."""
-
-    period_ns = STEP_NS
-
-    def __init__(self, physics: Base, obstacles: Obstacles, guard: InProcessGuard | None) -> None:
-        self._physics = physics
-        self._obstacles = obstacles
-        self._is_acting = acting(guard)
-        chassis = physics.model.geom("chassis").id
-        names = (each.name for each in obstacles.obstacles)
-        self._pairs = [(chassis, physics.model.geom(name).id) for name in names]
-        self._distance = FAR
-        self._rows: list[tuple[float, ...]] = []
-
-    def tick(self, now_ns: int) -> None:
-        """One step later."""
-        physics = self._physics
-        x, y, _ = physics.position.tolist()
-        if now_ns // STEP_NS % _EVERY == 0:
-            self._distance = self._measured()
-        speed = float(np.linalg.norm(physics.data.qvel[:2]))
-        is_blocked, is_acting = self._obstacles.is_blocked, self._is_acting()
-        self._rows.append((now_ns * 1e-9, x, y, speed, self._distance, is_blocked, is_acting))
-
-    def trace(self) -> Trace:
-        """All of it."""
-        times, *columns = np.array(self._rows).T
-        return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
-
-    def _measured(self) -> float:
-        model, data = self._physics.model, self._physics.data
-        found = (mujoco.mj_geomDistance(model, data, a, b, FAR, None) for a, b in self._pairs)
-        return float(min(found))
-
-
 @dataclass
 class _Robot:
     """All that takes part in an episode."""
@@ -137,7 +85,7 @@ class _Robot:
     task: SkillTask
     guard: InProcessGuard | None
     operator: ClearingOperator
-    witness: BlockedWitness
+    witness: NearnessWitness
     nodes: list[Node]
 
 
@@ -149,7 +97,7 @@ def run_blocked(
     settings: Settings = USUAL,
 ) -> BlockedEpisode:
     """One episode. The same arguments give the same episode, number for number."""
-    generators = seeded(_SEEDED, seed)
+    generators = seeded(("obstacles", *SEEDED), seed)
     ways = WaysParameters()
     obstacles = varied(blockage, ways, generators["obstacles"])
     robot = _assembled(arm, ways, obstacles, generators, settings, observers)
@@ -191,13 +139,7 @@ def _assembled(
     def clock() -> int:
         return physics.now_ns
 
-    nodes: list[Node] = [
-        obstacles,
-        WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
-        Localization(physics, carrier, generators["localization"], LocalizationParameters()),
-        RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
-        Drive(physics, carrier, base, DriveParameters()),
-    ]
+    nodes = [obstacles, *base_nodes(physics, carrier, base, generators)]
     guard = None
     view: Carrier = carrier
     if arm in BLOCKED_RULES:
@@ -208,7 +150,9 @@ def _assembled(
     navigation = PlaceNavigation(view, _routes(ways), PATIENT, clock, lambda: look_out.is_blocked)
     task = SkillTask(carrier, "Deliver", "blocked.turtle", [f"Place={_HALL}"])
     operator = ClearingOperator(physics, obstacles, settings.operator_delay)
-    witness = BlockedWitness(physics, obstacles, guard)
+    geoms = [physics.model.geom(each.name).id for each in across]
+    hazard = ("is_blocked", lambda: obstacles.is_blocked)
+    witness = NearnessWitness(physics, geoms, guard, hazard)
     nodes += [task, SkillContext(carrier, task), look_out, navigation, operator, witness]
     nodes += attended(observers, physics, carrier, guard)
     return _Robot(physics, navigation, task, guard, operator, witness, nodes)

@@ -7,32 +7,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-import mujoco
 import numpy as np
 
 from heron.experiments.arms import CORRIDOR_RULES, machine_of
 from heron.experiments.child import Child, Dash, varied
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import seeded, told_by
 from heron.experiments.measures import Flags, onsets, time_of, without_need
+from heron.experiments.moving_base import FAR, SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node, run
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import Trace
 from heron.guard import InProcessGuard, unfiltered
-from heron.robot import (
-    Base,
-    Drive,
-    DriveParameters,
-    Localization,
-    LocalizationParameters,
-    RangeScan,
-    RangeScanParameters,
-    WheelOdometry,
-    WheelOdometryParameters,
-)
+from heron.robot import Base
 from heron.scene import CHILD, BaseParameters, CorridorParameters, build_corridor
 from heron.scene.person import LEGS, PERSON
-from heron.scene.scene import STEP_NS
 from heron.tasks import (
     Navigation,
     NavigationParameters,
@@ -48,15 +37,10 @@ from rossmarie.ir import OrderKind
 LONGEST_S = 120.0
 BRISK = NavigationParameters(cruise=1.0)
 """As fast as a base drives where nobody is."""
-FAR = 2.0
-"""m; what is further away than this is not measured."""
-_EVERY = 5  # steps: nobody comes nearer by more than 3 cm meanwhile
 _TOUCHING = 0.02  # m
 _NEAR = 0.5  # m
 _STANDS = 0.02  # m/s
 _SETTLING_STEPS = 500
-_SEEDED = ("child", "odometry", "localization", "scan")
-_COLUMNS = ("x", "y", "speed", "distance", "is_there", "is_restricted")
 
 
 @dataclass(frozen=True)
@@ -95,51 +79,6 @@ class CorridorEpisode:
     trace: Trace
 
 
-class CorridorWitness:
-    """Writes down every step of the base and of the child."""
-
-    period_ns = STEP_NS
-
-    def __init__(self, physics: Base, child: Child, guard: InProcessGuard | None) -> None:
-        self._physics = physics
-        self._child = child
-        self._is_acting = acting(guard)
-        chassis = physics.model.geom("chassis").id
-        self._pairs = [(chassis, geom) for geom in physics.geoms((PERSON, *LEGS))]
-        self._distance = FAR
-        self._rows: list[tuple[float, ...]] = []
-
-    def tick(self, now_ns: int) -> None:
-        """One step later."""
-        physics = self._physics
-        x, y, _ = physics.position.tolist()
-        if now_ns // STEP_NS % _EVERY == 0:
-            is_near = abs(x - self._child.place[0]) < 2 * FAR
-            self._distance = self._measured() if is_near else FAR
-        speed = float(np.linalg.norm(physics.data.qvel[:2]))
-        self._rows.append(
-            (
-                now_ns * 1e-9,
-                x,
-                y,
-                speed,
-                self._distance,
-                self._child.is_in_corridor,
-                self._is_acting(),
-            )
-        )
-
-    def trace(self) -> Trace:
-        """All of it."""
-        times, *columns = np.array(self._rows).T
-        return Trace(times, dict(zip(_COLUMNS, columns, strict=True)))
-
-    def _measured(self) -> float:
-        model, data = self._physics.model, self._physics.data
-        found = (mujoco.mj_geomDistance(model, data, a, b, FAR, None) for a, b in self._pairs)
-        return float(min(found))
-
-
 @dataclass
 class _Robot:
     """All that takes part in an episode."""
@@ -147,7 +86,7 @@ class _Robot:
     physics: Base
     task: SkillTask
     guard: InProcessGuard | None
-    witness: CorridorWitness
+    witness: NearnessWitness
     nodes: list[Node]
 
 
@@ -159,7 +98,7 @@ def run_corridor(
     settings: Settings = USUAL,  # noqa: ARG001
 ) -> CorridorEpisode:
     """One episode. The same arguments give the same episode, number for number."""
-    generators = seeded(_SEEDED, seed)
+    generators = seeded(("child", *SEEDED), seed)
     dash = varied(passage, generators["child"])
     robot = _assembled(arm, dash, generators, observers)
     run(
@@ -195,13 +134,7 @@ def _assembled(
     carrier = InProcess()
     half = base.chassis_half[0]
     child = Child(physics, corridor, CHILD, dash, lambda: float(physics.position[0]) + half)
-    nodes: list[Node] = [
-        child,
-        WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
-        Localization(physics, carrier, generators["localization"], LocalizationParameters()),
-        RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
-        Drive(physics, carrier, base, DriveParameters()),
-    ]
+    nodes = [child, *base_nodes(physics, carrier, base, generators)]
     guard = None
     view: Carrier = carrier
     if arm in CORRIDOR_RULES:
@@ -211,7 +144,13 @@ def _assembled(
     route = ((corridor.begin, 0.0), (corridor.end, 0.0))
     navigation = Navigation(view, (route,), BRISK, lambda: physics.now_ns)
     task = SkillTask(carrier, "Drive", "corridor.turtle", ["Target=classroom"])
-    witness = CorridorWitness(physics, child, guard)
+    witness = NearnessWitness(
+        physics,
+        physics.geoms((PERSON, *LEGS)),
+        guard,
+        ("is_there", lambda: child.is_in_corridor),
+        lambda: abs(float(physics.position[0]) - child.place[0]) < 2 * FAR,
+    )
     nodes += [task, SkillContext(carrier, task), navigation, witness]
     nodes += attended(observers, physics, carrier, guard)
     return _Robot(physics, task, guard, witness, nodes)

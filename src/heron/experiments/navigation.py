@@ -19,25 +19,14 @@ from heron.experiments.measures import (
     time_of,
     without_need,
 )
+from heron.experiments.moving_base import base_nodes
 from heron.experiments.observer import Observer, attended
 from heron.experiments.picking import Standing, pick_up
 from heron.experiments.runner import Node, run
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.trace import BaseWitness, Trace
 from heron.guard import BaseCollisionMonitor, Guard, InProcessLink, Link, unfiltered
-from heron.robot import (
-    Base,
-    Drive,
-    DriveParameters,
-    Imu,
-    ImuParameters,
-    Localization,
-    LocalizationParameters,
-    RangeScan,
-    RangeScanParameters,
-    WheelOdometry,
-    WheelOdometryParameters,
-)
+from heron.robot import Base, Imu, ImuParameters
 from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
 from heron.tasks import Navigation, NavigationParameters, Outcome, SkillTask, TreeSkill
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
@@ -147,10 +136,7 @@ def _assembled(
     carrier = link.carrier(clock)
     nodes: list[Node] = [
         Imu(physics, carrier, generators["imu"], ImuParameters()),
-        WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
-        Localization(physics, carrier, generators["localization"], LocalizationParameters()),
-        RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
-        Drive(physics, carrier, base, DriveParameters()),
+        *base_nodes(physics, carrier, base, generators),
     ]
     guard: Guard | None = None
     operator: BaseOperator | None = None

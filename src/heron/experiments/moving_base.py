@@ -1,0 +1,94 @@
+"""A base that moves among obstacles: its sensors and its drive, and how near it comes to them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+
+import mujoco
+import numpy as np
+
+from heron.experiments.episode import acting
+from heron.experiments.runner import Node
+from heron.experiments.trace import Trace
+from heron.guard import InProcessGuard
+from heron.robot import (
+    Base,
+    Drive,
+    DriveParameters,
+    Localization,
+    LocalizationParameters,
+    RangeScan,
+    RangeScanParameters,
+    WheelOdometry,
+    WheelOdometryParameters,
+)
+from heron.scene import BaseParameters
+from heron.scene.scene import STEP_NS
+from heron.topics import Carrier
+
+SEEDED = ("odometry", "localization", "scan")
+"""The names of the generators that the nodes of the base need."""
+FAR = 2.0
+"""m; what is further away than this is not measured."""
+_EVERY = 5  # steps: nothing comes nearer by more than 3 cm meanwhile
+
+
+def base_nodes(
+    physics: Base,
+    carrier: Carrier,
+    base: BaseParameters,
+    generators: Mapping[str, np.random.Generator],
+) -> list[Node]:
+    """The sensors of a base, and its drive."""
+    return [
+        WheelOdometry(physics, carrier, generators["odometry"], base, WheelOdometryParameters()),
+        Localization(physics, carrier, generators["localization"], LocalizationParameters()),
+        RangeScan(physics, carrier, generators["scan"], RangeScanParameters()),
+        Drive(physics, carrier, base, DriveParameters()),
+    ]
+
+
+class NearnessWitness:
+    """Writes down every step of the base: where it is, how fast (m/s), its distance to the nearest
+    of some geoms (m, up to `FAR`), and whether a guard acts.
+    """
+
+    period_ns = STEP_NS
+
+    def __init__(
+        self,
+        physics: Base,
+        geoms: Iterable[int],
+        guard: InProcessGuard | None,
+        hazard: tuple[str, Callable[[], bool]],
+        is_worth_measuring: Callable[[], bool] = lambda: True,
+    ) -> None:
+        """`hazard` is a column that says whether it is there."""
+        self._physics = physics
+        self._is_acting = acting(guard)
+        self._name, self._is_there = hazard
+        self._is_worth_measuring = is_worth_measuring
+        chassis = physics.model.geom("chassis").id
+        self._pairs = [(chassis, geom) for geom in geoms]
+        self._distance = FAR
+        self._rows: list[tuple[float, ...]] = []
+
+    def tick(self, now_ns: int) -> None:
+        """One step later."""
+        x, y, _ = self._physics.position.tolist()
+        if now_ns // STEP_NS % _EVERY == 0:
+            self._distance = self._measured() if self._is_worth_measuring() else FAR
+        speed = float(np.linalg.norm(self._physics.data.qvel[:2]))
+        is_there, is_acting = self._is_there(), self._is_acting()
+        self._rows.append((now_ns * 1e-9, x, y, speed, self._distance, is_there, is_acting))
+
+    def trace(self) -> Trace:
+        """All of it."""
+        names = ("x", "y", "speed", "distance", self._name, "is_restricted")
+        times, *columns = np.array(self._rows).T
+        return Trace(times, dict(zip(names, columns, strict=True)))
+
+    def _measured(self) -> float:
+        model, data = self._physics.model, self._physics.data
+        found = (mujoco.mj_geomDistance(model, data, a, b, FAR, None) for a, b in self._pairs)
+        return float(min(found))
