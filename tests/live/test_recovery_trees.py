@@ -43,7 +43,7 @@ def program(ros: Ros, folder: Path) -> Path:
 
 @pytest.fixture
 def notes(tmp_path: Path) -> Path:
-    """What the skills that run note."""
+    """The notes of the skills that run."""
     return tmp_path / "notes"
 
 

@@ -97,7 +97,7 @@ def write(path: Path, lines: Sequence[Mapping[str, Any]]) -> Path:
 
 
 def learnt(folder: Path, *runs: tuple[list[dict[str, Any]], list[dict[str, Any]]]) -> Lessons:
-    """What runs teach, each of a trace and verdicts with their header."""
+    """The lessons of runs, each of a trace and verdicts with their header."""
     files = []
     for number, (trace, verdicts) in enumerate(runs):
         files.append(write(folder / f"trace_{number}.jsonl", trace))

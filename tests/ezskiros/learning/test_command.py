@@ -43,7 +43,7 @@ def runs(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def asked(folder: Path, *arguments: str) -> str:
-    """What a command prints that succeeds."""
+    """The output of a command that succeeds."""
     done = command_line.run("ezskiros", *arguments, folder=folder, variables=ONTOLOGY)
     assert (done.returncode, done.stderr) == (0, ""), done.stdout
     return done.stdout
@@ -51,7 +51,7 @@ def asked(folder: Path, *arguments: str) -> str:
 
 @pytest.fixture(scope="module")
 def said(runs: Path) -> str:
-    """What is said of the runs; what was learnt is in `knowledge.json`."""
+    """The report on the runs; the lessons are in `knowledge.json`."""
     files = sorted(each.relative_to(runs).as_posix() for each in runs.rglob("*.jsonl"))
     assert len(files) == 2 * len(STATIONS)
     return asked(runs, "learn", *files, *SCENE, "-o", "knowledge.json")

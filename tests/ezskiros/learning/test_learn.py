@@ -32,7 +32,7 @@ def test_the_innermost_skill_is_blamed_with_its_place(tmp_path: Path) -> None:
 
 
 def test_runs_are_counted_and_not_activations(tmp_path: Path) -> None:
-    """Of four runs that the rule watched, one with two activations and one with one; in a fifth it
+    """The rule watched four runs, one with two activations and one with one; in a fifth it
     was not among the rules, and in a sixth the skill did not run.
     """
     often = [header(-1, 11), *active(2, 3), *active(4, 5)]

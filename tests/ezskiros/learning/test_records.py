@@ -17,7 +17,7 @@ Lines = list[dict[str, Any]]
 
 
 def said(path: Path) -> str:
-    """What is wrong with a file: the line and what is marked there, and the reason."""
+    """The fault of a file: the line, what is marked there, and the reason."""
     runs, found = read_runs([path])
     assert runs == []
     (wrong,) = found
