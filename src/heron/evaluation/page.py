@@ -116,13 +116,9 @@ def _section(sample: Sample) -> Iterator[str]:
     for measure in sample.experiment.measures:
         if any(sample.values(arm, measure.name) for arm in sample.arms):
             cells = " | ".join(_cell(sample, arm, measure) for arm in sample.arms)
-            yield f"| {_label(measure)} | {cells} |"
+            yield f"| {measure.title} | {cells} |"
     yield ""
     yield from table_of(claims_of(sample))
-
-
-def _label(measure: Measure) -> str:
-    return f"{measure.label} ({measure.unit})" if measure.unit else measure.label
 
 
 def _cell(sample: Sample, arm: Arm, measure: Measure) -> str:

@@ -104,7 +104,7 @@ def _draw(axes: Axes, sample: Sample, measure: Measure) -> None:
             place + np.asarray(spread), values, "o", color=_COLORS[arm], markersize=2.5, alpha=0.6
         )
         axes.hlines(float(np.median(values)), place - 0.35, place + 0.35, color=_COLORS[arm])
-    title = textwrap.fill(f"{measure.label} ({measure.unit})", _LETTERS)
+    title = textwrap.fill(measure.title, _LETTERS)
     axes.set_title(title, fontsize=8)
     names = [ARM_NAMES[arm].replace(" ", "\n") for arm in sample.arms]
     letters = [max(map(len, name.split())) for name in names]

@@ -103,6 +103,11 @@ class Measure:
     digits: int
     of: Callable[[Any], float | None]
 
+    @property
+    def title(self) -> str:
+        """`time (s)`."""
+        return f"{self.label} ({self.unit})" if self.unit else self.label
+
     def text(self, value: float) -> str:
         """`23.9 m/s²`."""
         return f"{value:.{self.digits}f} {self.unit}".strip()
