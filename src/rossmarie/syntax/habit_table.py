@@ -143,9 +143,10 @@ HABITS = (
     ),
     # Rules.
     _habit(
-        rf"\b(?P<x>then\s(?P<a>(?!resend\b|drop\b){_NAME}))(?!\s;?\s?[}}(]| ; {_NAME} ;)(?=\s)",
+        rf"\b(?P<x>then\s(?P<a>{_NAME}))(?!\s;?\s?[}}(]| ; {_NAME} ;)(?=\s)",
         "then {{ {a}; }}",
         _ACTIONS_IN_BRACES,
+        inside="rule",
     ),
     _habit(
         rf"(?P<x>->\s(?P<a>{_NAME}))(?=\s;)",

@@ -160,6 +160,15 @@ def test_an_item_that_parses_is_read_once(monkeypatch: pytest.MonkeyPatch) -> No
     assert len(read) == 42  # each of the 41 rules, and the broken one again when it is mended
 
 
+@pytest.mark.parametrize(
+    "effect",
+    ["tree Go within 3 sec", "send p/Goal { } to /x within 3 sec", "cancel /x within 1 sec"],
+)
+def test_a_word_behind_the_time_of_a_goal_is_no_action(parsed: Parsed, effect: str) -> None:
+    _, found = parsed(f"action a {{ {effect} then reboot else halt; }}")
+    assert [each.code for each in found] == ["ROSS018"]
+
+
 def test_an_open_string_is_closed_in_front_of_then(parsed: Parsed) -> None:
     text = 'if mode == "auto then { stop; };'
     (found,) = parsed(text)[1]
