@@ -35,7 +35,8 @@ class Habit(NamedTuple):
     both, with a space between), with the groups of the pattern, or None if that is uncertain; what
     to do is then said by `advice`. `is_final`: the tokens stay as they are, and their part of the
     file is not parsed further. `drops`: the tokens are left out where `meant` is None. `inside`:
-    the kind of item that the mistake stands in; empty where its pattern tells enough.
+    the kind of item that the mistake stands in; empty where its pattern tells enough. `outside`:
+    the kind of item in which it is no mistake of this kind.
     """
 
     pattern: re.Pattern[str]
@@ -45,17 +46,19 @@ class Habit(NamedTuple):
     is_final: bool = False
     drops: bool = False
     inside: str = ""
+    outside: str | None = None
 
 
 class NearMiss(NamedTuple):
     """A place where one of `words` has to stand; `others` are words that mean one of them. `inside`
-    is that of a habit.
+    and `outside` are those of a habit.
     """
 
     pattern: re.Pattern[str]
     words: tuple[str, ...]
     others: Mapping[str, str] = {}
     inside: str = ""
+    outside: str | None = None
 
 
 def _habit(
@@ -67,9 +70,10 @@ def _habit(
     is_final: bool = False,
     drops: bool = False,
     inside: str = "",
+    outside: str | None = None,
 ) -> Habit:
     is_final = is_final or meant is None
-    return Habit(re.compile(pattern), meant, problem, advice, is_final, drops, inside)
+    return Habit(re.compile(pattern), meant, problem, advice, is_final, drops, inside, outside)
 
 
 _SEVERAL_WORDS = "a name is one word"
@@ -146,7 +150,7 @@ HABITS = (
         rf"\b(?P<x>then\s(?P<a>{_NAME}))(?!\s;?\s?[}}(]| ; {_NAME} ;)(?=\s)",
         "then {{ {a}; }}",
         _ACTIONS_IN_BRACES,
-        inside="rule",
+        outside="action",  # there, a word behind the time of a goal says how it goes on
     ),
     _habit(
         rf"(?P<x>->\s(?P<a>{_NAME}))(?=\s;)",

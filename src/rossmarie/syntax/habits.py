@@ -121,7 +121,7 @@ class _Search:
         for match in mistake.pattern.finditer(self._text):
             first, _ = self._range(match, "x")
             kind = self._kinds[first]
-            if kind is not None and mistake.inside in ("", kind):
+            if kind not in (None, mistake.outside) and mistake.inside in ("", kind):
                 yield first, match
 
     def _range(self, match: re.Match[str], group: str) -> tuple[int, int]:
