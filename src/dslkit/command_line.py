@@ -141,7 +141,8 @@ class CommandLine:
 
     def reject(self, found: Sequence[Diagnostic]) -> NoReturn:
         """Print findings of which at least one is an error, and end the run."""
-        self.print_diagnostics(found, Format.TEXT, file_count=1)
+        files = {each.primary.span.file.path for each in found}
+        self.print_diagnostics(found, Format.TEXT, file_count=len(files))
         raise typer.Exit(self.exit_code(found))
 
     def complain(self, message: str) -> None:
