@@ -1,8 +1,15 @@
 # mypy: ignore-errors
-"""A robot that feels a force (N) and hears topics, in live tests: `forceful.py TOPIC TYPE ...`."""
+"""A robot that feels a force (N) and hears topics, in live tests: `forceful.py TOPIC TYPE ...`. The
+force is in the namespace of the node whose topic comes first: `/robot1/stuck_safety/state`.
+"""
+
+import sys
 
 from ears import Listener, run
 from std_msgs.msg import Float64
+
+
+SPACE = sys.argv[1].rpartition("/")[0].rpartition("/")[0]
 
 
 class Forceful(Listener):
@@ -10,7 +17,7 @@ class Forceful(Listener):
 
     def __init__(self, *arguments):
         super().__init__(*arguments)
-        self._forces = self.publisher("/force", Float64)
+        self._forces = self.publisher(SPACE + "/force", Float64)
         self._force = 0.0
         self.every(0.05, self._feel)
 
@@ -28,4 +35,4 @@ class Forceful(Listener):
 
 
 if __name__ == "__main__":
-    run(Forceful, "forceful")
+    run(Forceful, "forceful" + SPACE.replace("/", "_"))

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from types import ModuleType
 from typing import Any
 
-from ezskiros.context.ros import NoRosError, begin_ros2, ros_library
+from ezskiros.context.ros import NoRosError, ros2_node, ros_library
 from ezskiros.engine.interruption import Recovery
 from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError
 
@@ -99,8 +99,7 @@ def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -
 def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
     actions, executors = _imported("rclpy.action"), _imported("rclpy.executors")
     kind = _imported("skill_context_msgs.action").Recover
-    begin_ros2(rclpy)
-    node = rclpy.create_node(_NODE)
+    node = ros2_node(rclpy, _NODE)
     stopped = threading.Event()
 
     def execute(handle: Any) -> Any:

@@ -17,6 +17,8 @@ from ezskiros.context.voice import Publish
 from ezskiros.export.write import TOPIC
 
 _NODE = "ezskiros_context"
+_NAME = TOPIC.removeprefix("/")
+"""In the namespace of the node: each robot has its own."""
 
 
 class NoRosError(Exception):
@@ -56,19 +58,24 @@ def _ros1(rospy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Ca
         raise NoRosError("no ROS master answers")
     if not rospy.core.is_initialized():
         rospy.init_node(_NODE, anonymous=True, disable_signals=True)
-    publisher = rospy.Publisher(TOPIC, messages.SkillContext, queue_size=1)
+    publisher = rospy.Publisher(_NAME, messages.SkillContext, queue_size=1)
     return publisher.publish, rospy.Time.now
 
 
 def _ros2(rclpy: ModuleType, messages: Any) -> tuple[Callable[[Any], object], Callable[[], Any]]:
-    begin_ros2(rclpy)
-    node = rclpy.create_node(_NODE)
-    publisher = node.create_publisher(messages.SkillContext, TOPIC, 1)
+    node = ros2_node(rclpy, _NODE)
+    publisher = node.create_publisher(messages.SkillContext, _NAME, 1)
     clock = node.get_clock()
     return publisher.publish, lambda: clock.now().to_msg()
 
 
-def begin_ros2(rclpy: ModuleType) -> None:
+def ros2_node(rclpy: ModuleType, name: str) -> Any:
+    """A node of ROS 2, in the namespace that `ROS_NAMESPACE` has, as in ROS 1."""
+    _begin_ros2(rclpy)
+    return rclpy.create_node(name, namespace=os.environ.get("ROS_NAMESPACE", ""))
+
+
+def _begin_ros2(rclpy: ModuleType) -> None:
     """Begin ROS 2 in this process, unless it has begun. Signals stay what they are: ROS 2 would end
     itself at Ctrl-C, before the task has stopped, and would let nobody end the process by SIGTERM.
     """

@@ -100,7 +100,7 @@ def ros1(
     sent: list[Any], *, is_online: bool = True, begun: list[str] | None = None
 ) -> dict[str, Any]:
     def publisher(topic: str, _kind: Any, queue_size: int) -> Any:
-        assert (topic, queue_size) == ("/skill_context", 1)
+        assert (topic, queue_size) == ("skill_context", 1)
         return SimpleNamespace(publish=sent.append)
 
     rospy: Any = ModuleType("rospy")
@@ -178,7 +178,7 @@ def test_the_message_of_ros_2(modules: Any) -> None:
         get_clock=lambda: SimpleNamespace(now=lambda: SimpleNamespace(to_msg=lambda: now)),
     )
     rclpy: Any = ModuleType("rclpy")
-    rclpy.ok, rclpy.create_node = (lambda: True), lambda _name: node
+    rclpy.ok, rclpy.create_node = (lambda: True), lambda _name, **_namespace: node
     modules(
         rclpy=rclpy,
         skill_context_msgs=ModuleType("skill_context_msgs"),
