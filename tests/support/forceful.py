@@ -8,7 +8,6 @@ import sys
 from ears import Listener, run
 from std_msgs.msg import Float64
 
-
 SPACE = sys.argv[1].rpartition("/")[0].rpartition("/")[0]
 
 
