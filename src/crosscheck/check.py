@@ -15,6 +15,7 @@ from crosscheck.permissions import find_not_granted
 from crosscheck.recoveries import find_hindered
 from crosscheck.robot import Robot, load
 from crosscheck.things import find_never_in_scene, find_no_numbers, find_nothing_to_take
+from crosscheck.tree_conditions import find_tree_conditions
 from crosscheck.workable import find_unworkable
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
@@ -23,6 +24,13 @@ from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
 if TYPE_CHECKING:  # for those who name a scene only
     from crosscheck.scene import Scene
 
+_QUESTIONS = (
+    find_wider,
+    find_not_granted,
+    find_unworkable,
+    find_fights,
+    find_tree_conditions,
+)
 LONGEST_S = 600.0
 """The questions about one robot are given up after this, in seconds of processor time."""
 
@@ -60,7 +68,7 @@ def findings(robot: Robot, scene: Scene | None = None) -> Iterator[Diagnostic]:
         yield from find_never_in_scene(robot, scene)
     inquiry = Inquiry(robot.machine, time.process_time() + LONGEST_S)
     try:
-        for question in (find_wider, find_not_granted, find_unworkable, find_fights):
+        for question in _QUESTIONS:
             yield from question(robot, inquiry)
         if scene is not None:
             yield from find_no_numbers(robot, scene, inquiry)

@@ -181,26 +181,6 @@ class NothingToTake(Warning, code="CHK205", name="nothing-to-take"):
         says = "and this"
 
 
-class TreeHindered(Error, code="CHK206", name="tree-hindered-by-its-rule"):
-    """A behavior tree that needs something that the rule which runs it takes away meanwhile."""
-
-    title = "`{rule}` takes {thing} away from `{tree}`, which it runs"
-    label = "in force while `{tree}` runs"
-    help = "let another rule do this, or do it after the tree"
-    rule: str
-    tree: str
-    thing: str
-
-    class Runs(Remark):
-        says = "`{tree}` runs here"
-        tree: str
-
-    class Needed(Remark):
-        says = "`{skill}` needs {thing}"
-        skill: str
-        thing: str
-
-
 class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
     """A topic or server that rules and skills take for something else."""
 
@@ -254,7 +234,6 @@ ALL: tuple[type[Template], ...] = (
     Fight,
     NotAllAsked,
     NothingToTake,
-    TreeHindered,
     TypesDiffer,
     NobodyReads,
     NoOntologyForScene,

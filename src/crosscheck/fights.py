@@ -10,24 +10,25 @@ import z3
 
 from crosscheck.asking import acts, stands_still
 from crosscheck.errors import Fight
+from crosscheck.releases import is_cleared_at_once
 from crosscheck.robot import Robot
 from crosscheck.taking import Taking, takings
 from dslkit.diagnostics import Diagnostic
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.ir import Machine
 from rossmarie.skills import Child, Skill
 
 
 def find_fights(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
     """A warning for each rule and each skill that it ends and that a tree starts again."""
+    machine = robot.machine
     for skill in robot.skills.skills.values():
         again = _started_again(robot, skill)
         if again is None:
             continue
         told: set[int] = set()
-        for taking in takings(robot.machine, skill.uses):
-            if taking.rule not in told and _is_cleared_at_once(robot.machine, taking.rule):
+        for taking in takings(machine, skill.uses):
+            if taking.rule not in told and is_cleared_at_once(machine, machine.rules[taking.rule]):
                 told.add(taking.rule)
                 if _acts_only_with(inquiry, taking.rule, skill.name):
                     yield _finding(robot, skill, taking, again)
@@ -37,15 +38,6 @@ def _started_again(robot: Robot, skill: Skill) -> Child | None:
     """A place in a tree at which a skill is started again after it has failed."""
     children = (child for each in robot.skills.skills.values() for child in each.children)
     return next((each for each in children if each.skill == skill.name and each.is_retried), None)
-
-
-def _is_cleared_at_once(machine: Machine, rule: int) -> bool:
-    """Say whether nothing holds a rule once its condition is false."""
-    release = machine.rules[rule].release
-    if release is None:
-        return False
-    node = machine.truths[release].node
-    return getattr(node, "value", False) is True
 
 
 def _acts_only_with(inquiry: Inquiry, rule: int, skill: str) -> bool:

@@ -6,25 +6,21 @@ has here what it is and has while a skill runs with it.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from crosscheck.errors import NoOntologyForScene
+from crosscheck.ontology import ontology_of
 from crosscheck.robot import Robot
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from ezskiros.context.snapshot import Snapshots
 from ezskiros.engine.world import World
 from ezskiros.export.vocabulary import name_in
-from ezskiros.ontology import Ontology
-from ezskiros.ontology.load import core_relations
-from ezskiros.ontology.read import Document, read
+from ezskiros.ontology.read import Document
 from ezskiros.ontology.scene_text import place_in, spelled_in
 from ezskiros.planning.scene import read_scene
-
-_MODULE = ".py"
-"""The ending of the sources of skills that are no ontology."""
 
 
 @dataclass(frozen=True)
@@ -77,33 +73,12 @@ class LoadedScene:
 
 def load_scene(path: Path, robot: Robot) -> LoadedScene:
     """Read a scene for a robot. Raises `OSError` if it cannot be read."""
-    ontology, broken = _ontology(robot)
-    iris = {name: iri for iri, name in ontology.spelled.items()}
-    unknown = broken or next((name for name in robot.skills.classes if name not in iris), None)
-    if unknown is not None:
-        return LoadedScene(None, [NoOntologyForScene(missing=unknown).at(robot.span_of(None))])
-    found, wrong = read_scene(path, ontology)
+    known = ontology_of(robot)
+    if known.missing is not None:
+        missing = NoOntologyForScene(missing=known.missing)
+        return LoadedScene(None, [missing.at(robot.span_of(None))])
+    found, wrong = read_scene(path, known.ontology)
     if found is None:
         return LoadedScene(None, wrong)
     snapshots = Snapshots(robot.skills.digest)
-    return LoadedScene(Scene(found.document, found.world(), iris, snapshots), wrong)
-
-
-def _ontology(robot: Robot) -> tuple[Ontology, str | None]:
-    """The ontology that the skills were made from, and a file of it that cannot be read. Nothing is
-    quoted from that: a file of skills may name any.
-    """
-    documents = []
-    for path in _ontology_files(robot):
-        document, _ = read(path)
-        if document is None:
-            return Ontology(()), str(path)
-        documents.append(document)
-    return Ontology([*documents, core_relations()]), None
-
-
-def _ontology_files(robot: Robot) -> Iterator[Path]:
-    assert robot.program.skills is not None, "a robot has skills"
-    for source in robot.skills.sources:
-        if not source.path.endswith(_MODULE):
-            yield robot.program.skills.folder / source.path
+    return LoadedScene(Scene(found.document, found.world(), known.iris, snapshots), wrong)

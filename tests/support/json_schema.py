@@ -106,4 +106,7 @@ _CHECKS: Mapping[str, Check] = {
     "properties": _properties,
     "additionalProperties": _additional,
     "items": _items,
+    "minItems": _holds(lambda value, wanted: not isinstance(value, list) or len(value) >= wanted),
+    "maxItems": _holds(lambda value, wanted: not isinstance(value, list) or len(value) <= wanted),
+    "minLength": _holds(lambda value, wanted: not isinstance(value, str) or len(value) >= wanted),
 }

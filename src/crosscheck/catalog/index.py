@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from crosscheck import errors
+from crosscheck import errors, recovery_errors
 from crosscheck.catalog import errors as catalog_errors
 from crosscheck.live import errors as live_errors
 from dslkit.catalog import Catalog
 from dslkit.diagnostics import Template
 
-DIAGNOSTICS: tuple[type[Template], ...] = (*errors.ALL, *live_errors.ALL, *catalog_errors.ALL)
+DIAGNOSTICS: tuple[type[Template], ...] = (
+    *errors.ALL,
+    *recovery_errors.ALL,
+    *live_errors.ALL,
+    *catalog_errors.ALL,
+)
 
 CATALOG = Catalog("crosscheck", "crosscheck.catalog", DIAGNOSTICS)

@@ -13,6 +13,7 @@ from ezskiros.check.spelled import spelled
 from ezskiros.export import errors
 from ezskiros.export.places import Places
 from ezskiros.export.sources import FORMAT, VERSION, digest_of, sources_of
+from ezskiros.export.statements import written
 from ezskiros.export.trees import tree_of
 from ezskiros.export.vocabulary import Vocabulary, name_in, name_of
 from ezskiros.locations import Location
@@ -144,7 +145,8 @@ class _Writer:
         text = clause.span.text
         if isinstance(ontology, Ontology):
             text = spelled(clause.statement, ontology.model)
-        return {"text": text, "place": self._places.of(clause.span)}
+        place = self._places.of(clause.span)
+        return {"text": text, "statement": written(clause.statement), "place": place}
 
     def _permission(self, found: Permission) -> dict[str, Any]:
         return {

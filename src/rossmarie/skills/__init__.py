@@ -7,6 +7,8 @@ still true of the files that it was made from.
 from rossmarie.skills.closed import Closure
 from rossmarie.skills.model import (
     Child,
+    Condition,
+    Conditions,
     Limit,
     Location,
     Parameter,
@@ -28,6 +30,8 @@ __all__ = [
     "LARGEST_FILE",
     "Child",
     "Closure",
+    "Condition",
+    "Conditions",
     "Limit",
     "Location",
     "OutOfDate",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, NoReturn, TypeVar
 
@@ -45,12 +45,17 @@ class Json:
 
     def find(self, key: str) -> Json | None:
         """The member of an object, if it is there."""
-        if not isinstance(self.value, dict):
-            self._expected("an object")
-        return Json(self.value[key], self._way_to(key)) if key in self.value else None
+        fields = self.fields()
+        return Json(fields[key], self._way_to(key)) if key in fields else None
 
     def _way_to(self, key: str) -> str:
         return f"{self.way}.{key}" if self.way else key
+
+    def fields(self) -> Mapping[str, Any]:
+        """The members of an object, as they are."""
+        if not isinstance(self.value, dict):
+            self._expected("an object")
+        return self.value
 
     def elements(self) -> Iterator[Json]:
         """The elements of a list."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import enum
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 
 @dataclass(frozen=True)
@@ -114,13 +115,36 @@ class Use:
 
 @dataclass(frozen=True)
 class Child:
-    """A skill in a behavior tree. `arguments` are the parameters that it gets from those of the
-    compound. `retried` tells that the tree can start it again after it has failed.
+    """A skill in a behavior tree. `arguments` are texts by the names of its parameters: the name of
+    a parameter of the compound, or one that children share; or a value as Python has it; None for
+    a value that is computed. `is_retried` tells that the tree can start the skill again after it
+    has failed.
     """
 
     skill: str
+    arguments: Mapping[str, str | None]
     place: Place | None
     is_retried: bool
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A condition of a skill: as a description writes it, and the same as an object of JSON."""
+
+    text: str
+    statement: Mapping[str, Any]
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """The conditions of a skill. It can start when all of `pre` hold; `hold` holds all the while;
+    when it has succeeded, all of `post` hold.
+    """
+
+    pre: tuple[Condition, ...]
+    hold: tuple[Condition, ...]
+    post: tuple[Condition, ...]
 
 
 @dataclass(frozen=True)
@@ -132,6 +156,7 @@ class Skill:
     name: str
     parents: tuple[str, ...]
     parameters: Mapping[str, Parameter]
+    conditions: Conditions
     permits: tuple[Permission, ...]
     uses: tuple[Use, ...]
     children: tuple[Child, ...]

@@ -17,6 +17,8 @@ from rossmarie.skills.json_reader import Json, UnreadableJson, parse_json
 from rossmarie.skills.locations import location, place_of
 from rossmarie.skills.model import (
     Child,
+    Condition,
+    Conditions,
     Limit,
     Parameter,
     Permission,
@@ -205,11 +207,20 @@ def _skill(item: Json) -> Skill:
         name=_name(item.get("name")),
         parents=item.get("parents").each(_name),
         parameters=parameters,
+        conditions=_conditions(item.get("conditions")),
         permits=permits,
         uses=item.get("uses").each(_use),
         children=tuple(_children(item.get("trees"))),
         place=place_of(item),
     )
+
+
+def _conditions(item: Json) -> Conditions:
+    return Conditions(*(item.get(kind).each(_condition) for kind in ("pre", "hold", "post")))
+
+
+def _condition(item: Json) -> Condition:
+    return Condition(item.get("text").text(), item.get("statement").fields(), place_of(item))
 
 
 def _use(item: Json) -> Use:
@@ -225,10 +236,15 @@ def _children(trees: Json) -> Iterator[Child]:
         node, is_retried = waiting.pop()
         skill, control = node.find("skill"), node.find("control")
         if skill is not None:
-            yield Child(_name(skill), place_of(node), is_retried)
+            yield Child(_name(skill), _arguments(node), place_of(node), is_retried)
             continue
         again = is_retried or (control is not None and control.text() in _STARTING_AGAIN)
         waiting += [(each, again) for each in reversed(list(node.get("children").elements()))]
+
+
+def _arguments(node: Json) -> Mapping[str, str | None]:
+    found = node.get("arguments")
+    return {name: found.get(name).optional(Json.text) for name in found.fields()}
 
 
 def _parameter(item: Json) -> Parameter:

@@ -29,6 +29,8 @@ from rossmarie.units import DIMENSIONLESS
 
 SERVER = "/recovery"
 ACTION = "skill_context_msgs/Recover"
+PASSED = "@"
+"""Begins a value that is the parameter of a skill that runs: `@Drive.Target`."""
 _USUALLY = "resume"
 _NUMBERS = frozenset({"float", "int"})
 _TEXTS = frozenset({"str", "enum"})
@@ -120,7 +122,7 @@ def _passed(
     if not is_right:
         _report(parameter, skill, kind_of(theirs.type), value, context)
         return None
-    return f"@{value.skill.text}.{value.parameter.text}"
+    return f"{PASSED}{value.skill.text}.{value.parameter.text}"
 
 
 def _report(

@@ -1,0 +1,135 @@
+"""The world as conditions of skills tell it: facts and changes, said of the parameters of skills
+that run.
+
+A primitive changes the world when it succeeds. So its pre-conditions hold as long as it runs, but
+for what other skills change. A compound changes the world by the skills in its trees.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from crosscheck.robot import Robot
+from crosscheck.situations import Situation
+from crosscheck.trees import TreeRun
+from dslkit.source import Span
+from ezskiros.contracts.knowledge import Change, How, Name, Origin
+from ezskiros.contracts.statements import conjuncts, renamed
+from ezskiros.export.statements import statement_of
+from ezskiros.ontology.statements import Statement
+from rossmarie.skills import Child, Condition, Skill
+
+Names = Mapping[str, str]
+"""By the parameters of a skill: names that stand for the same things."""
+
+
+@dataclass(frozen=True)
+class Said:
+    """A statement of a condition, with other names for the parameters of the skill."""
+
+    statement: Statement
+    condition: Condition
+    span: Span
+
+
+class UnreadableConditionError(Exception):
+    """A condition in the file of skills that is none; the text says whose, and why."""
+
+
+class Beliefs:
+    """Reads the conditions of skills. Collects the names that it makes, with their classes."""
+
+    def __init__(self, robot: Robot, iris: Mapping[str, str]) -> None:
+        self._robot, self._iris = robot, iris
+        self.names: dict[str, Name] = {}
+        self.owners: dict[Span, str] = {}
+        """The skills whose conditions were read, by the places of the conditions."""
+
+    def names_of(self, skill: Skill, prefix: str, *, are_own: bool = False) -> Names:
+        """New names for the parameters of a skill: `Drive.Target`. Own names stand for different
+        things.
+        """
+        found = {name: f"{prefix}.{name}" for name in skill.parameters}
+        for name, parameter in skill.parameters.items():
+            iri = self._iris.get(parameter.type)
+            if iri is not None:
+                self.names[found[name]] = Name(frozenset({iri}), are_own)
+        return found
+
+    def names_of_running(self, situation: Situation) -> dict[str, Names]:
+        """The names for the parameters of skills that run, by these skills."""
+        return {
+            skill.name: self.names_of(skill, skill.name, are_own=number == 0)
+            for number, skill in enumerate(situation.skills)
+        }
+
+    def names_of_tree(self, run: TreeRun, running: Mapping[str, Names]) -> Names:
+        """The names for the parameters of a tree: those that it takes from skills that run, and new
+        ones.
+        """
+        own = self.names_of(run.skill, f"tree {run.skill.name}")
+        passed = {
+            name: running[skill][parameter]
+            for name, (skill, parameter) in run.passed.items()
+            if parameter in running.get(skill, {})
+        }
+        return {**own, **passed}
+
+    def said(self, skill: Skill, conditions: Iterable[Condition], names: Names) -> Iterator[Said]:
+        """The statements of conditions of a skill. Raises `UnreadableConditionError`."""
+        for each in conditions:
+            span = self._robot.span_of(each.place)
+            self.owners[span] = skill.name
+            try:
+                found = statement_of(each.statement)
+            except ValueError as problem:
+                why = f"`{each.text}` of `{skill.name}` is no condition: {problem}"
+                raise UnreadableConditionError(why) from None
+            for statement in conjuncts(found):
+                yield Said(renamed(statement, names), each, span)
+
+    def facts(
+        self, skill: Skill, conditions: Iterable[Condition], names: Names
+    ) -> dict[Statement, Origin]:
+        """The statements of conditions of a skill that hold."""
+        said = self.said(skill, conditions, names)
+        return {each.statement: Origin(each.span, "pre") for each in said}
+
+    def changes(self, skill: Skill, names: Names, how: How) -> list[Change]:
+        """The changes that a skill makes when it succeeds."""
+        return [
+            Change(each.statement, Origin(each.span, "post"), how)
+            for each in self.said(skill, skill.conditions.post, names)
+        ]
+
+    def changes_below(self, skill: Skill, names: Names) -> list[Change]:
+        """The changes that the skills in the trees of a skill may have made."""
+        found: dict[Change, None] = {}
+        known = {_key(skill, names)}
+        waiting = [(skill, names)]
+        while waiting:
+            compound, above = waiting.pop()
+            for child in compound.children:
+                below = self._robot.skills.skills.get(child.skill)
+                if below is None:
+                    continue
+                theirs = self._names_of_child(child, below, compound, above)
+                if _key(below, theirs) not in known:
+                    known.add(_key(below, theirs))
+                    found |= dict.fromkeys(self.changes(below, theirs, How.FAILED))
+                    waiting.append((below, theirs))
+        return list(found)
+
+    def _names_of_child(self, child: Child, skill: Skill, compound: Skill, above: Names) -> Names:
+        """The names of a child. A name that only children share is one for each compound."""
+        own = dict(self.names_of(skill, f"{compound.name}/{skill.name}"))
+        for name in own:
+            shared = child.arguments.get(name) or ""
+            if shared in above:
+                own[name] = above[shared]
+        return own
+
+
+def _key(skill: Skill, names: Names) -> tuple[str, frozenset[tuple[str, str]]]:
+    return skill.name, frozenset(names.items())

@@ -1,0 +1,87 @@
+"""The behavior trees that rules run to recover."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from crosscheck.robot import Robot
+from rossmarie.check.actions.trees import PASSED, SERVER
+from rossmarie.ir import reactions
+from rossmarie.skills import Skill
+
+
+@dataclass(frozen=True)
+class TreeRun:
+    """A rule that runs a tree: the task, its stage in the plan of the rule, and the skill."""
+
+    rule: int
+    task: reactions.Task
+    stage: int
+    skill: Skill
+
+    @property
+    def afterwards(self) -> str:
+        """The way in which the task goes on: `resume`, `retry` or `replan`."""
+        (found,) = self._field("afterwards")
+        return found
+
+    @property
+    def arguments(self) -> Mapping[str, str]:
+        """The values of parameters, as texts."""
+        pairs = (each.partition("=") for each in self._field("arguments"))
+        return {name: value for name, _, value in pairs}
+
+    @property
+    def passed(self) -> Mapping[str, tuple[str, str]]:
+        """The parameters that have the value of a parameter of a skill that runs: that skill, and
+        that parameter.
+        """
+        found = {}
+        for name, value in self.arguments.items():
+            if value.startswith(PASSED):
+                skill, _, parameter = value.removeprefix(PASSED).partition(".")
+                found[name] = skill, parameter
+        return found
+
+    def _field(self, name: str) -> tuple[str, ...]:
+        assert isinstance(self.task.effect, reactions.SendGoal), "a tree is a goal"
+        values = (each.value for each in self.task.effect.assignments if each.path == (name,))
+        value = next(values, ())
+        if isinstance(value, str):
+            return (value,)
+        assert isinstance(value, tuple), "the goal has texts"
+        return tuple(str(each) for each in value)
+
+
+def tree_runs(robot: Robot) -> Iterator[TreeRun]:
+    """The trees of all rules, in their order. Escalations are left out: they need not come."""
+    tasks = robot.machine.reactions.tasks
+    for rule, plan in enumerate(robot.machine.reactions.plans):
+        for number, stage in enumerate(plan.stages):
+            for task in (tasks[index] for index in stage):
+                skill = robot.skills.skills.get(_tree(task.effect) or "")
+                if skill is not None:
+                    yield TreeRun(rule, task, number, skill)
+
+
+def _tree(effect: reactions.Effect) -> str | None:
+    """The skill that an effect runs as a tree; None if it runs none."""
+    if not isinstance(effect, reactions.SendGoal) or effect.server != SERVER:
+        return None
+    named = (each.value for each in effect.assignments if each.path == ("skill",))
+    return next((value for value in named if isinstance(value, str)), None)
+
+
+def skills_below(robot: Robot, skill: Skill) -> Iterator[Skill]:
+    """A skill, and all that its trees have, each once."""
+    found = {skill.name: skill}
+    waiting = [skill]
+    while waiting:
+        each = waiting.pop()
+        yield each
+        for child in each.children:
+            known = robot.skills.skills.get(child.skill)
+            if known is not None and known.name not in found:
+                found[known.name] = known
+                waiting.append(known)

@@ -1,0 +1,107 @@
+"""Statements of conditions as the file has them: names of parameters, and IRIs of the ontology."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import fields
+from typing import Any
+
+from ezskiros.ontology.statements import (
+    AnyOf,
+    Comparison,
+    Generated,
+    HasProperty,
+    OfType,
+    Relation,
+    Specified,
+    Statement,
+    Value,
+)
+
+_KINDS: Mapping[str, type[Any]] = {
+    "relation": Relation,
+    "comparison": Comparison,
+    "property": HasProperty,
+    "type": OfType,
+    "specified": Specified,
+    "generated": Generated,
+}
+"""The statements that have no parts."""
+_NAMES = {made: kind for kind, made in _KINDS.items()}
+_ANY = "any"
+_OPERATORS = ("=", "<", ">", "<=", ">=")
+_TYPES: Mapping[str, tuple[type, ...]] = {
+    "bool": (bool,),
+    "str": (str,),
+    "Value": (str, int, float, bool),
+}
+"""The types of JSON for the fields of a statement, by their annotations."""
+_FLOAT = "float"
+_INFINITE = ({_FLOAT: "inf"}, {_FLOAT: "-inf"})
+"""The numbers that JSON does not have."""
+MOST_PARTS = 10_000
+"""Parts of a statement, with the parts of these."""
+
+
+def written(statement: Statement) -> dict[str, Any]:
+    """A statement as an object of JSON."""
+    if isinstance(statement, AnyOf):
+        parts = [written(each) for each in statement.parts]
+        return {"kind": _ANY, "parts": parts, "is_true": statement.is_true}
+    found = {"kind": _NAMES[type(statement)], **vars(statement)}
+    if isinstance(statement, Comparison):
+        found["value"] = _as_json(statement.value)
+    return found
+
+
+def _as_json(value: Value) -> Value | dict[str, str]:
+    if isinstance(value, float) and math.isinf(value):
+        return {_FLOAT: "inf" if value > 0 else "-inf"}
+    return value
+
+
+def statement_of(found: object) -> Statement:
+    """The statement that an object of JSON stands for. Raises `ValueError` for another object."""
+    return _Reader().read(found)
+
+
+class _Reader:
+    def __init__(self) -> None:
+        self._left = MOST_PARTS
+
+    def read(self, found: object) -> Statement:
+        self._left -= 1
+        if self._left < 0:
+            raise ValueError(f"it has more than {MOST_PARTS:,} parts")
+        if not isinstance(found, dict):
+            raise ValueError("it is no object")
+        kind = found.get("kind")
+        if kind == _ANY:
+            return self._any(found)
+        made = _KINDS.get(kind) if isinstance(kind, str) else None
+        if made is None:
+            raise ValueError(f"its `kind` is none of {', '.join([*_KINDS, _ANY])}")
+        known = {each.name: _checked(found, each.name, str(each.type)) for each in fields(made)}
+        statement: Statement = made(**known)
+        return statement
+
+    def _any(self, found: Mapping[str, object]) -> AnyOf:
+        parts = found.get("parts")
+        if not isinstance(parts, list) or not parts:
+            raise ValueError("its `parts` are no list of statements")
+        is_true = _checked(found, "is_true", "bool")
+        return AnyOf(tuple(self.read(each) for each in parts), bool(is_true))
+
+
+def _checked(found: Mapping[str, object], name: str, annotation: str) -> Value:
+    value = found.get(name)
+    if annotation == "Value" and value in _INFINITE:
+        return math.inf if value == _INFINITE[0] else -math.inf
+    types = _TYPES[annotation]
+    if not isinstance(value, types) or (bool not in types and isinstance(value, bool)):
+        raise ValueError(f"its `{name}` is missing, or of another type")
+    if name == "operator" and value not in _OPERATORS:
+        raise ValueError(f"its `operator` is none of {' '.join(_OPERATORS)}")
+    assert isinstance(value, (str, int, float, bool)), "the types of JSON"
+    return value
