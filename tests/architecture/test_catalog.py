@@ -92,7 +92,9 @@ EZSKIROS = Tool(
 # 0 files, 1 exemptions and permissions, 2 rules against skills, 3 topics and scenes, 4 a robot that
 # runs, 9 defects of the tool.
 CROSSCHECK = Tool(
-    crosscheck.catalog.CATALOG, "CHK", {"errors": {0, 1, 2, 3}, "live": {4}, "catalog": {9}}
+    crosscheck.catalog.CATALOG,
+    "CHK",
+    {"errors": {0, 1, 2, 3}, "recovery_errors": {2}, "live": {4}, "catalog": {9}},
 )
 TOOLS = (ROSSMARIE, EZSKIROS, CROSSCHECK)
 SECTIONS = ["What it means", "Example", "Write instead"]

@@ -53,12 +53,13 @@ def _arguments(call: SkillCall, library: Library) -> dict[str, str | None]:
     if skill is None:
         return {}
     shared = {each.parameter.name: each.shared for each in shared_names(call, skill)}
-    given = {name: _spelled(value) for name, value in call.arguments.items()}
+    given = {name: spelled_value(value) for name, value in call.arguments.items()}
     known = {**given, **shared}
     return {each.name: known[each.name] for each in skill.parameters if each.name in known}
 
 
-def _spelled(value: object) -> str | None:
+def spelled_value(value: object) -> str | None:
+    """A value as Python has it; None for one that is computed when the skill runs."""
     if isinstance(value, (ThingReference, ValueReference)):
         return value.parameter.name
     value = plain(value)

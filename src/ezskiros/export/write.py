@@ -14,7 +14,7 @@ from ezskiros.export import errors
 from ezskiros.export.places import Places
 from ezskiros.export.sources import FORMAT, VERSION, digest_of, sources_of
 from ezskiros.export.statements import written
-from ezskiros.export.trees import tree_of
+from ezskiros.export.trees import spelled_value, tree_of
 from ezskiros.export.vocabulary import Vocabulary, name_in, name_of
 from ezskiros.locations import Location
 from ezskiros.ontology import Ontology
@@ -138,6 +138,7 @@ class _Writer:
             "kind": _KINDS[found.kind],
             "type": _type_of(found),
             "is_output": found.is_output,
+            "default": None if found.default is None else spelled_value(found.default),
             "place": self._places.of(found.span),
         }
 

@@ -55,7 +55,7 @@ class Property:
 class Parameter:
     """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`.
     One that is needed has a value before the skill starts; one that is given gets it from whoever
-    starts the skill.
+    starts the skill, and has no default.
     """
 
     name: str

@@ -250,11 +250,12 @@ def _arguments(node: Json) -> Mapping[str, str | None]:
 def _parameter(item: Json) -> Parameter:
     kind = item.get("kind").one_of("given", "inferred", "optional")
     is_output = item.get("is_output").truth()
+    default = item.get("default").optional(Json.text)
     return Parameter(
         name=_name(item.get("name")),
         type=item.get("type").text(),
         is_needed=kind != "optional" and not is_output,
-        is_given=kind == "given" and not is_output,
+        is_given=kind == "given" and not is_output and default is None,
         place=place_of(item),
     )
 
