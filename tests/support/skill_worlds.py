@@ -196,8 +196,8 @@ def _skill(
     for name in random.sample(("P0", "P1", "P2", "P3"), random.randint(0, 3)):
         type_ = random.choice(classes) if random.random() < 0.7 else random.choice(_PLAIN)
         parameters.setdefault(name, {
-            "name": name, "key": name, "kind": "given", "type": type_, "is_output": False, "default": None,
-            "place": None,
+            "name": name, "key": name, "kind": "given", "type": type_, "is_output": False,
+            "default": None, "place": None,
         })  # fmt: skip
     return {
         **_derived(f"S{number}", [each["name"] for each in parents]),

@@ -34,6 +34,12 @@ rule near: if gap < 0.3 m then {{ away; }};
             ("Force=2.0", "Gently=true", "Mode=slow", "Object=box"),
             "replan",
         ),
+        (
+            'Push(Object: "box", Force: 2, Mode: "slow") within 20 sec',  # the other has a default
+            "Push",
+            ("Force=2.0", "Mode=slow", "Object=box"),
+            "resume",
+        ),
     ],
 )
 def test_a_tree_is_a_goal_for_whoever_runs_skills(
