@@ -11,10 +11,10 @@ from dataclasses import dataclass
 
 from crosscheck.errors import TreeHindered
 from crosscheck.robot import Robot
-from crosscheck.taking import Taking, takings
 from dslkit.diagnostics import Diagnostic
 from rossmarie.check.actions.trees import SERVER
 from rossmarie.ir import reactions
+from rossmarie.ir.taking import Taking, takings
 from rossmarie.skills import Skill
 
 

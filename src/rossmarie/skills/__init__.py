@@ -7,8 +7,10 @@ still true of the files that it was made from.
 from rossmarie.skills.closed import Closure
 from rossmarie.skills.model import (
     Child,
+    Control,
     Limit,
     Location,
+    Node,
     Parameter,
     Permission,
     Place,
@@ -17,6 +19,7 @@ from rossmarie.skills.model import (
     SkillClass,
     SkillFile,
     Source,
+    Step,
     Use,
     UseKind,
 )
@@ -28,8 +31,10 @@ __all__ = [
     "LARGEST_FILE",
     "Child",
     "Closure",
+    "Control",
     "Limit",
     "Location",
+    "Node",
     "OutOfDate",
     "Parameter",
     "Permission",
@@ -39,6 +44,7 @@ __all__ = [
     "SkillClass",
     "SkillFile",
     "Source",
+    "Step",
     "UnreadableSkills",
     "Use",
     "UseKind",

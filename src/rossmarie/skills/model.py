@@ -124,9 +124,32 @@ class Child:
 
 
 @dataclass(frozen=True)
+class Step:
+    """A skill in a tree. `arguments` are texts by the names of its parameters: the name of one of
+    the compound, or what is written; None for what is computed when the skill runs.
+    """
+
+    skill: str
+    arguments: Mapping[str, str | None]
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class Control:
+    """The node over others, by its word in the file; empty if the file has none."""
+
+    kind: str
+    children: tuple[Node, ...]
+    place: Place | None
+
+
+Node = Step | Control
+
+
+@dataclass(frozen=True)
 class Skill:
     """A skill, by the name of its description; `parents` are the descriptions that it is derived
-    from, `children` all skills in its trees.
+    from, `trees` the ways through it, `children` all skills in these.
     """
 
     name: str
@@ -135,6 +158,7 @@ class Skill:
     permits: tuple[Permission, ...]
     uses: tuple[Use, ...]
     children: tuple[Child, ...]
+    trees: tuple[Control, ...]
     place: Place | None
 
 

@@ -7,7 +7,7 @@ where. Keys that the format does not have are passed over.
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Protocol, TypeVar
 
@@ -18,6 +18,7 @@ from rossmarie.skills.locations import location, place_of
 from rossmarie.skills.model import (
     Child,
     Limit,
+    Node,
     Parameter,
     Permission,
     Property,
@@ -28,6 +29,7 @@ from rossmarie.skills.model import (
     Use,
     UseKind,
 )
+from rossmarie.skills.trees import RETRY, read_tree, steps
 
 FORMAT = "ezskiros/skills"
 VERSION = 1
@@ -39,7 +41,7 @@ LONGEST_PERIOD = 3600.0
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
 """The types of parameters that are no things."""
 
-_STARTING_AGAIN = ("retry",)
+_STARTING_AGAIN = (RETRY,)
 """Nodes of a tree that start a child again after it has failed."""
 
 _DIGEST = re.compile(r"[0-9a-f]{64}")
@@ -201,13 +203,15 @@ def _property(item: Json) -> Property:
 def _skill(item: Json) -> Skill:
     parameters = _by_name(item.get("parameters"), _parameter)
     permits = item.get("permits").each(lambda each: _permission(each, parameters))
+    trees = item.get("trees").each(lambda each: read_tree(each, _name))
     return Skill(
         name=_name(item.get("name")),
         parents=item.get("parents").each(_name),
         parameters=parameters,
         permits=permits,
         uses=item.get("uses").each(_use),
-        children=tuple(_children(item.get("trees"))),
+        children=tuple(_children(trees)),
+        trees=trees,
         place=place_of(item),
     )
 
@@ -218,17 +222,12 @@ def _use(item: Json) -> Use:
     return Use(UseKind(kind), name, item.get("type").optional(Json.text), place_of(item))
 
 
-def _children(trees: Json) -> Iterator[Child]:
+def _children(trees: Iterable[Node]) -> Iterator[Child]:
     """The skills in all trees, whatever is between them and the root."""
-    waiting = [(each, False) for each in reversed(list(trees.elements()))]
-    while waiting:
-        node, is_retried = waiting.pop()
-        skill, control = node.find("skill"), node.find("control")
-        if skill is not None:
-            yield Child(_name(skill), place_of(node), is_retried)
-            continue
-        again = is_retried or (control is not None and control.text() in _STARTING_AGAIN)
-        waiting += [(each, again) for each in reversed(list(node.get("children").elements()))]
+    for tree in trees:
+        for step, above in steps(tree):
+            is_retried = any(each.kind in _STARTING_AGAIN for each in above)
+            yield Child(step.skill, step.place, is_retried)
 
 
 def _parameter(item: Json) -> Parameter:
