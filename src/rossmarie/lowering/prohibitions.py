@@ -198,7 +198,7 @@ def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozense
 
 def _all_of(ways: Sequence[frozenset[Things]]) -> frozenset[Things]:
     """The things that are stopped in each of some ways; none if there is no way."""
-    if not ways or not all(ways):
+    if not ways:
         return frozenset()
     found = ways[0]
     for each in ways[1:]:
