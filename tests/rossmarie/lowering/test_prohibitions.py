@@ -170,6 +170,29 @@ def test_s68_only_a_goal_that_replans_says_it(tmp_path: Path) -> None:
     assert "without" not in {each.path[0] for each in goal.assignments}
 
 
+DRIVE, PUSH = step("Drive", Target="A", Speed="0.3"), step("Push", Object="A")
+
+
+@pytest.mark.parametrize(
+    ("trees", "told"),
+    [
+        ([control("serial", PUSH, DRIVE)], ("Outer",)),
+        ([control("selector", DRIVE, control("retry", DRIVE))], ("Outer",)),
+        ([control("selector", DRIVE, PUSH)], ()),
+        ([control("parallelfs", DRIVE, PUSH)], ()),
+        ([control("nofail", DRIVE), PUSH], ()),
+        ([DRIVE, PUSH], ()),
+        ([PUSH], ()),
+    ],
+)
+def test_s68_a_compound_needs_what_its_skills_need(
+    tmp_path: Path, trees: list[dict[str, Any]], told: tuple[str, ...]
+) -> None:
+    """Whichever way it takes: each tree is one."""
+    rules = head(tmp_path, compound("Outer", *trees))
+    assert without(f"{rules}rule it: if doing Outer then {{ halt; }};") == told
+
+
 # --- what it means -------------------------------------------------------------------------------
 
 ATOMS = st.sampled_from(
@@ -189,7 +212,7 @@ CONDITIONS = st.recursive(
         st.lists(inner, min_size=2, max_size=3).map(lambda them: f"({' or '.join(them)})"),
         st.lists(inner, min_size=2, max_size=2).map(lambda them: f"({' and '.join(them)})"),
         inner.map(lambda it: f"not ({it})"),
-        inner.map(lambda it: f"({it}) for 1 sec"),
+        inner.map(lambda it: f"(({it}) for 1 sec)"),
     ),
     max_leaves=5,
 )
@@ -254,7 +277,7 @@ INNERS = st.tuples(GIVEN, GIVEN).map(lambda them: step("Inner", A=them[0], B=the
 
 @dataclass(frozen=True)
 class Stopped:
-    """The classes of what `Drive` is stopped with, and the compounds that are stopped themselves."""
+    """The classes that `Drive` is stopped with, and the compounds that are stopped themselves."""
 
     kinds: Set[str]
     compounds: Set[str] = frozenset()
