@@ -136,7 +136,6 @@ def test_no_way_is_made_of_what_rules_always_stop(
     robot.set(force=20.0)
     assert task.running.wait(LIMIT) == code, task.said()
     assert said(notes) == noted
-    forbidden = (
-        "the rules forbid `Drive(To = skiros:Location-3)` and `Drive(To = skiros:Location-4)`"
-    )
+    steps = (f"`Drive(To = skiros:Location-{number})`" for number in (3, 4))
+    forbidden = "the rules forbid " + " and ".join(steps)
     assert (forbidden in task.said()) is (code == 1)
