@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import enum
 import json
+import math
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -137,6 +139,7 @@ class _Writer:
             "kind": _KINDS[found.kind],
             "type": _type_of(found),
             "is_output": found.is_output,
+            **_default_of(found),
             "place": self._places.of(found.span),
         }
 
@@ -201,6 +204,14 @@ def _parents(description: SkillClass) -> list[str]:
         for each in above
         if issubclass(each, SkillDescription) and each is not SkillDescription
     ]
+
+
+def _default_of(found: Parameter) -> dict[str, float]:
+    """The number that a parameter is if nobody gives it; nothing if it is none."""
+    number = found.default
+    if isinstance(number, bool | str | enum.Enum) or number is None or not math.isfinite(number):
+        return {}
+    return {"default": number}
 
 
 def _type_of(found: Parameter) -> str:

@@ -54,7 +54,7 @@ class Property:
 class Parameter:
     """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`.
     One that is needed has a value before the skill starts; one that is given gets it from whoever
-    starts the skill.
+    starts the skill. `default` is the number of one that nobody gives, if it is a number.
     """
 
     name: str
@@ -62,6 +62,7 @@ class Parameter:
     is_needed: bool
     is_given: bool
     place: Place | None
+    default: float | None = None
 
 
 @dataclass(frozen=True)
@@ -136,11 +137,15 @@ class Step:
 
 @dataclass(frozen=True)
 class Control:
-    """The node over others, by its word in the file; empty if the file has none."""
+    """The node over others, by its word in the file; empty if the file has none. `limit` is that of
+    a timeout in seconds, and the number of tries of a retry: a number, or the parameter of the
+    compound that it is; None if nobody knows.
+    """
 
     kind: str
     children: tuple[Node, ...]
     place: Place | None
+    limit: float | str | None = None
 
 
 Node = Step | Control

@@ -40,6 +40,8 @@ LONGEST_PERIOD = 3600.0
 """Seconds between two messages of a context."""
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
 """The types of parameters that are no things."""
+NUMBERS = ("float", "int")
+"""Those that are numbers."""
 
 _STARTING_AGAIN = (RETRY,)
 """Nodes of a tree that start a child again after it has failed."""
@@ -203,7 +205,8 @@ def _property(item: Json) -> Property:
 def _skill(item: Json) -> Skill:
     parameters = _by_name(item.get("parameters"), _parameter)
     permits = item.get("permits").each(lambda each: _permission(each, parameters))
-    trees = item.get("trees").each(lambda each: read_tree(each, _name))
+    numbers = {name for name, each in parameters.items() if each.type in NUMBERS}
+    trees = item.get("trees").each(lambda each: read_tree(each, _name, numbers))
     return Skill(
         name=_name(item.get("name")),
         parents=item.get("parents").each(_name),
@@ -233,12 +236,14 @@ def _children(trees: Iterable[Node]) -> Iterator[Child]:
 def _parameter(item: Json) -> Parameter:
     kind = item.get("kind").one_of("given", "inferred", "optional")
     is_output = item.get("is_output").truth()
+    default = item.find("default")
     return Parameter(
         name=_name(item.get("name")),
         type=item.get("type").text(),
         is_needed=kind != "optional" and not is_output,
         is_given=kind == "given" and not is_output,
         place=place_of(item),
+        default=None if default is None else default.number(),
     )
 
 

@@ -5,7 +5,7 @@ Nothing here recurses: a file may lie as deep in itself as it likes.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Container, Iterator, Sequence
 from typing import TypeVar
 
 from rossmarie.skills.json_reader import Json
@@ -19,6 +19,8 @@ SELECTOR = ("selector", "selectorstar")
 FIRST_SUCCESS = "parallelfs"
 FIRST_FAILURE = "parallelff"
 RETRY, TIMEOUT = "retry", "timeout"
+_LIMITS = {RETRY: "tries", TIMEOUT: "seconds"}
+"""The keys of the numbers that nodes have."""
 
 _Made = TypeVar("_Made")
 
@@ -55,15 +57,17 @@ def steps(tree: Node) -> Iterator[tuple[Step, tuple[Control, ...]]]:
             waiting += [(each, (*above, node)) for each in reversed(node.children)]
 
 
-def read_tree(tree: Json, name: Callable[[Json], str]) -> Control:
-    """One way through a compound; `name` reads that of a skill. Raises `UnreadableJson`."""
+def read_tree(tree: Json, name: Callable[[Json], str], numbers: Container[str]) -> Control:
+    """One way through a compound, of whose parameters some are `numbers`; `name` reads the name of
+    a skill. Raises `UnreadableJson`.
+    """
     found: list[Node] = []
     waiting: list[tuple[Json, list[Json] | None]] = [(tree, None)]
     while waiting:
         item, below = waiting.pop()
         if below is not None:
             first = len(found) - len(below)
-            found[first:] = [_control(item, tuple(found[first:]), is_root=item is tree)]
+            found[first:] = [_control(item, tuple(found[first:]), numbers, is_root=item is tree)]
         elif item is not tree and item.find("skill") is not None:
             found.append(_step(item, name))
         else:
@@ -81,7 +85,23 @@ def _step(item: Json, name: Callable[[Json], str]) -> Step:
     return Step(name(item.get("skill")), arguments, place_of(item))
 
 
-def _control(item: Json, children: tuple[Node, ...], *, is_root: bool) -> Control:
+def _control(
+    item: Json, children: tuple[Node, ...], numbers: Container[str], *, is_root: bool
+) -> Control:
     kind = None if is_root else item.find("control")
     word = SERIAL[0] if is_root else "" if kind is None else kind.text()
-    return Control(word, children, place_of(item))
+    key = _LIMITS.get(word)
+    found = None if key is None else item.find(key)
+    limit = None if found is None else _limit(found, numbers)
+    return Control(word, children, place_of(item), limit)
+
+
+def _limit(found: Json, numbers: Container[str]) -> float | str:
+    if isinstance(found.value, str):
+        if found.value not in numbers:
+            found.fail("is no parameter of the skill that is a number")
+        return found.value
+    number = found.number()
+    if number <= 0:
+        found.fail("is not above 0")
+    return number
