@@ -12,10 +12,10 @@ from crosscheck.asking import acts, stands_still
 from crosscheck.errors import Fight
 from crosscheck.releases import is_cleared_at_once
 from crosscheck.robot import Robot
-from crosscheck.taking import Taking, takings
 from dslkit.diagnostics import Diagnostic
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.ir.taking import Taking, takings
 from rossmarie.skills import Child, Skill
 
 

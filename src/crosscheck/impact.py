@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from crosscheck.asking import asked_by
 from crosscheck.exemptions import exemptions_of
 from crosscheck.robot import Robot
-from crosscheck.taking import takings
 from dslkit.source import Span
+from rossmarie.ir.taking import takings
 from rossmarie.skills import Skill
 
 

@@ -9,7 +9,7 @@ from crosscheck.asking import asked_by
 from crosscheck.exemptions import exemptions_of
 from crosscheck.permissions import touched
 from crosscheck.robot import Robot
-from crosscheck.taking import takings
+from rossmarie.ir.taking import takings
 from rossmarie.skills import Skill
 
 

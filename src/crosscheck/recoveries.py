@@ -10,9 +10,9 @@ from collections.abc import Iterator
 
 from crosscheck.recovery_errors import TreeHindered
 from crosscheck.robot import Robot
-from crosscheck.taking import Taking, takings
 from crosscheck.trees import TreeRun, skills_below, tree_runs
 from dslkit.diagnostics import Diagnostic
+from rossmarie.ir.taking import Taking, takings
 from rossmarie.skills import Skill
 
 

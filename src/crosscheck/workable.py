@@ -9,7 +9,6 @@ import z3
 from crosscheck.asking import acts, questions, runs
 from crosscheck.errors import NeverWorks, RulesNeverLetWork
 from crosscheck.robot import Robot
-from crosscheck.taking import Taking, takings
 from dslkit.diagnostics import Diagnostic, Remark, listed
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.finding import witness_note
@@ -17,6 +16,7 @@ from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Read
+from rossmarie.ir.taking import Taking, takings
 from rossmarie.skills import Skill
 
 

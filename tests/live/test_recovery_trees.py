@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import signal
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from support import command_line
 from support.backing_off import BEGUN, SKILLS, active, rules, said, tasks
-from support.live import LIMIT, Ears, Process, Ros, talking, until
+from support.live import LIMIT, Ears, Process, Ros, until
 from support.ontologies import HALL
+from support.tasks_in_ros import begun_task, export
 
 ROOT = Path(__file__).parents[2]
-DEBIAN = "/usr/lib/python3/dist-packages"
-"""Where Debian has rospy."""
 PUSH, PULL = 20.0, -20.0
 """Forces (N): a short tree answers the first, one that ends with its rule the second."""
 
@@ -27,12 +22,7 @@ PUSH, PULL = 20.0, -20.0
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The folder of a robot: its ontology and scene, its skills, and their export."""
     folder = tmp_path_factory.mktemp("backing_off")
-    shutil.copytree(HALL, folder / "ontology")
-    shutil.copy(HALL.parent / "lab.turtle", folder)
-    (folder / "skills.py").write_text(SKILLS.format(up=0), encoding="utf-8")
-    exported = ("skills.py", "lab.turtle", "--ontology", "ontology", "-o", "skills.json")
-    done = command_line.run("ezskiros", "export", *exported, folder=folder)
-    assert done.returncode == 0, done.stdout + done.stderr
+    export(folder, SKILLS.format(up=0), (HALL.parent / "lab.turtle").read_text(encoding="utf-8"))
     return folder
 
 
@@ -62,26 +52,15 @@ def begin(ros: Ros, program: Path, folder: Path, tmp_path: Path, started: list[P
     """Starts a task and its guard in a namespace; its skills note what they do."""
 
     def begun(notes: Path, namespace: str) -> Process:
-        task = begun_task(ros, folder, notes, tmp_path, namespace)
+        log = tmp_path / f"run{namespace[1:]}.log"
+        words = ("Push", "Object=cable")
+        task = begun_task(ros, folder, words, notes, log, namespace=namespace)
         started.append(task)
         until(lambda: said(notes) == BEGUN[:1], "the task runs")
         started.append(ros.begin(program, {"patience": LIMIT}, namespace=namespace))
         return task
 
     return begun
-
-
-def begun_task(ros: Ros, folder: Path, notes: Path, tmp_path: Path, namespace: str) -> Process:
-    places = [ros.variables.get("PYTHONPATH", ""), *sys.path]
-    if ros.name == "ros1":
-        places.append(DEBIAN)
-    paths = os.pathsep.join(filter(None, places))
-    variables = {**ros.variables, "PYTHONPATH": paths, "NOTES": str(notes)}
-    variables["ROS_NAMESPACE"] = namespace
-    words = ("run", "Push", str(folder), "Object=cable", "--scene", str(folder / "lab.turtle"))
-    options = ("--context", str(folder / "skills.json"), "--ontology", str(folder / "ontology"))
-    command = [sys.executable, "-m", "ezskiros", *words, *options]
-    return Process(command, variables, tmp_path / f"run{namespace[1:]}.log", talking)
 
 
 @pytest.fixture

@@ -53,8 +53,8 @@ def ahead(skill: str, **things: str) -> RunningSkill:
 class Robot:
     """A robot with rules over `HEAD`, which tells of a force and of the skills that it runs."""
 
-    def __init__(self, rules: str) -> None:
-        self.machine = machine_of(HEAD + rules)
+    def __init__(self, rules: str, machine: ir.Machine | None = None) -> None:
+        self.machine = machine or machine_of(HEAD + rules)
         self.monitor = Interpreter(self.machine)
 
     def tell(

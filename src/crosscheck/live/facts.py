@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from crosscheck.exemptions import exemptions_of
 from crosscheck.kinds import KINDS, permissions_of, signals_of
 from crosscheck.robot import Robot
-from crosscheck.taking import Taking, takings
 from dslkit.source import Span
 from rossmarie.ir import Rule
+from rossmarie.ir.taking import Taking, takings
 from rossmarie.naming import node_name
 from rossmarie.skills import Permission, Skill
 

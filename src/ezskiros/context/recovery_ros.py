@@ -37,6 +37,11 @@ def _imported(name: str) -> Any:
         ) from None
 
 
+def _require_without(kind: Any) -> None:
+    if not hasattr(kind(), "without"):
+        raise NoRosError("`skill_context_msgs` is an older one, without the field `without`")
+
+
 # --- ROS 1 ---------------------------------------------------------------------------------------
 
 
@@ -44,6 +49,7 @@ def _in_ros1(rospy: ModuleType, goals: RecoveryGoals) -> Stop:
     actionlib, messages = _imported("actionlib"), _imported("skill_context_msgs.msg")
     if not hasattr(messages, "RecoverAction"):
         raise NoRosError("`skill_context_msgs` is an older one, without Recover.action")
+    _require_without(messages.RecoverGoal)
     if not importlib.import_module("rosgraph").is_master_online():
         raise NoRosError("no ROS master answers")
     if not rospy.core.is_initialized():
@@ -86,8 +92,9 @@ _PREEMPTING = 6
 
 def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -> Recovery | None:
     """The tree that a goal asks for; None if that is refused."""
+    given = list(goal.arguments), goal.afterwards, list(goal.without)
     try:
-        return goals.begin(goal.digest, goal.skill, list(goal.arguments), goal.afterwards, done)
+        return goals.begin(goal.digest, goal.skill, *given, done)
     except RefusedError as problem:
         done(False, str(problem))
         return None
@@ -99,6 +106,7 @@ def _begin(goals: RecoveryGoals, goal: Any, done: Callable[[bool, str], None]) -
 def _in_ros2(rclpy: ModuleType, goals: RecoveryGoals) -> Stop:
     actions, executors = _imported("rclpy.action"), _imported("rclpy.executors")
     kind = _imported("skill_context_msgs.action").Recover
+    _require_without(kind.Goal)
     node = ros2_node(rclpy, _NODE)
     stopped = threading.Event()
 

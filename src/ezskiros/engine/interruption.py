@@ -25,6 +25,7 @@ from ezskiros.engine.ahead import Ahead, skills_ahead
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import Running, with_values_of_now
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
@@ -46,12 +47,13 @@ class Afterwards(enum.Enum):
 @dataclass(frozen=True, eq=False)
 class Recovery:
     """A tree that is asked for. `done` is told once, by the thread that ticks, whether it has
-    succeeded, and why not.
+    succeeded, and why not. A way that is looked for afterwards is one `without` some skills.
     """
 
     call: SkillCall
     afterwards: Afterwards
     done: Callable[[bool, str], None]
+    without: tuple[Prohibition, ...] = ()
     _released: threading.Event = field(default_factory=threading.Event, init=False)
 
     def release(self) -> None:
@@ -85,9 +87,9 @@ class NoWayError(Exception):
 
 Way = Sequence[SkillCall]
 """Skills, one after the other."""
-Replan = Callable[[SkillCall], "Future[Way]"]
+Replan = Callable[[SkillCall, Sequence[Prohibition]], "Future[Way]"]
 """Looks for a way to the post-conditions of a skill, of which all values are given, from where the
-world is now. The future raises `NoWayError`.
+world is now, and without what rules always stop. The future raises `NoWayError`.
 """
 
 
@@ -202,7 +204,7 @@ class InterruptibleTask(Task):
             reason = self.setting.last_failure or Reason(Code.EXECUTION, "it failed")
             return self._failed(recovery, f"the recovery has failed: {reason.text}")
         if recovery.afterwards is Afterwards.REPLAN:
-            self._search = self._replan(self._goal())
+            self._search = self._replan(self._goal(), recovery.without)
             return Status.RUNNING
         self._recovery = None
         if recovery.afterwards is Afterwards.RETRY:

@@ -13,6 +13,11 @@ from typing import Protocol
 
 from ezskiros.engine.arguments import WrongArgumentError, read_arguments
 from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
+from ezskiros.engine.prohibitions import (
+    Prohibition,
+    UnknownProhibitionError,
+    read_prohibition,
+)
 from ezskiros.engine.running import Running
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
@@ -79,16 +84,20 @@ class RecoveryGoals:
         skill: str,
         arguments: Sequence[str],
         afterwards: str,
+        without: Sequence[str],
         done: Callable[[bool, str], None],
     ) -> Recovery:
-        """Run a tree at the next tick; `done` is told how it ends. Raises `RefusedError`."""
+        """Run a tree at the next tick; `done` is told how it ends. `without` are the skills that
+        rules always stop. Raises `RefusedError`.
+        """
         if digest != self._digest:
             raise RefusedError("the rules were checked with another export of the skills")
         call = self._call(skill, arguments)
         try:
-            recovery = Recovery(call, Afterwards(afterwards), done)
+            going_on = Afterwards(afterwards)
         except ValueError:
             raise RefusedError(f"a task cannot go on by `{afterwards}`") from None
+        recovery = Recovery(call, going_on, done, self._prohibitions(without))
         self._host.recover(recovery)
         return recovery
 
@@ -103,6 +112,14 @@ class RecoveryGoals:
         except WrongArgumentError as problem:
             raise RefusedError(str(problem)) from None
         return SkillCall(description, None, MappingProxyType(values), NOWHERE)
+
+    def _prohibitions(self, texts: Sequence[str]) -> tuple[Prohibition, ...]:
+        skills = {name: skill for name, (_, skill) in self._host.known.items()}
+        try:
+            ontology = self._host.world.ontology
+            return tuple(read_prohibition(each, skills, ontology) for each in texts)
+        except UnknownProhibitionError as problem:
+            raise RefusedError(f"a skill that rules forbid is not known: {problem}") from None
 
     def _resolved(self, text: str) -> str:
         """An argument with the value that a skill which runs has now."""

@@ -9,7 +9,7 @@ from ezskiros import session
 from ezskiros.export import errors
 from ezskiros.export.places import Places
 from ezskiros.skills.calls import SkillCall
-from ezskiros.skills.nodes import Decorator, Node, Processor
+from ezskiros.skills.nodes import Decoration, Decorator, Node, Processor
 from ezskiros.skills.values import Symbol, plain
 from ezskiros.trees.library import Library
 from ezskiros.trees.names import shared_names
@@ -35,14 +35,28 @@ def _node(node: Node, library: Library, places: Places, level: int) -> dict[str,
             name = node.skill.__name__
             return {"skill": name, "arguments": _arguments(node, library), "place": place}
         case Processor(flow=flow, children=children):
-            control, below = flow.value.lower(), children
+            control, below, limit = flow.value.lower(), children, {}
         case Decorator(decoration=decoration, child=child):
-            control, below = decoration.value.lower(), (child,)
+            control, below, limit = decoration.value.lower(), (child,), _limit(node)
     if level >= MOST_LEVELS:
         session.report(errors.DeepTree(most=MOST_LEVELS).at(node.span))
         below = ()
     found = [_node(each, library, places, level + 1) for each in below]
-    return {"control": control, "children": found, "place": place}
+    return {"control": control, **limit, "children": found, "place": place}
+
+
+_LIMITS = {Decoration.TIMEOUT: "seconds", Decoration.RETRY: "tries"}
+"""The keys of numbers that decorators have."""
+
+
+def _limit(node: Decorator) -> dict[str, float | str]:
+    """The number of a decorator, or the name of the parameter that it is; nothing if it is computed
+    from parameters.
+    """
+    key, limit = _LIMITS.get(node.decoration), plain(node.limit)
+    if isinstance(node.limit, ValueReference):
+        limit = node.limit.parameter.name
+    return {key: limit} if key is not None and isinstance(limit, int | float | str) else {}
 
 
 def _arguments(call: SkillCall, library: Library) -> dict[str, str | None]:

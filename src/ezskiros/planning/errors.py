@@ -50,6 +50,10 @@ class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
         skill: str
         owl_class: str
 
+    class Forbidden(Remark):
+        says = "the rules forbid {steps}"
+        steps: str
+
     class Circular(Remark):
         says = (
             "{missing} is not so in the scene, and what makes it so, {skills}, leads back to "
@@ -71,6 +75,10 @@ class GoalsTogether(Error, code="EZS854", name="goals-together"):
         "each part of it, and each condition on the way, can be reached alone: one undoes another"
     )
     help = "ask for fewer goals at once, or look at what the skills undo: `ezskiros explain`"
+
+    class Forbidden(Remark):
+        says = "the rules forbid {steps}"
+        steps: str
 
 
 class PlanningTimeOver(Error, code="EZS855", name="planning-time-over"):

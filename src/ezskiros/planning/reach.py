@@ -50,13 +50,18 @@ class Reach:
         while count < len(self._new):
             count = len(self._new)
             for action in self.actions:
-                for bound in self._ways(action):
+                for bound in self.ways(action):
                     for effect in action.effects:
                         self._new.update(dict.fromkeys(self._grounded(effect.bound(bound))))
 
     def is_possible(self, literal: Literal) -> bool:
         """Say whether a fact is so at some time."""
         return literal in self._new or self._is_initially(literal)
+
+    def leads_on(self, action: Action, bound: dict[str, str]) -> bool:
+        """Say whether an action with these things makes something so that is not possible."""
+        effects = (each for e in action.effects for each in self._grounded(e.bound(bound)))
+        return not all(map(self.is_possible, effects))
 
     def missing(self, goal: Literal, seen: frozenset[Literal] = frozenset()) -> Missing:
         """Find what is missing for something that is not possible."""
@@ -104,7 +109,7 @@ class Reach:
 
     # --- ways -------------------------------------------------------------------------------------
 
-    def _ways(self, action: Action) -> Iterator[dict[str, str]]:
+    def ways(self, action: Action) -> Iterator[dict[str, str]]:
         """Things for which all that an action needs is possible."""
         return self._bindings(action, {}, 0)
 

@@ -2,17 +2,19 @@
 is now (thesis, section 5.2).
 
 A tree that found a way blocked says so in the world model, and the search heeds the pre-conditions
-of skills: so the same way is not taken again.
+of skills: so the same way is not taken again. Nor is one that rules would stop.
 """
 
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from types import MappingProxyType
 
+from dslkit.diagnostics import Diagnostic
 from ezskiros.engine.interruption import NoWayError, Replan, Way
+from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
 from ezskiros.planning.actions import NotPlannableError, actions, literal
@@ -34,29 +36,40 @@ stands meanwhile.
 def replanner(library: Library, world: World) -> Replan:
     """Searches in a thread, from a copy of the world, while the task goes on to be ticked."""
 
-    def replan(task: SkillCall) -> Future[Way]:
+    def replan(task: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
         start = world.copy()
-        return _in_background(lambda: way(library, task, world, start))
+        return _in_background(lambda: way(library, task, world, start, without))
 
     return replan
 
 
-def way(library: Library, task: SkillCall, world: World, start: World) -> Way:
+def way(
+    library: Library,
+    task: SkillCall,
+    world: World,
+    start: World,
+    without: Sequence[Prohibition] = (),
+) -> Way:
     """The skills that lead to the post-conditions of a task, and are run in `world`. `start` has
-    what is so there now. Raises `NoWayError`.
+    what is so there now; of what rules always stop, no step is made. Raises `NoWayError`.
     """
     skill = library.skill(task.skill)
     assert skill is not None, "it runs"
     wanted = list(_goals(skill, task.arguments))
     known, left_out = actions(library, world.ontology.model)
     try:
-        search = Search(start.copy, world.ontology.model, known, wanted, SECONDS)
+        search = Search(start.copy, world.ontology.model, known, wanted, SECONDS, without=without)
         steps, said = search.run()
     except (NoPlannerError, RuntimeError) as problem:
         raise NoWayError(str(problem)) from None
     if steps is None:
-        raise NoWayError("; ".join(each.title for each in (*said, *left_out)))
+        raise NoWayError("; ".join(map(_told, (*said, *left_out))))
     return [_call(step, task.arguments, world) for step in steps]
+
+
+def _told(found: Diagnostic) -> str:
+    """A finding in one line, with the reasons for it."""
+    return f"{found.title} ({'; '.join(found.notes)})" if found.notes else found.title
 
 
 def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal]:

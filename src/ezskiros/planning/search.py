@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from dslkit.diagnostics import Diagnostic, Remark, listed
 from dslkit.source import Span
+from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.world import World
 from ezskiros.learning.lessons import Cost
 from ezskiros.ontology.iris import THING
@@ -15,11 +16,15 @@ from ezskiros.ontology.model import Model
 from ezskiros.planning import errors
 from ezskiros.planning.actions import Action
 from ezskiros.planning.facts import Literal, is_so, spelled
+from ezskiros.planning.forbidden import permitted, stopped_by
 from ezskiros.planning.goals import Goal
 from ezskiros.planning.pddl import Problem, Step
 from ezskiros.planning.reach import Missing, Reach
 from ezskiros.planning.reach import TimeOverError as ReachTimeOverError
 from ezskiros.planning.solve import TimeOverError, shortened, solve, tried
+
+_MOST_STEPS = 3
+"""The most steps that a message names."""
 
 
 @dataclass(frozen=True)
@@ -35,6 +40,8 @@ class Search:
     seconds: float
     costs: Sequence[Cost] = ()
     """The time that skills are known to lose to rules."""
+    without: Sequence[Prohibition] = ()
+    """The skills that rules always stop."""
 
     def run(self) -> tuple[Sequence[Step] | None, Sequence[Diagnostic]]:
         """The steps, or why there are none. Raises `NoPlannerError`."""
@@ -45,23 +52,29 @@ class Search:
             return [], [errors.GoalIsMet().at(span)]
         if not self.actions:
             return None, [errors.NoSkillsToPlan().at(span)]
-        things = world.things(THING)
+        things, actions = world.things(THING), permitted(self.actions, self.without)
         try:
-            reach = Reach(world, things, self.actions, time.monotonic() + self.seconds)
-            blocked = [
-                self._out_of_reach(each, reach.missing(each.literal))
-                for each in self.goals
-                if not reach.is_possible(each.literal)
-            ]
+            reach = Reach(world, things, actions, time.monotonic() + self.seconds)
+            blocked = [each for each in self.goals if not reach.is_possible(each.literal)]
             if blocked:
-                return None, blocked
-            problem = Problem(self.actions, wanted, world, things, self.costs)
+                return None, [*self._blocked(blocked, reach)]
+            problem = Problem(actions, wanted, world, things, self.costs)
             steps = solve(problem, self.seconds)
         except (TimeOverError, ReachTimeOverError):
             return None, [errors.PlanningTimeOver(seconds=self.seconds).at(span)]
         if steps is None:
-            return None, [errors.GoalsTogether().at(span)]
+            return None, [self._not_together(span)]
         return self._confirmed(steps, wanted, span)
+
+    def _not_together(self, span: Span) -> Diagnostic:
+        found = errors.GoalsTogether()
+        steps = dict.fromkeys(self._said_kind(each) for each in self.without)
+        return found.at(span, notes=[found.Forbidden(steps=_few([*steps]))] if steps else ())
+
+    def _said_kind(self, found: Prohibition) -> str:
+        """The words `Drive(Target = a skiros:Location)`."""
+        things = found.things
+        return _called(found.skill, [f"{name} = a {self.model.short(it)}" for name, it in things])
 
     def _confirmed(
         self, steps: Sequence[Step], wanted: Sequence[Literal], span: Span
@@ -75,6 +88,32 @@ class Search:
             found = errors.PlanNotConfirmed(number=failed.number, skill=skill, missing=missing)
             return None, [found.at(span)]
         return shortened(steps, wanted, self.start), []
+
+    def _blocked(self, goals: Sequence[Goal], reach: Reach) -> Iterator[Diagnostic]:
+        """The findings for goals that are out of reach."""
+        stopped = self._stopped(reach) if self.without else []
+        free = Reach(reach.world, reach.things, self.actions, reach.until) if stopped else reach
+        for goal in goals:
+            found = errors.GoalOutOfReach(missing=self._said(goal.literal))
+            if free.is_possible(goal.literal):
+                yield found.at(goal.span, notes=[found.Forbidden(steps=_few(stopped))])
+            else:
+                yield self._out_of_reach(goal, reach.missing(goal.literal))
+
+    def _stopped(self, reach: Reach) -> list[str]:
+        """The steps that could be made and would lead on, if rules did not stop them."""
+        found: dict[str, None] = {}
+        for action in self.actions:
+            for bound in reach.ways(action):
+                why = stopped_by(action, bound, self.without, reach.world)
+                if why is not None and reach.leads_on(action, bound):
+                    found[self._said_step(why, bound)] = None
+        return [*found]
+
+    def _said_step(self, why: Prohibition, things: Mapping[str, str]) -> str:
+        """The words `Drive(Target = skiros:Location-3)`."""
+        names = dict.fromkeys(name for name, _ in why.things)
+        return _called(why.skill, [f"{each} = {self.model.short(things[each])}" for each in names])
 
     def _out_of_reach(self, goal: Goal, missing: Missing) -> Diagnostic:
         """The finding for a goal, with the way from it to what is missing."""
@@ -97,3 +136,12 @@ class Search:
     def _said(self, literal: Literal) -> str:
         model = self.model
         return f"`{spelled(literal, model, model.short)}`"
+
+
+def _called(skill: str, things: Sequence[str]) -> str:
+    return f"{skill}({', '.join(things)})" if things else skill
+
+
+def _few(steps: Sequence[str]) -> str:
+    more = len(steps) - _MOST_STEPS
+    return listed(steps[:_MOST_STEPS]) + (f", and {more} more" if more > 0 else "")

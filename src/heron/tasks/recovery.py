@@ -25,6 +25,7 @@ class RecoveryServer:
                 str(goal["skill"]),
                 _texts(goal["arguments"]),
                 str(goal["afterwards"]),
+                _texts(goal.get("without", ())),
                 lambda is_success, _: done(is_success),
             )
         except RefusedError:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from concurrent.futures import Future
 
 from py_trees.common import Status
@@ -11,6 +11,7 @@ from ezskiros.engine.ahead import Ahead
 from ezskiros.engine.events import Event
 from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.interruption import InterruptibleTask, NoWayError, Way
+from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import RunningSkills
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
@@ -95,14 +96,15 @@ class SkillTask:
     def _note(self, root: RunningSkill) -> None:
         self._trees.append(Begun(root, len(self._events)))
 
-    def _way(self, call: SkillCall) -> Future[Way]:
+    def _way(self, call: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
         """Another way to the goal, searched at once: time stands still meanwhile. A thread would
         make the episode depend on how busy the computer is.
         """
         found: Future[Way] = Future()
         setting = self._task.setting
+        start = setting.world.copy()
         try:
-            found.set_result(way(setting.library, call, setting.world, setting.world.copy()))
+            found.set_result(way(setting.library, call, setting.world, start, without))
         except NoWayError as problem:
             found.set_exception(problem)
         else:

@@ -14,7 +14,7 @@ from dslkit.source import SourceFile, Span
 from rossmarie import ir
 from rossmarie.driver.sources import name_of
 from rossmarie.ir import reactions
-from rossmarie.naming import effect_target, is_block
+from rossmarie.naming import effect_target
 
 FORMAT = "rossmarie/rules"
 VERSION = 1
@@ -132,5 +132,5 @@ def _word(machine: ir.Machine, effect: reactions.Effect) -> str:
     """The word of the language for an effect."""
     if isinstance(effect, reactions.Limit):
         command = machine.reactions.commands[effect.topic]
-        return "block" if is_block(command, effect) else "limit"
+        return "block" if reactions.is_block(command, effect) else "limit"
     return WORDS[type(effect)]

@@ -325,6 +325,12 @@ def is_lasting(effect: Effect) -> bool:
             return True
 
 
+def is_block(command: CommandTopic, effect: Limit) -> bool:
+    """Say whether a limit lets nothing of a command pass but zero."""
+    is_zero = all(bound.low == 0 == bound.high for bound in effect.bounds)
+    return is_zero and len(effect.bounds) == len(command.fields)
+
+
 @dataclass(frozen=True)
 class Target:
     """The target that an effect needs for itself: `controller manager /controller_manager`. `name`

@@ -20,6 +20,7 @@ from rossmarie.lowering.contracts import Contract, contract_of
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.margins import Margins
 from rossmarie.lowering.nodes import Nodes
+from rossmarie.lowering.prohibitions import with_prohibitions
 from rossmarie.lowering.reactions import Plans
 from rossmarie.lowering.truths import Truths
 from rossmarie.units import DIMENSIONLESS
@@ -76,6 +77,7 @@ def lowered(program: CheckedProgram) -> Lowered:
         calls=_calls(program, inputs),
     )
     machine = _with_rules(machine, program, contracts, feedback)
+    machine = with_prohibitions(machine, program.skills)
     return Lowered(machine, contracts, inputs, nodes, truths)
 
 

@@ -1,6 +1,6 @@
 """Names of the parts of a guard, by which its users, other nodes and reports know them."""
 
-from rossmarie.naming.effects import effect_target, effect_words, is_block
+from rossmarie.naming.effects import effect_target, effect_words
 from rossmarie.naming.identifiers import c_identifier, public_prefix
 from rossmarie.naming.node import node_name, relayed_servers, unfiltered
 
@@ -8,7 +8,6 @@ __all__ = [
     "c_identifier",
     "effect_target",
     "effect_words",
-    "is_block",
     "node_name",
     "public_prefix",
     "relayed_servers",

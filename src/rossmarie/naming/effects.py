@@ -63,13 +63,7 @@ def effect_target(machine: ir.Machine, effect: reactions.Effect) -> str | None:
 def _bound_words(command: reactions.CommandTopic, effect: reactions.Limit | reactions.Scale) -> str:
     if isinstance(effect, reactions.Scale):
         return f"scale {command.topic} by {100 * effect.factor:g} %"
-    return f"{'block' if is_block(command, effect) else 'limit'} {command.topic}"
-
-
-def is_block(command: reactions.CommandTopic, effect: reactions.Limit) -> bool:
-    """Say whether a limit lets nothing of a command pass but zero."""
-    is_zero = all(bound.low == 0 == bound.high for bound in effect.bounds)
-    return is_zero and len(effect.bounds) == len(command.fields)
+    return f"{'block' if reactions.is_block(command, effect) else 'limit'} {command.topic}"
 
 
 def _value_words(value: reactions.Scalar) -> str:

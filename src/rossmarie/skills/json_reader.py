@@ -64,6 +64,12 @@ class Json:
         for place, element in enumerate(self.value):
             yield Json(element, f"{self.way}[{place}]")
 
+    def members(self, make: Callable[[Json], Made]) -> dict[str, Made]:
+        """The results for the members of an object."""
+        if not isinstance(self.value, dict):
+            self._expected("an object")
+        return {key: make(Json(each, self._way_to(key))) for key, each in self.value.items()}
+
     def each(self, make: Callable[[Json], Made]) -> tuple[Made, ...]:
         """The results for the elements of a list."""
         return tuple(make(element) for element in self.elements())

@@ -55,7 +55,7 @@ class Property:
 class Parameter:
     """A parameter of a skill: of a class of things, or `float`, `int`, `bool`, `str`, `enum`.
     One that is needed has a value before the skill starts; one that is given gets it from whoever
-    starts the skill, and has no default.
+    starts the skill, and has no default. `default` is that of one that has a number for it.
     """
 
     name: str
@@ -63,6 +63,7 @@ class Parameter:
     is_needed: bool
     is_given: bool
     place: Place | None
+    default: float | None = None
 
 
 @dataclass(frozen=True)
@@ -148,9 +149,36 @@ class Conditions:
 
 
 @dataclass(frozen=True)
+class Step:
+    """A skill in a tree. `arguments` are texts by the names of its parameters: the name of one of
+    the compound, or what is written; None for what is computed when the skill runs.
+    """
+
+    skill: str
+    arguments: Mapping[str, str | None]
+    place: Place | None
+
+
+@dataclass(frozen=True)
+class Control:
+    """The node over others, by its word in the file; empty if the file has none. `limit` is that of
+    a timeout in seconds, and the number of tries of a retry: a number, or the parameter of the
+    compound that it is; None if nobody knows.
+    """
+
+    kind: str
+    children: tuple[Node, ...]
+    place: Place | None
+    limit: float | str | None = None
+
+
+Node = Step | Control
+
+
+@dataclass(frozen=True)
 class Skill:
     """A skill, by the name of its description; `parents` are the descriptions that it is derived
-    from, `children` all skills in its trees.
+    from, `trees` the ways through it, `children` all skills in these.
     """
 
     name: str
@@ -160,6 +188,7 @@ class Skill:
     permits: tuple[Permission, ...]
     uses: tuple[Use, ...]
     children: tuple[Child, ...]
+    trees: tuple[Control, ...]
     place: Place | None
 
 

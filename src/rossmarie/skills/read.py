@@ -6,8 +6,9 @@ where. Keys that the format does not have are passed over.
 
 from __future__ import annotations
 
+import math
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Protocol, TypeVar
 
@@ -20,6 +21,7 @@ from rossmarie.skills.model import (
     Condition,
     Conditions,
     Limit,
+    Node,
     Parameter,
     Permission,
     Property,
@@ -30,6 +32,7 @@ from rossmarie.skills.model import (
     Use,
     UseKind,
 )
+from rossmarie.skills.trees import RETRY, read_tree, steps
 
 FORMAT = "ezskiros/skills"
 VERSION = 1
@@ -40,8 +43,10 @@ LONGEST_PERIOD = 3600.0
 """Seconds between two messages of a context."""
 PLAIN_TYPES = ("float", "int", "bool", "str", "enum")
 """The types of parameters that are no things."""
+NUMBERS = ("float", "int")
+"""Those that are numbers."""
 
-_STARTING_AGAIN = ("retry",)
+_STARTING_AGAIN = (RETRY,)
 """Nodes of a tree that start a child again after it has failed."""
 
 _DIGEST = re.compile(r"[0-9a-f]{64}")
@@ -203,6 +208,8 @@ def _property(item: Json) -> Property:
 def _skill(item: Json) -> Skill:
     parameters = _by_name(item.get("parameters"), _parameter)
     permits = item.get("permits").each(lambda each: _permission(each, parameters))
+    numbers = {name for name, each in parameters.items() if each.type in NUMBERS}
+    trees = item.get("trees").each(lambda each: read_tree(each, _name, numbers))
     return Skill(
         name=_name(item.get("name")),
         parents=item.get("parents").each(_name),
@@ -210,7 +217,8 @@ def _skill(item: Json) -> Skill:
         conditions=_conditions(item.get("conditions")),
         permits=permits,
         uses=item.get("uses").each(_use),
-        children=tuple(_children(item.get("trees"))),
+        children=tuple(_children(trees)),
+        trees=trees,
         place=place_of(item),
     )
 
@@ -229,22 +237,12 @@ def _use(item: Json) -> Use:
     return Use(UseKind(kind), name, item.get("type").optional(Json.text), place_of(item))
 
 
-def _children(trees: Json) -> Iterator[Child]:
+def _children(trees: Iterable[Node]) -> Iterator[Child]:
     """The skills in all trees, whatever is between them and the root."""
-    waiting = [(each, False) for each in reversed(list(trees.elements()))]
-    while waiting:
-        node, is_retried = waiting.pop()
-        skill, control = node.find("skill"), node.find("control")
-        if skill is not None:
-            yield Child(_name(skill), _arguments(node), place_of(node), is_retried)
-            continue
-        again = is_retried or (control is not None and control.text() in _STARTING_AGAIN)
-        waiting += [(each, again) for each in reversed(list(node.get("children").elements()))]
-
-
-def _arguments(node: Json) -> Mapping[str, str | None]:
-    found = node.get("arguments")
-    return {name: found.get(name).optional(Json.text) for name in found.fields()}
+    for tree in trees:
+        for step, above in steps(tree):
+            is_retried = any(each.kind in _STARTING_AGAIN for each in above)
+            yield Child(step.skill, step.arguments, step.place, is_retried)
 
 
 def _parameter(item: Json) -> Parameter:
@@ -257,7 +255,17 @@ def _parameter(item: Json) -> Parameter:
         is_needed=kind != "optional" and not is_output,
         is_given=kind == "given" and not is_output and default is None,
         place=place_of(item),
+        default=_number_in(default),
     )
+
+
+def _number_in(spelled: str | None) -> float | None:
+    """The number that Python has there; None if it is another value, or infinite."""
+    try:
+        number = math.nan if spelled is None else float(spelled)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
 
 
 def _permission(item: Json, parameters: Mapping[str, Parameter]) -> Permission:

@@ -127,7 +127,7 @@ def begin(tmp_path: Path) -> Begin:
     def begun(skill: str, search: Future[Way] | None = None) -> Scene:
         search = search or Future()
         plain, events, _ = Skills(tmp_path, SOURCE).task(skill)
-        return Scene(InterruptibleTask(plain.root.call, plain.setting, lambda _: search), events)
+        return Scene(InterruptibleTask(plain.root.call, plain.setting, lambda *_: search), events)
 
     return begun
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from concurrent.futures import Future
 from pathlib import Path
 
@@ -10,6 +11,7 @@ from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import InterruptibleTask, Recovery
+from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.recovery_goals import RecoveryGoals, RefusedError, TaskHost
 from support.engine import Skills
 
@@ -59,7 +61,7 @@ class Robot:
         plain, self.events, _ = Skills(folder, SOURCE, SCENE).task(
             "Drive", "Target=kitchen", "Speed=0.25", "Gear=FAST"
         )
-        self.task = InterruptibleTask(plain.root.call, plain.setting, lambda _: Future())
+        self.task = InterruptibleTask(plain.root.call, plain.setting, lambda *_: Future())
         self.goals = RecoveryGoals(DIGEST, TaskHost(self.task))
         self.told: list[tuple[bool, str]] = []
         self.task.tick()
@@ -70,9 +72,10 @@ class Robot:
         skill: str = "Reroute",
         digest: str = DIGEST,
         afterwards: str = "resume",
+        without: Sequence[str] = (),
     ) -> Recovery:
         return self.goals.begin(
-            digest, skill, arguments, afterwards, lambda *end: self.told.append(end)
+            digest, skill, arguments, afterwards, without, lambda *end: self.told.append(end)
         )
 
     def started(self, skill: str) -> Event:
@@ -169,3 +172,47 @@ def test_a_goal_that_is_cancelled_ends(robot: Robot) -> None:
 def test_a_task_goes_on_in_a_way_that_is_known(robot: Robot) -> None:
     with pytest.raises(RefusedError, match="cannot go on by `dance`"):
         robot.begin("Target=store", *GIVEN, afterwards="dance")
+
+
+# --- what rules stop ------------------------------------------------------------------------------
+
+CONTAINER = "http://rvmi.aau.dk/ontologies/skiros.owl#Container"
+LOCATION = "http://rvmi.aau.dk/ontologies/skiros.owl#Location"
+
+
+def test_what_rules_stop_goes_along(robot: Robot) -> None:
+    without = [
+        "Reroute",
+        "Drive(Target=skiros.Container)",
+        "Drive(Target=skiros.Container, Target=skiros.Location)",
+    ]
+    recovery = robot.begin("Target=store", *GIVEN, afterwards="replan", without=without)
+    assert recovery.without == (
+        Prohibition("Reroute"),
+        Prohibition("Drive", (("Target", CONTAINER),)),
+        Prohibition("Drive", (("Target", CONTAINER), ("Target", LOCATION))),
+    )
+
+
+@pytest.mark.parametrize(
+    ("without", "reason"),
+    [
+        ("Fly", "there is no skill `Fly`"),
+        ("Drive(Goal=skiros.Location)", "`Drive` has no parameter `Goal` that is a thing"),
+        ("Drive(Speed=skiros.Location)", "`Drive` has no parameter `Speed` that is a thing"),
+        ("Drive(Target=skiros.Corridor)", "the ontology has no class `skiros.Corridor`"),
+        ("Drive(Target=skiros.at)", "the ontology has no class `skiros.at`"),
+        ("Drive(Target)", "the ontology has no class ``"),
+        ("Drive()", "`Drive()` is no skill with classes of its things"),
+        ("Drive(Target=skiros.Location) or Fly", "is no skill with classes of its things"),
+        ("", "`` is no skill with classes of its things"),
+    ],
+)
+def test_a_goal_that_is_not_understood_whole_is_refused(
+    robot: Robot, without: str, reason: str
+) -> None:
+    with pytest.raises(RefusedError) as problem:
+        robot.begin("Target=store", *GIVEN, afterwards="replan", without=["Drive", without])
+    assert str(problem.value).startswith("a skill that rules forbid is not known: ")
+    assert reason in str(problem.value)
+    assert robot.told == []

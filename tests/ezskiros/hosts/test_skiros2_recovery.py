@@ -285,7 +285,7 @@ def test_several_libraries_have_one_server(robot: Robot, monkeypatch: pytest.Mon
         assert skiros2_recovery.begin([each], context, served.append) is None
     (goals,) = served
     robot.told.clear()
-    goals.begin("digest", "Clear", [], "resume", lambda *end: robot.told.append(end))
+    goals.begin("digest", "Clear", [], "resume", [], lambda *end: robot.told.append(end))
     for _ in range(12):
         if robot.ticker._tasks:
             robot.ticker._tick()

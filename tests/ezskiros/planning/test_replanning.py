@@ -2,19 +2,31 @@
 
 from __future__ import annotations
 
+import math
 import time
 from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
+from ezskiros.engine.prohibitions import Prohibition
+from ezskiros.engine.world import World
+from ezskiros.ontology import Ontology
+from ezskiros.ontology.iris import THING
+from ezskiros.planning.actions import Action, actions
+from ezskiros.planning.facts import About, Fluent, Literal
+from ezskiros.planning.forbidden import permitted
+from ezskiros.planning.reach import Reach
 from ezskiros.planning.replanning import replanner
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
+from support.depth import examples
 from support.engine import Skills
 
 SOURCE = """
@@ -79,13 +91,15 @@ class Robot:
     events: list[Event]
     told: list[tuple[bool, str]] = field(default_factory=list)
 
-    def block(self, one: str, other: str) -> None:
-        """A tree marks a way as blocked; then another is looked for."""
+    def block(self, one: str, other: str, *without: Prohibition) -> None:
+        """A tree marks a way as blocked; then another is looked for, without what rules stop."""
         library, world = self.task.setting.library, self.task.setting.world_model
         found = {each.__name__: each for each in library.descriptions()}
         things = {"One": world.thing(one), "Other": world.thing(other)}
         call = SkillCall(found["Block"], None, MappingProxyType(things), NOWHERE)
-        self.task.recover(Recovery(call, Afterwards.REPLAN, lambda *end: self.told.append(end)))
+        self.task.recover(
+            Recovery(call, Afterwards.REPLAN, lambda *end: self.told.append(end), without)
+        )
 
     def to_the_end(self) -> Status:
         status, end = Status.RUNNING, time.monotonic() + 60
@@ -103,8 +117,8 @@ class Robot:
         ]
 
 
-def begun(folder: Path, skill: str, *texts: str, source: str = SOURCE) -> Robot:
-    plain, events, _ = Skills(folder, source, SCENE).task(skill, *texts)
+def begun(folder: Path, skill: str, *texts: str, source: str = SOURCE, scene: str = SCENE) -> Robot:
+    plain, events, _ = Skills(folder, source, scene).task(skill, *texts)
     setting = plain.setting
     task = InterruptibleTask(plain.root.call, setting, replanner(setting.library, setting.world))
     return Robot(task, events)
@@ -164,6 +178,163 @@ def test_the_search_changes_nothing_in_the_world(tmp_path: Path) -> None:
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
     setting, task = robot.task.setting, robot.task.root.call
     setting.world.save(tmp_path / "before.turtle")
-    assert len(replanner(setting.library, setting.world)(task).result(60)) == 2
+    assert len(replanner(setting.library, setting.world)(task, ()).result(60)) == 2
     setting.world.save(tmp_path / "after.turtle")
     assert (tmp_path / "before.turtle").read_text() == (tmp_path / "after.turtle").read_text()
+
+
+# --- what rules stop ------------------------------------------------------------------------------
+
+GIVEN = ("Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
+SKIROS = "http://rvmi.aau.dk/ontologies/skiros.owl#"
+CONTAINER = f"{SKIROS}Container"
+LOCATION = f"{SKIROS}Location"
+ROBOT = "http://www.inf.ufrgs.br/phi-group/ontologies/cora.owl#Robot"
+AT, RELATED = f"{SKIROS}at", f"{SKIROS}spatiallyRelated"
+CORRIDOR, YARD = "skiros:Location-3 a skiros:Location", "skiros:Location-4 a skiros:Location"
+TO_CONTAINERS = Prohibition("Drive", (("To", CONTAINER),))
+
+
+def delivering(folder: Path, *containers: str) -> Robot:
+    """A robot on its way to the hall, in a scene in which some places are containers."""
+    scene = SCENE
+    for each in containers:
+        scene = scene.replace(each, each.replace("a skiros:Location", "a skiros:Container"))
+    robot = begun(folder, *GIVEN, scene=scene)
+    robot.task.tick()
+    return robot
+
+
+@pytest.mark.parametrize(
+    ("container", "way"),
+    [
+        (CORRIDOR, ["dock to yard at 0.3", "yard to hall at 0.3"]),
+        (YARD, ["dock to corridor at 0.3", "corridor to hall at 0.3"]),
+    ],
+)
+def test_a_way_without_what_rules_stop(tmp_path: Path, container: str, way: list[str]) -> None:
+    robot = delivering(tmp_path, container)
+    robot.block("hall", "dock", TO_CONTAINERS)
+    assert robot.to_the_end() is Status.SUCCESS
+    assert robot.ways() == way
+
+
+def test_all_things_of_a_prohibition_have_to_be_of_its_classes(tmp_path: Path) -> None:
+    robot = delivering(tmp_path, CORRIDOR, YARD)
+    both = Prohibition("Drive", (("From", CONTAINER), ("To", CONTAINER)))
+    robot.block("corridor", "hall", both)
+    assert robot.to_the_end() is Status.SUCCESS
+    assert robot.ways() == ["dock to yard at 0.3", "yard to hall at 0.3"]
+
+
+@pytest.mark.parametrize(
+    ("without", "reason"),
+    [
+        (
+            TO_CONTAINERS,
+            "the rules forbid `Drive(To = skiros:Location-3)` and `Drive(To = skiros:Location-4)`",
+        ),
+        (Prohibition("Drive"), "the rules forbid `Drive`"),
+        (
+            Prohibition("Drive", (("From", CONTAINER), ("To", LOCATION))),
+            "the rules forbid `Drive(From = skiros:Location-3, To = skiros:Location-5)` and "
+            "`Drive(From = skiros:Location-4, To = skiros:Location-5)`",
+        ),
+    ],
+)
+def test_no_way_is_left_without_what_rules_stop(
+    tmp_path: Path, without: Prohibition, reason: str
+) -> None:
+    robot = delivering(tmp_path, CORRIDOR, YARD)
+    robot.block("hall", "dock", without)
+    assert robot.to_the_end() is Status.FAILURE
+    assert robot.ways() == []
+    ((is_done, why),) = robot.told
+    assert not is_done
+    assert why.startswith("no plan leads to the goal of the task: no skill leads to this: ")
+    assert why.endswith(f"({reason})")
+
+
+def test_rules_are_no_reason_where_there_is_no_way_at_all(tmp_path: Path) -> None:
+    robot = delivering(tmp_path, CORRIDOR)
+    world = robot.task.setting.world_model
+    world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
+    robot.block("yard", "hall", TO_CONTAINERS)
+    assert robot.to_the_end() is Status.FAILURE
+    assert "rules" not in robot.told[0][1]
+
+
+def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> None:
+    """A way is gone after the robot has taken it, and one of them has to stay."""
+    source = SOURCE.replace(
+        "self.post_conditions += ~Robot.at(From)",
+        "self.post_conditions += ~Robot.at(From)\n"
+        "        self.post_conditions += ~From.spatiallyRelated(To)",
+    ).replace(
+        "Place: skiros.Location, Speed: float):\n",
+        "Place: skiros.Location, One: skiros.Location, Other: skiros.Location):\n"
+        "        self.post_conditions += One.spatiallyRelated(Other)\n",
+    )
+    scene = SCENE.replace(YARD, YARD.replace("a skiros:Location", "a skiros:Container"))
+    things = ("Robot=heron", "Place=hall", "One=dock", "Other=corridor")
+    robot = begun(tmp_path, "Deliver", *things, source=source, scene=scene)
+    robot.task.tick()
+    robot.block("hall", "dock", TO_CONTAINERS)
+    assert robot.to_the_end() is Status.FAILURE
+    why = robot.told[0][1]
+    assert "no sequence of skills leads to this" in why
+    assert "the rules forbid `Drive(To = a skiros:Container)`" in why
+
+
+@pytest.fixture(scope="module")
+def drive(tmp_path_factory: pytest.TempPathFactory) -> tuple[Ontology, Action]:
+    """The skill that drives, as a planner has it."""
+    robot = begun(tmp_path_factory.mktemp("drive"), *GIVEN)
+    library, world = robot.task.setting.library, robot.task.setting.world
+    found, _ = actions(library, world.ontology.model)
+    return world.ontology, next(each for each in found if each.skill.name == "Drive")
+
+
+@given(st.data())
+@settings(max_examples=examples(60), deadline=None)
+def test_what_is_in_reach_is_what_a_walk_finds(
+    drive: tuple[Ontology, Action], data: st.DataObject
+) -> None:
+    """Places and ways at random: in reach without steps to or from classes of places is what a walk
+    along the other ways comes to.
+    """
+    ontology, action = drive
+    world = World(ontology)
+    robot = world.new(ROBOT)
+    kinds = data.draw(st.lists(st.sampled_from([LOCATION, CONTAINER]), min_size=2, max_size=5))
+    places = [world.new(each) for each in kinds]
+    ends = st.sampled_from(places)
+    ways = data.draw(st.sets(st.tuples(ends, ends), max_size=12))
+    for one, other in ways:
+        if one != other:
+            world.relate(one, RELATED, other)
+    world.relate(robot, AT, places[0])
+    limits = st.sampled_from([("From", CONTAINER), ("To", CONTAINER), ("To", LOCATION)])
+    without = [
+        Prohibition("Drive", tuple(each))
+        for each in data.draw(st.lists(st.lists(limits, max_size=2, unique=True), max_size=2))
+    ]
+    reach = Reach(world, world.things(THING), permitted([action], without), math.inf)
+    found = {
+        each
+        for each in places
+        if reach.is_possible(Literal(Fluent(About.RELATION, AT), (robot, each)))
+    }
+
+    def is_stopped(one: str, other: str) -> bool:
+        ends = {"From": one, "To": other}
+        return any(all(world.is_a(ends[n], kind) for n, kind in each.things) for each in without)
+
+    walked, waiting = {places[0]}, [places[0]]
+    while waiting:
+        one = waiting.pop()
+        for other in set(world.related(one, RELATED)) - walked - {one}:
+            if not is_stopped(one, other):
+                walked.add(other)
+                waiting.append(other)
+    assert found == walked

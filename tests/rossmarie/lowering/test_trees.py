@@ -59,4 +59,5 @@ def test_a_tree_is_a_goal_for_whoever_runs_skills(
         "skill": skill,
         "arguments": arguments,
         "afterwards": afterwards,
+        **({"without": ()} if afterwards == "replan" else {}),
     }

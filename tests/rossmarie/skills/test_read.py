@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 from dslkit.source import SourceFile
 from rossmarie.skills import (
     LARGEST_FILE,
+    Control,
     Place,
     UnreadableSkills,
     changed_source,
@@ -53,6 +54,19 @@ def test_all_that_rules_ask_for_is_read() -> None:
     assert found.properties["skiros.Weight"].unit == "kg"
 
 
+def test_trees_have_their_limits() -> None:
+    found = content()
+    ways = [timed("timeout", seconds=2.5), timed("timeout", seconds="Speed"), timed("retry")]
+    found["skills"][0]["trees"] = [*ways, timed("retry", tries=3)]
+    found["skills"][0]["parameters"][0]["default"] = 0.5
+    skill = parse_skills(SourceFile("skills.json", json.dumps(found))).skills["Move"]
+    nodes = [each for tree in skill.trees for each in tree.children]
+    limits = [each.limit for each in nodes if isinstance(each, Control)]
+    assert limits == [2.5, "Speed", None, 3.0]
+    assert skill.parameters["Speed"].default == 0.5
+    assert [each.is_retried for each in skill.children] == [False, False, True, True]
+
+
 def put(*way: str | int, value: object) -> Change:
     """A change that puts a value at the end of a way."""
 
@@ -75,6 +89,15 @@ def without(*way: str | int) -> Change:
     return change
 
 
+STEP = {"skill": "Move", "arguments": {"Speed": "Speed"}, "place": None}
+
+
+def timed(control: str, **limit: object) -> dict[str, Any]:
+    """A tree of one skill below a node with a limit."""
+    node = {"control": control, **limit, "children": [STEP], "place": None}
+    return {"children": [node], "place": None}
+
+
 def twice(key: str) -> Change:
     """A change that repeats the first element of a list."""
 
@@ -91,6 +114,40 @@ def twice(key: str) -> Change:
         (put("version", value=2), "`version` is 2, and this program reads version 1"),
         (put("version", value=True), "`version` is a truth, not a whole number"),
         (put("digest", value="5B" * 32), "`digest` is not 64 hexadecimal digits"),
+        (
+            put("skills", 2, "parameters", 1, "default", value="2"),
+            "`skills[2].parameters[1].default` is a text, not a number",
+        ),
+        (
+            put("skills", 0, "trees", value=[timed("timeout", seconds=0)]),
+            "`skills[0].trees[0].children[0].seconds` is not above 0",
+        ),
+        (
+            put("skills", 0, "trees", value=[timed("timeout", seconds="Time")]),
+            "`skills[0].trees[0].children[0].seconds` is no parameter of the skill that is a "
+            "number",
+        ),
+        (
+            put("skills", 1, "trees", value=[timed("timeout", seconds="Target")]),
+            "`skills[1].trees[0].children[0].seconds` is no parameter of the skill that is a "
+            "number",
+        ),
+        (
+            put("skills", 0, "trees", value=[timed("timeout", seconds=[3])]),
+            "`skills[0].trees[0].children[0].seconds` is a list, not a number",
+        ),
+        (
+            put("skills", 0, "trees", value=[timed("retry", tries=None)]),
+            "`skills[0].trees[0].children[0].tries` is null, not a number",
+        ),
+        (
+            put("skills", 0, "trees", value=[{"children": [{**STEP, "arguments": []}]}]),
+            "`skills[0].trees[0].children[0].arguments` is a list, not an object",
+        ),
+        (
+            put("skills", 0, "trees", value=[{"children": [{**STEP, "arguments": {"Speed": 2}}]}]),
+            "`skills[0].trees[0].children[0].arguments.Speed` is a number, not a text",
+        ),
         (without("digest"), "`digest` is missing"),
         (put("classes", value=None), "`classes` is null, not a list"),
         (

@@ -31,6 +31,8 @@ SERVER = "/recovery"
 ACTION = "skill_context_msgs/Recover"
 PASSED = "@"
 """Begins a value that is the parameter of a skill that runs: `@Drive.Target`."""
+AFTERWARDS = "afterwards"
+"""The field of a goal that says how the task goes on."""
 _USUALLY = "resume"
 _NUMBERS = frozenset({"float", "int"})
 _TEXTS = frozenset({"str", "enum"})
@@ -61,7 +63,7 @@ def checked_tree(effect: ast.RunTree, timeout_ns: int, context: Context) -> Chec
         "digest": skills.file.digest,
         "skill": skill.name,
         "arguments": tuple(f"{name}={value}" for name, value in sorted(given.items())),
-        "afterwards": afterwards,
+        AFTERWARDS: afterwards,
     }
     assignments = tuple(reactions.Assignment((name,), value) for name, value in fields.items())
     return CheckedGoal(SERVER, ACTION, assignments, timeout_ns, reactions.Interrupted.DROP)

@@ -215,6 +215,8 @@ def _assignment(assignment: reactions.Assignment) -> str:
 
 def _list_assignment(field: str, values: Sequence[reactions.Scalar]) -> str:
     texts = [string(value) for value in values if isinstance(value, str)]
+    if not values:
+        return f"{field} = {{}};"  # a list of texts, or of numbers: nobody can tell
     if texts:
         return f"{field} = {{{', '.join(texts)}}};"
     numbers = [repr(value) for value in values if not isinstance(value, str)]

@@ -7,8 +7,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from rossmarie.ir import Machine, reactions
-from rossmarie.naming import is_block
+from rossmarie.ir import reactions
+from rossmarie.ir.model import Machine
 from rossmarie.skills import Use, UseKind
 
 
@@ -27,15 +27,16 @@ def takings(machine: Machine, uses: Sequence[Use]) -> Iterator[Taking]:
     for rule, plan in enumerate(machine.reactions.plans):
         for index in dict.fromkeys(task for stage in plan.stages for task in stage):
             task = machine.reactions.tasks[index]
-            taken = _taken(machine, task.effect)
-            if taken in wanted:
-                yield Taking(rule, task, wanted[taken])
+            found = taken(machine, task.effect)
+            if found in wanted:
+                yield Taking(rule, task, wanted[found])
 
 
-def _taken(machine: Machine, effect: reactions.Effect) -> tuple[UseKind, str] | None:
+def taken(machine: Machine, effect: reactions.Effect) -> tuple[UseKind, str] | None:
+    """The topic or the server that an effect takes away from skills; None if it takes none."""
     commands = machine.reactions.commands
     match effect:
-        case reactions.Limit(topic=topic) if is_block(commands[topic], effect):
+        case reactions.Limit(topic=topic) if reactions.is_block(commands[topic], effect):
             return UseKind.TOPIC, commands[topic].topic
         case reactions.Scale(topic=topic, factor=0.0):
             return UseKind.TOPIC, commands[topic].topic

@@ -1,0 +1,55 @@
+"""Skills that rules always stop, so that no other way is made of them: `Drive`, or
+`Drive(Target=hall.SchoolCorridor)` if only things of a class are meant.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from ezskiros.ontology import Ontology
+from ezskiros.skills.interface import SkillInterface
+
+_FORM = re.compile(r"(?P<skill>[A-Za-z_]\w*)(?:\((?P<things>[^()]+)\))?", re.ASCII)
+
+
+class UnknownProhibitionError(ValueError):
+    """A text that is no prohibition, or names something that nobody knows; it says what."""
+
+
+@dataclass(frozen=True)
+class Prohibition:
+    """A skill that rules stop whenever all of `things` are so: parameters, with the IRIs of the
+    classes that their things are of. Without any, it is always stopped.
+    """
+
+    skill: str
+    things: tuple[tuple[str, str], ...] = ()
+
+
+def read_prohibition(
+    text: str, skills: Mapping[str, SkillInterface], ontology: Ontology
+) -> Prohibition:
+    """The prohibition in a text. Raises `UnknownProhibitionError`."""
+    found = _FORM.fullmatch(text)
+    if found is None:
+        raise UnknownProhibitionError(f"`{text}` is no skill with classes of its things")
+    name, things = found["skill"], found["things"]
+    skill = skills.get(name)
+    if skill is None:
+        raise UnknownProhibitionError(f"there is no skill `{name}`")
+    parts = [] if things is None else things.split(",")
+    return Prohibition(name, tuple(_thing(each.strip(), skill, ontology) for each in parts))
+
+
+def _thing(text: str, skill: SkillInterface, ontology: Ontology) -> tuple[str, str]:
+    name, _, kind = text.partition("=")
+    parameter = skill.parameter(name)
+    if parameter is None or not parameter.is_thing:
+        raise UnknownProhibitionError(f"`{skill.name}` has no parameter `{name}` that is a thing")
+    classes = ontology.model.classes
+    iris = [iri for iri, spelled in ontology.spelled.items() if spelled == kind and iri in classes]
+    if not iris:
+        raise UnknownProhibitionError(f"the ontology has no class `{kind}`")
+    return name, iris[0]

@@ -1,0 +1,54 @@
+"""Actions without those steps that rules always stop."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from ezskiros.engine.prohibitions import Prohibition
+from ezskiros.engine.world import World
+from ezskiros.planning.actions import Action
+from ezskiros.planning.facts import About, Clause, Fluent, Literal
+
+
+def permitted(actions: Iterable[Action], without: Sequence[Prohibition]) -> list[Action]:
+    """The actions, each with the need that one of its things is of another class than a rule says.
+    One that is always stopped is left out.
+    """
+    found = []
+    for action in actions:
+        about = [*_about(action, without)]
+        if all(each.things for each in about):
+            found.append(replace(action, needs=(*action.needs, *map(_clause, about))))
+    return found
+
+
+def stopped_by(
+    action: Action, things: Mapping[str, str], without: Sequence[Prohibition], world: World
+) -> Prohibition | None:
+    """The first prohibition that a step falls under; None if rules let it be."""
+    return next(
+        (
+            each
+            for each in _about(action, without)
+            if all(world.is_a(things[name], owl_class) for name, owl_class in each.things)
+        ),
+        None,
+    )
+
+
+def _about(action: Action, without: Iterable[Prohibition]) -> Iterator[Prohibition]:
+    """The prohibitions of a skill. A parameter that a plan leaves open can be of any class: then
+    nobody knows that the rules stop the step.
+    """
+    known = {each.name for each in action.things}
+    for each in without:
+        if each.skill == action.skill.name and known.issuperset(name for name, _ in each.things):
+            yield each
+
+
+def _clause(prohibition: Prohibition) -> Clause:
+    return tuple(
+        Literal(Fluent(About.CLASS, owl_class), (name,), False)
+        for name, owl_class in prohibition.things
+    )

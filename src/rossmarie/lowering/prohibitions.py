@@ -1,0 +1,222 @@
+"""Skills that rules stop whenever they run: no way for a planner that looks for another (S68).
+
+What a rule asks is read off its condition, not proved: a question to the skills that run, or an
+`or` with one. So it holds of each skill that is named, and nothing is said of others.
+"""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import replace
+
+from rossmarie import ir
+from rossmarie.check.actions.trees import AFTERWARDS, SERVER
+from rossmarie.check.model import CheckedSkills
+from rossmarie.ir import overruled, reactions
+from rossmarie.ir.taking import taken
+from rossmarie.skills import Control, Parameter, Skill, Step, UseKind
+from rossmarie.skills.trees import FIRST_FAILURE, FIRST_SUCCESS, RETRY, SELECTOR, SERIAL, TIMEOUT
+from rossmarie.skills.trees import folded as folded_tree
+
+WITHOUT = "without"
+"""The field of a goal that has them."""
+_REPLAN = "replan"
+
+Things = frozenset[tuple[str, str]]
+"""Parameters, each with a class: a skill is meant if all its things are of these."""
+_Taken = frozenset[tuple[UseKind, str]]
+
+_RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
+"""Nodes that do not succeed if one of their children does not."""
+_RUNS_ONE = (*SELECTOR, FIRST_SUCCESS)
+"""Nodes that succeed if one of their children does."""
+_MOST_WAYS = 64
+"""Combinations of things of one skill that are told. With the others, a rule stops it again."""
+_MOST_LEVELS = 64
+"""Compounds in compounds that are looked into."""
+
+
+def with_prohibitions(machine: ir.Machine, skills: CheckedSkills | None) -> ir.Machine:
+    """The machine, with goals that say of which skills no other way is to be made."""
+    tasks = machine.reactions.tasks
+    if skills is None or not any(_replans(task.effect) for task in tasks):
+        return machine
+    found = tuple(prohibitions(machine, skills))
+    told = tuple(replace(task, effect=_telling(task.effect, found)) for task in tasks)
+    return replace(machine, reactions=replace(machine.reactions, tasks=told))
+
+
+def prohibitions(machine: ir.Machine, skills: CheckedSkills) -> Iterator[str]:
+    """The skills that the rules always stop: `Drive(Target=hall.SchoolCorridor)`, or `Drive`."""
+    for name, ways in sorted(_stopped(machine, skills).items()):
+        for things in sorted(map(sorted, _without_special_cases(ways))):
+            limits = ", ".join(f"{parameter}={kind}" for parameter, kind in things)
+            yield f"{name}({limits})" if limits else name
+
+
+def _replans(effect: reactions.Effect) -> bool:
+    return (
+        isinstance(effect, reactions.SendGoal)
+        and effect.server == SERVER
+        and reactions.Assignment((AFTERWARDS,), _REPLAN) in effect.assignments
+    )
+
+
+def _telling(effect: reactions.Effect, found: tuple[str, ...]) -> reactions.Effect:
+    if not isinstance(effect, reactions.SendGoal) or not _replans(effect):
+        return effect
+    told = reactions.Assignment((WITHOUT,), found)
+    return replace(effect, assignments=(*effect.assignments, told))
+
+
+def _without_special_cases(ways: Collection[Things]) -> Iterator[Things]:
+    """Those that others do not hold already."""
+    return (each for each in ways if not any(other < each for other in ways))
+
+
+# --- rules ---------------------------------------------------------------------------------------
+
+
+def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozenset[Things]]:
+    """The things with which each skill is stopped."""
+    found: dict[str, frozenset[Things]] = {}
+    for rule in range(len(machine.rules)):
+        asked = [*_asked(machine, machine.rules[rule].condition)]
+        lost = _lost(machine, rule)
+        if not asked or not lost or machine.reactions.plans[rule].unless:
+            continue
+        needing = _needing(lost, skills.file.skills)
+        for question in asked:
+            things = _things(question, skills)
+            for name in needing.intersection(question.skills):
+                found[name] = found.get(name, frozenset()) | {things}
+    return _with_compounds(found, skills.file.skills)
+
+
+def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
+    """The questions to skills that run of which each alone makes a condition true."""
+    waiting = [condition]
+    while waiting:
+        node = machine.truths[waiting.pop()].node
+        if isinstance(node, ir.Or):
+            waiting += node.operands
+        elif isinstance(node, ir.Flag):
+            signal = machine.signals[node.signal].node
+            path = machine.slots[signal.slot].path if isinstance(signal, ir.Read) else ()
+            if path and isinstance(path[0], ir.Doing) and not path[0].is_ahead:
+                yield path[0]
+
+
+def _lost(machine: ir.Machine, rule: int) -> _Taken:
+    """All that a rule takes away as soon as it is active, and for as long as it is. A stage begins
+    after the one before: without delay if nothing there can fail.
+    """
+    found = []
+    for stage in machine.reactions.plans[rule].stages:
+        tasks = [machine.reactions.tasks[index] for index in stage]
+        found += [taken(machine, each.effect) for each in tasks if _lasts(each.effect)]
+        if any(map(overruled.can_fail, tasks)):
+            break
+    return frozenset(each for each in found if each is not None)
+
+
+def _lasts(effect: reactions.Effect) -> bool:
+    """Say whether what an effect takes away stays away; who sends a goal keeps the server."""
+    return reactions.is_lasting(effect) or isinstance(effect, reactions.SendGoal)
+
+
+def _things(question: ir.Doing, skills: CheckedSkills) -> Things:
+    """The classes that a question names, each the one that all the others are below."""
+    below = skills.classes.below
+    return frozenset(
+        (parameter, next(each for each in classes if below(each) == classes))
+        for parameter, classes in question.arguments
+    )
+
+
+# --- skills --------------------------------------------------------------------------------------
+
+
+def _needing(lost: _Taken, skills: Mapping[str, Skill]) -> frozenset[str]:
+    """The skills that cannot do without something, in whatever way they run."""
+    found = frozenset(
+        name
+        for name, skill in skills.items()
+        if any((use.kind, use.name) in lost for use in skill.uses)
+    )
+    for _ in range(_MOST_LEVELS):
+        known = found
+        more = frozenset(name for name, each in skills.items() if _needs(each, known))
+        if more <= found:
+            break
+        found |= more
+    return found
+
+
+def _needs(skill: Skill, known: Collection[str]) -> bool:
+    """Say whether each tree of a skill needs one of the known skills."""
+
+    def joined(node: Control, below: Sequence[bool]) -> bool:
+        if node.kind in _RUNS_ONE:
+            return bool(below) and all(below)
+        return node.kind in _RUNS_ALL and any(below)
+
+    trees = (folded_tree(each, lambda step: step.skill in known, joined) for each in skill.trees)
+    return bool(skill.trees) and all(trees)
+
+
+def _with_compounds(
+    stopped: Mapping[str, frozenset[Things]], skills: Mapping[str, Skill]
+) -> Mapping[str, frozenset[Things]]:
+    """Add the compounds that have no way but through a skill that is stopped."""
+    found = {name: stopped.get(name, frozenset()) for name in skills}
+    for _ in range(_MOST_LEVELS):
+        before = dict(found)
+        for name, skill in skills.items():
+            if skill.trees:
+                found[name] = _few(found[name] | _through(skill, before))
+        if found == before:
+            break
+    return {name: ways for name, ways in found.items() if ways}
+
+
+def _through(skill: Skill, stopped: Mapping[str, frozenset[Things]]) -> frozenset[Things]:
+    """The things with which each tree of a compound leads through skills that are stopped."""
+
+    def of_step(step: Step) -> frozenset[Things]:
+        ways = (_passed(each, step, skill.parameters) for each in stopped.get(step.skill, ()))
+        return frozenset(each for each in ways if each is not None)
+
+    def joined(node: Control, below: Sequence[frozenset[Things]]) -> frozenset[Things]:
+        if node.kind in _RUNS_ONE:
+            return _all_of(below)
+        return frozenset().union(*below) if node.kind in _RUNS_ALL else frozenset()
+
+    return _all_of([folded_tree(each, of_step, joined) for each in skill.trees])
+
+
+def _all_of(ways: Sequence[frozenset[Things]]) -> frozenset[Things]:
+    """The things that are stopped in each of some ways; none if there is no way."""
+    if not ways:
+        return frozenset()
+    found = ways[0]
+    for each in ways[1:]:
+        found = _few(frozenset(one | other for one, other in itertools.product(found, each)))
+    return found
+
+
+def _few(ways: frozenset[Things]) -> frozenset[Things]:
+    """The first ways, in an order that is always the same; the most general ones come first."""
+    general = frozenset(_without_special_cases(ways))
+    if len(general) <= _MOST_WAYS:
+        return general
+    return frozenset(sorted(general, key=lambda each: (len(each), sorted(each)))[:_MOST_WAYS])
+
+
+def _passed(things: Things, step: Step, parameters: Mapping[str, Parameter]) -> Things | None:
+    """Things of a step as those of the compound; None if it does not get all of them from there."""
+    names = {parameter: step.arguments.get(parameter) for parameter, _ in things}
+    if not all(each in parameters for each in names.values()):
+        return None
+    return frozenset((name, kind) for parameter, kind in things if (name := names[parameter]))
