@@ -201,6 +201,45 @@ class TreeHindered(Error, code="CHK206", name="tree-hindered-by-its-rule"):
         thing: str
 
 
+class NoDeadline(Warning, code="CHK209", name="step-without-deadline"):
+    """A step of a behavior tree that only the rule bounds, beside others that need time as well."""
+
+    title = "`{step}` has no deadline in `{tree}`: it can use up the {within} that `{rule}` gives"
+    label = "no `timeout` stands over this"
+    note = "the other steps then have no time left"
+    help = "say how long it may take: `self.timeout({step}(...), SECONDS)`"
+    step: str
+    tree: str
+    rule: str
+    within: str
+
+    class Runs(Remark):
+        says = "`{tree}` has {within} here"
+        tree: str
+        within: str
+
+
+class DeadlinesTooLong(Error, code="CHK210", name="deadlines-too-long"):
+    """A behavior tree whose deadlines add up to more than the time that the rule gives."""
+
+    title = "the deadlines in `{tree}` add up to {most}, and `{rule}` gives it {within}"
+    label = "after {within} the tree is stopped"
+    help = "give the tree more time, or its steps less"
+    tree: str
+    rule: str
+    most: str
+    within: str
+
+    class Stands(Remark):
+        says = "`{tree}` is described here"
+        tree: str
+
+    class Parts(Remark):
+        says = "{most} = {parts}"
+        most: str
+        parts: str
+
+
 class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
     """A topic or server that rules and skills take for something else."""
 
@@ -255,6 +294,8 @@ ALL: tuple[type[Template], ...] = (
     NotAllAsked,
     NothingToTake,
     TreeHindered,
+    NoDeadline,
+    DeadlinesTooLong,
     TypesDiffer,
     NobodyReads,
     NoOntologyForScene,

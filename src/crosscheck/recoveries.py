@@ -7,52 +7,22 @@ in force while the tree runs.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from crosscheck.errors import TreeHindered
 from crosscheck.robot import Robot
+from crosscheck.tree_runs import TreeRun, tree_runs
 from dslkit.diagnostics import Diagnostic
-from rossmarie.check.actions.trees import SERVER
-from rossmarie.ir import reactions
 from rossmarie.ir.taking import Taking, takings
 from rossmarie.skills import Skill
 
 
-@dataclass(frozen=True)
-class _Run:
-    """A rule that runs a tree: the task, its stage in the plan of the rule, and the skill."""
-
-    rule: int
-    task: reactions.Task
-    stage: int
-    skill: Skill
-
-
 def find_hindered(robot: Robot) -> Iterator[Diagnostic]:
     """An error for each tree that needs something that its own rule takes away."""
-    for run in _runs(robot):
+    for run in tree_runs(robot):
         for skill in _below(robot, run.skill):
             for taking in takings(robot.machine, skill.uses):
                 if taking.rule == run.rule and _is_in_force(robot, run, taking):
                     yield _finding(robot, run, skill, taking)
-
-
-def _runs(robot: Robot) -> Iterator[_Run]:
-    tasks = robot.machine.reactions.tasks
-    for rule, plan in enumerate(robot.machine.reactions.plans):
-        for number, stage in enumerate(plan.stages):
-            for task in (tasks[index] for index in stage):
-                skill = robot.skills.skills.get(_tree(task.effect) or "")
-                if skill is not None:
-                    yield _Run(rule, task, number, skill)
-
-
-def _tree(effect: reactions.Effect) -> str | None:
-    """The skill that an effect runs as a tree; None if it runs none."""
-    if not isinstance(effect, reactions.SendGoal) or effect.server != SERVER:
-        return None
-    named = (each.value for each in effect.assignments if each.path == ("skill",))
-    return next((value for value in named if isinstance(value, str)), None)
 
 
 def _below(robot: Robot, skill: Skill) -> Iterator[Skill]:
@@ -69,13 +39,15 @@ def _below(robot: Robot, skill: Skill) -> Iterator[Skill]:
                 waiting.append(known)
 
 
-def _is_in_force(robot: Robot, run: _Run, taking: Taking) -> bool:
+def _is_in_force(robot: Robot, run: TreeRun, taking: Taking) -> bool:
     tasks, plan = robot.machine.reactions.tasks, robot.machine.reactions.plans[run.rule]
+    if run.stage is None:
+        return False
     before = (tasks[index] for stage in plan.stages[: run.stage + 1] for index in stage)
     return any(each is taking.task for each in before)
 
 
-def _finding(robot: Robot, run: _Run, skill: Skill, taking: Taking) -> Diagnostic:
+def _finding(robot: Robot, run: TreeRun, skill: Skill, taking: Taking) -> Diagnostic:
     rule = robot.machine.rules[run.rule].name
     found = TreeHindered(rule=rule, tree=run.skill.name, thing=taking.use.name)
     needed = TreeHindered.Needed(skill=skill.name, thing=taking.use.name)
