@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from crosscheck.channels import find_types_that_differ, find_unread
+from crosscheck.deadlines import find_too_long, find_without_deadline
 from crosscheck.errors import NotAllAsked
 from crosscheck.exemptions import find_unused, find_wider
 from crosscheck.fights import find_fights
@@ -63,6 +64,8 @@ def findings(robot: Robot, scene: Scene | None = None) -> Iterator[Diagnostic]:
     yield from find_unread(robot)
     yield from find_unused(robot)
     yield from find_hindered(robot)
+    yield from find_without_deadline(robot)
+    yield from find_too_long(robot)
     if scene is not None:
         yield from find_nothing_to_take(robot, scene)
         yield from find_never_in_scene(robot, scene)

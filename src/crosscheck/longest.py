@@ -37,7 +37,7 @@ class Longest:
     @property
     def end(self) -> Time:
         """The longest time until it ends in either way."""
-        return _latest(self.success, self.failure) or _AT_ONCE
+        return _latest(self.failure, self.success) or _AT_ONCE
 
 
 _AT_ONCE = Time(0.0)

@@ -27,6 +27,8 @@ def find_hindered(robot: Robot) -> Iterator[Diagnostic]:
 
 def _is_in_force(robot: Robot, run: TreeRun, taking: Taking) -> bool:
     tasks, plan = robot.machine.reactions.tasks, robot.machine.reactions.plans[run.rule]
+    if run.stage is None:
+        return False
     before = (tasks[index] for stage in plan.stages[: run.stage + 1] for index in stage)
     return any(each is taking.task for each in before)
 

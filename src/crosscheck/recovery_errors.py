@@ -69,6 +69,45 @@ class TreeMayNotStart(Warning, code="CHK208", name="tree-may-not-start"):
     running: str
 
 
+class NoDeadline(Warning, code="CHK209", name="step-without-deadline"):
+    """A step of a behavior tree that only the rule bounds, beside others that need time as well."""
+
+    title = "`{step}` has no deadline in `{tree}`: it can use up the {within} that `{rule}` gives"
+    label = "no `timeout` stands over this"
+    note = "the other steps then have no time left"
+    help = "say how long it may take: `self.timeout({step}(...), SECONDS)`"
+    step: str
+    tree: str
+    rule: str
+    within: str
+
+    class Runs(Remark):
+        says = "`{tree}` has {within} here"
+        tree: str
+        within: str
+
+
+class DeadlinesTooLong(Error, code="CHK210", name="deadlines-too-long"):
+    """A behavior tree whose deadlines add up to more than the time that the rule gives."""
+
+    title = "the deadlines in `{tree}` add up to {most}, and `{rule}` gives it {within}"
+    label = "after {within} the tree is stopped"
+    help = "give the tree more time, or its steps less"
+    tree: str
+    rule: str
+    most: str
+    within: str
+
+    class Stands(Remark):
+        says = "`{tree}` is described here"
+        tree: str
+
+    class Parts(Remark):
+        says = "{most} = {parts}"
+        most: str
+        parts: str
+
+
 class MayNotGoOn(Warning, code="CHK211", name="task-may-not-go-on"):
     """A skill that a tree interrupts, and that cannot start again after the tree."""
 
@@ -120,6 +159,8 @@ ALL: tuple[type[Template], ...] = (
     TreeHindered,
     TreeNeverStarts,
     TreeMayNotStart,
+    NoDeadline,
+    DeadlinesTooLong,
     MayNotGoOn,
     NoValueForTree,
     ConditionsUnknown,

@@ -40,8 +40,10 @@ _REPLAN, _RETRY = "replan", "retry"
 
 
 def find_tree_conditions(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
-    """The findings on the trees of all rules, each once."""
-    runs = list(tree_runs(robot))
+    """The findings on the trees of all rules, each once. Escalations are left out: nobody knows
+    which skills run by then.
+    """
+    runs = [each for each in tree_runs(robot) if each.stage is not None]
     if not runs:
         return
     classes = ontology_of(robot)

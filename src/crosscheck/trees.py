@@ -6,29 +6,32 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from crosscheck.robot import Robot
-from rossmarie.check.actions.trees import PASSED, SERVER
+from rossmarie.check.actions.trees import AFTERWARDS, PASSED, SERVER
 from rossmarie.ir import reactions
 from rossmarie.skills import Skill
 
 
 @dataclass(frozen=True)
 class TreeRun:
-    """A rule that runs a tree: the task, its stage in the plan of the rule, and the skill."""
+    """A rule that runs a tree: the task, its stage in the plan of the rule, None if the tree is an
+    escalation; the goal, and the skill.
+    """
 
     rule: int
     task: reactions.Task
-    stage: int
+    stage: int | None
+    goal: reactions.SendGoal
     skill: Skill
 
     @property
     def afterwards(self) -> str:
         """The way in which the task goes on: `resume`, `retry` or `replan`."""
-        (found,) = self._field("afterwards")
+        (found,) = self._field(AFTERWARDS)
         return found
 
     @property
     def arguments(self) -> Mapping[str, str]:
-        """The values of parameters, as texts."""
+        """The values that the rule gives, as texts by the names of parameters."""
         pairs = (each.partition("=") for each in self._field("arguments"))
         return {name: value for name, _, value in pairs}
 
@@ -45,24 +48,23 @@ class TreeRun:
         return found
 
     def _field(self, name: str) -> tuple[str, ...]:
-        assert isinstance(self.task.effect, reactions.SendGoal), "a tree is a goal"
-        values = (each.value for each in self.task.effect.assignments if each.path == (name,))
+        values = (each.value for each in self.goal.assignments if each.path == (name,))
         value = next(values, ())
         if isinstance(value, str):
             return (value,)
-        assert isinstance(value, tuple), "the goal has texts"
-        return tuple(str(each) for each in value)
+        return tuple(str(each) for each in value) if isinstance(value, tuple) else ()
 
 
 def tree_runs(robot: Robot) -> Iterator[TreeRun]:
-    """The trees of all rules, in their order. Escalations are left out: they need not come."""
+    """The trees of all rules, in their order."""
     tasks = robot.machine.reactions.tasks
     for rule, plan in enumerate(robot.machine.reactions.plans):
-        for number, stage in enumerate(plan.stages):
-            for task in (tasks[index] for index in stage):
-                skill = robot.skills.skills.get(_tree(task.effect) or "")
-                if skill is not None:
-                    yield TreeRun(rule, task, number, skill)
+        stages = {index: number for number, stage in enumerate(plan.stages) for index in stage}
+        for index in plan.tasks:
+            goal = tasks[index].effect
+            skill = robot.skills.skills.get(_tree(goal) or "")
+            if skill is not None and isinstance(goal, reactions.SendGoal):
+                yield TreeRun(rule, tasks[index], stages.get(index), goal, skill)
 
 
 def _tree(effect: reactions.Effect) -> str | None:

@@ -172,8 +172,10 @@ class deliver(Deliver.SkillBase):
 class GiveWay(SkillDescription):
     """Waits for the way to be free; if that takes too long, turns back, and marks it as blocked.
 
+    Each step has a deadline, in case a server never answers: 53 s in all.
+
     Args:
-        Seconds: that it waits.
+        Seconds: that it waits, 12 at most.
 
     """
 
@@ -187,6 +189,9 @@ class GiveWay(SkillDescription):
 class give_way(GiveWay.SkillBase):
     def expandBT(self, params):
         self.selectorstar(
-            WaitUntilFree(Seconds=params.Seconds),
-            self.serialstar(TurnBack(), MarkAsBlocked()),
+            self.timeout(WaitUntilFree(Seconds=params.Seconds), 12.0),
+            self.serialstar(
+                self.timeout(TurnBack(), 40.0),
+                self.timeout(MarkAsBlocked(), 1.0),
+            ),
         )

@@ -19,6 +19,7 @@ SELECTOR = ("selector", "selectorstar")
 FIRST_SUCCESS = "parallelfs"
 FIRST_FAILURE = "parallelff"
 RETRY, TIMEOUT = "retry", "timeout"
+NO_FAIL, INVERTER = "nofail", "inverter"
 _LIMITS = {RETRY: "tries", TIMEOUT: "seconds"}
 """The keys of the numbers that nodes have."""
 

@@ -102,6 +102,17 @@ def test_values_are_those_that_are_written(robot: Robot) -> None:
     assert robot.told == [(True, "")]
 
 
+def test_a_number_with_a_default_need_not_be_given(robot: Robot) -> None:
+    robot.begin("Target=store", skill="Drive")
+    assert robot.ends() is Status.SUCCESS
+    (recovering,) = (
+        each.values
+        for each in robot.events
+        if each.happened is Happened.STARTED and str(each.values["Target"]) == "skiros:Location-2"
+    )
+    assert recovering["Speed"] == 0.5
+
+
 def test_values_are_those_of_the_skill_that_runs(robot: Robot) -> None:
     passed = [f"{name}=@Drive.{name}" for name in ("Target", "Speed", "Quietly", "Gear")]
     robot.begin(*passed)

@@ -179,6 +179,50 @@ def test_each_way_is_a_tree(tmp_path: Path) -> None:
     assert types == {"Speed": "float", "How": "enum", "Text": "str"}
 
 
+LIMITS = """
+class Step(SkillDescription):
+    def description(self, Far: bool = True):
+        pass
+
+class step(Step.SkillBase):
+    def execute(self):
+        return self.success("")
+
+class Patient(SkillDescription):
+    def description(self, Weight: float, Patience: float = 2.5, Tries: int = 3):
+        pass
+
+class patient(Patient.SkillBase):
+    def expandBT(self, params):
+        self.serialstar(
+            self.timeout(Step(), 4.0),
+            self.timeout(Step(), params.Patience),
+            self.timeout(Step(), params.Patience + 1),
+            self.retry(Step(), 2),
+            self.retry(Step(), params.Tries),
+            self.inverter(Step()),
+        )
+"""
+
+
+def test_limits_are_numbers_or_parameters(tmp_path: Path) -> None:
+    """The key is missing where a number is computed when the skill runs."""
+    skills = named(of_texts(tmp_path, a=LIMITS)["skills"])
+    (sequence,) = skills["Patient"]["trees"][0]["children"]
+    limits = [(e["control"], e.get("seconds"), e.get("tries")) for e in sequence["children"]]
+    assert limits == [
+        ("timeout", 4.0, None),
+        ("timeout", "Patience", None),
+        ("timeout", None, None),
+        ("retry", None, 2),
+        ("retry", None, "Tries"),
+        ("inverter", None, None),
+    ]
+    defaults = {e["name"]: e["default"] for e in skills["Patient"]["parameters"] if "default" in e}
+    assert defaults == {"Patience": 2.5, "Tries": 3}
+    assert "default" not in skills["Step"]["parameters"][0]
+
+
 DERIVED = """
 class Move(SkillDescription):
     def description(self, Object: skiros.Product):

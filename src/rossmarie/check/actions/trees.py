@@ -143,9 +143,13 @@ def _report(
 
 
 def _has_all(effect: ast.RunTree, skill: Skill, given: dict[str, str], context: Context) -> bool:
-    """Say whether all that a tree needs is given; what the world knows is inferred."""
+    """Say whether all that a tree needs is given; what the world knows is inferred, and a number
+    may have a default.
+    """
     missing = [
-        name for name, each in skill.parameters.items() if each.is_given and name not in given
+        name
+        for name, each in skill.parameters.items()
+        if each.is_given and each.default is None and name not in given
     ]
     if missing:
         finding = MissingTreeArgument(
