@@ -218,9 +218,9 @@ def test_limits_are_numbers_or_parameters(tmp_path: Path) -> None:
         ("retry", None, "Tries"),
         ("inverter", None, None),
     ]
-    defaults = {e["name"]: e["default"] for e in skills["Patient"]["parameters"] if "default" in e}
-    assert defaults == {"Patience": 2.5, "Tries": 3}
-    assert "default" not in skills["Step"]["parameters"][0]
+    defaults = {e["name"]: e["default"] for e in skills["Patient"]["parameters"]}
+    assert defaults == {"Weight": None, "Patience": "2.5", "Tries": "3"}
+    assert skills["Step"]["parameters"][0]["default"] == "True"
 
 
 DERIVED = """

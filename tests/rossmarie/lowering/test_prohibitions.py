@@ -52,12 +52,13 @@ def control(kind: str, *children: dict[str, Any]) -> dict[str, Any]:
 
 def compound(name: str, *trees: dict[str, Any]) -> dict[str, Any]:
     """A skill with the parameters A and B, which are locations."""
-    shape = {"kind": "given", "type": "skiros.Location", "is_output": False, "place": None}
+    shape = {"kind": "given", "type": "skiros.Location", "is_output": False, "default": None}
     ways = [{"implementation": "it", "place": None, "children": [each]} for each in trees]
     return {
         "name": name,
         "parents": [],
-        "parameters": [{"name": each, "key": each, **shape} for each in "AB"],
+        "parameters": [{"name": each, "key": each, **shape, "place": None} for each in "AB"],
+        "conditions": {"pre": [], "hold": [], "post": []},
         "trees": ways,
         "permits": [],
         "uses": [],

@@ -58,7 +58,7 @@ def test_trees_have_their_limits() -> None:
     found = content()
     ways = [timed("timeout", seconds=2.5), timed("timeout", seconds="Speed"), timed("retry")]
     found["skills"][0]["trees"] = [*ways, timed("retry", tries=3)]
-    found["skills"][0]["parameters"][0]["default"] = 0.5
+    found["skills"][0]["parameters"][0]["default"] = "0.5"
     skill = parse_skills(SourceFile("skills.json", json.dumps(found))).skills["Move"]
     nodes = [each for tree in skill.trees for each in tree.children]
     limits = [each.limit for each in nodes if isinstance(each, Control)]
@@ -115,8 +115,8 @@ def twice(key: str) -> Change:
         (put("version", value=True), "`version` is a truth, not a whole number"),
         (put("digest", value="5B" * 32), "`digest` is not 64 hexadecimal digits"),
         (
-            put("skills", 2, "parameters", 1, "default", value="2"),
-            "`skills[2].parameters[1].default` is a text, not a number",
+            put("skills", 2, "parameters", 1, "default", value=2),
+            "`skills[2].parameters[1].default` is a number, not a text",
         ),
         (
             put("skills", 0, "trees", value=[timed("timeout", seconds=0)]),
