@@ -8,13 +8,14 @@ of skills: so the same way is not taken again.
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import Future
 from types import MappingProxyType
 
 from ezskiros.engine.interruption import NoWayError, Replan, Way
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
+from ezskiros.learning.lessons import Cost
 from ezskiros.planning.actions import NotPlannableError, actions, literal
 from ezskiros.planning.goals import Goal
 from ezskiros.planning.pddl import Step
@@ -41,16 +42,24 @@ def replanner(library: Library, world: World) -> Replan:
     return replan
 
 
-def way(library: Library, task: SkillCall, world: World, start: World) -> Way:
+def way(
+    library: Library,
+    task: SkillCall,
+    world: World,
+    start: World,
+    costs: Sequence[Cost] = (),
+    seconds: float = SECONDS,
+) -> Way:
     """The skills that lead to the post-conditions of a task, and are run in `world`. `start` has
-    what is so there now. Raises `NoWayError`.
+    what is so there now, `costs` the time that skills are known to lose to rules. Raises
+    `NoWayError`.
     """
     skill = library.skill(task.skill)
     assert skill is not None, "it runs"
     wanted = list(_goals(skill, task.arguments))
     known, left_out = actions(library, world.ontology.model)
     try:
-        search = Search(start.copy, world.ontology.model, known, wanted, SECONDS)
+        search = Search(start.copy, world.ontology.model, known, wanted, seconds, costs)
         steps, said = search.run()
     except (NoPlannerError, RuntimeError) as problem:
         raise NoWayError(str(problem)) from None

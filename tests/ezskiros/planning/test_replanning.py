@@ -12,7 +12,8 @@ from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
-from ezskiros.planning.replanning import replanner
+from ezskiros.learning.lessons import Cost
+from ezskiros.planning.replanning import replanner, way
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
 from support.engine import Skills
@@ -167,3 +168,21 @@ def test_the_search_changes_nothing_in_the_world(tmp_path: Path) -> None:
     assert len(replanner(setting.library, setting.world)(task).result(60)) == 2
     setting.world.save(tmp_path / "after.turtle")
     assert (tmp_path / "before.turtle").read_text() == (tmp_path / "after.turtle").read_text()
+
+
+def test_the_way_heeds_what_skills_lose_to_rules(tmp_path: Path) -> None:
+    """The ways by the corridor and by the yard have the same length."""
+    robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
+    setting, task = robot.task.setting, robot.task.root.call
+
+    def by(*costs: Cost) -> object:
+        found = way(setting.library, task, setting.world, setting.world.copy(), costs)
+        return found[0].arguments["To"].label  # type: ignore[attr-defined]
+
+    def cost(start: str, target: str) -> Cost:
+        things = {"From": setting.world_model.thing(start), "To": setting.world_model.thing(target)}
+        places = tuple((name, thing.iri) for name, thing in things.items())
+        return Cost("Drive", places, executions=2, activations=1, lost_s=9.0)
+
+    assert by(cost("corridor", "hall")) == "yard"
+    assert by(cost("yard", "hall")) == "corridor"
