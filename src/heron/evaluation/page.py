@@ -44,8 +44,8 @@ same seeds in these arms:
 - *ROSSMARie with trees*: rules let the robot run a behavior tree, and the planner find another way,
   in experiments VI and VII only.
 - *ROSSMARie after learning*: the same, and the task is planned with what earlier runs have taught,
-  in experiment VII only. These runs have other seeds. The arm *ROSSMARie with trees* has nothing to
-  plan with there.
+  in experiment VII only. These runs have other seeds. There the planner of the arm *ROSSMARie with
+  trees* knows of no run.
 
 The thesis leaves the last four open (chapter 5). The expectations of them are older than the runs.
 
