@@ -1,4 +1,6 @@
-"""A recorder of all topics: messages as ROS 2 has them, in one MCAP file."""
+"""A recorder of all topics: messages as ROS 2 has them, in one MCAP file. Beside it, the trace of a
+task.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +12,8 @@ from pathlib import Path
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores
 
+from ezskiros.engine.events import Event
+from ezskiros.engine.tracing import Trace
 from heron.experiments import Node
 from heron.guard import Guard
 from heron.messages import Message, store
@@ -18,9 +22,10 @@ from heron.topics import InProcess, Topic
 
 
 class Recorder:
-    """An observer. Stamps are those of the simulation, which begins at 0."""
+    """An observer. Stamps are those of the simulation, which begins at `began_ns`."""
 
-    def __init__(self) -> None:
+    def __init__(self, began_ns: int = 0) -> None:
+        self._began_ns = began_ns
         self._ros1 = store()
         self._ros2 = store(Stores.ROS2_HUMBLE)
         self._topics: dict[Topic, None] = {}
@@ -28,7 +33,7 @@ class Recorder:
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:  # noqa: ARG002
         """Listen to all topics; nothing has to be asked for."""
-        self.listen(carrier, lambda: physics.elapsed_ns)
+        self.listen(carrier, lambda: self._began_ns + physics.elapsed_ns)
         return []
 
     def listen(self, carrier: InProcess, clock: Callable[[], int]) -> None:
@@ -59,6 +64,20 @@ class Recorder:
             for name, at_ns, data in self._heard:
                 connection = connections[name]
                 writer.write(connection, at_ns, self._ros2.ros1_to_cdr(data, connection.msgtype))
+
+
+def write_trace(
+    path: Path, events: Sequence[tuple[float, Event]], period_ns: int, began_ns: int
+) -> None:
+    """The trace of a task that is ticked once in a period, with the stamps of the recording. Raises
+    `OSError`.
+    """
+    start_s = events[0][0]
+    with path.open("w", encoding="utf-8") as file:
+        trace = Trace(file, began_ns + round(start_s * 1e9))
+        for at_s, event in events:
+            tick = 1 + round((at_s - start_s) * 1e9 / period_ns)
+            trace.write(event, tick, at_s - start_s)
 
 
 def _full(topic: Topic) -> str:

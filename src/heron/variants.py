@@ -16,6 +16,7 @@ class Arm(str, enum.Enum):
     SKILL_AWARE = "skill_aware"  # the same, by rules that know which skills run
     PROACTIVE = "proactive"  # the same, by rules that know what lies ahead
     TREES = "trees"  # the same, by rules that let it run behavior trees
+    LEARNED = "learned"  # the same; and it plans with what runs without that have taught
 
 
 class Terrain(str, enum.Enum):
@@ -64,6 +65,14 @@ class Blockage(str, enum.Enum):
     BOTH = "both"  # a pallet on the first way, and on the second a trolley
 
 
+class Trouble(str, enum.Enum):
+    """The obstacle that stands across the short way to a hall in most runs."""
+
+    LASTING = "lasting"  # a pallet, for good
+    PASSING = "passing"  # a trolley, which somebody takes away soon
+    NONE = "none"  # nothing, in no run: whatever was learned has to cost nothing here
+
+
 class Formulation(str, enum.Enum):
     """The numbers that are learned for the insertion of a peg."""
 
@@ -90,6 +99,7 @@ VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
     "contact": (Encounter.COLLISION, Encounter.JAMMED, Encounter.MEANT),
     "corridor": (Passage.CHILD, Passage.EMPTY),
     "blocked": (Blockage.PALLET, Blockage.TROLLEY, Blockage.BOTH),
+    "second": (Trouble.LASTING, Trouble.PASSING, Trouble.NONE),
 }
 """Of each experiment, by its name. The first one is run if none is named."""
 
@@ -101,6 +111,7 @@ ARMS: Mapping[str, tuple[Arm, ...]] = {
     "contact": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE),
     "corridor": (Arm.NONE, Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE),
     "blocked": (Arm.NONE, Arm.ROSSMARIE, Arm.TREES),
+    "second": (Arm.TREES, Arm.LEARNED),
 }
 """The guards of each experiment, by its name, in the order in which they are shown."""
 

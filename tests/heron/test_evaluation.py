@@ -358,7 +358,7 @@ def test_results_of_another_program_do_not_get_in(tmp_path: Path) -> None:
 def test_an_unknown_experiment_is_told_with_those_that_there_are() -> None:
     found = CliRunner().invoke(app, ["evaluate", "--experiment", "fly"])
     assert found.exit_code == 2
-    known = "nav, place, human, contact, corridor, blocked"
+    known = "nav, place, human, contact, corridor, blocked, second"
     assert f"there is no experiment fly; there are {known}" in found.output
 
 

@@ -110,6 +110,21 @@ def test_all_topics_are_in_it_with_the_definitions_of_their_types(tmp_path: Path
         assert first.header.frame_id == "wrist"
 
 
+def test_a_trace_has_the_stamps_of_the_recording(tmp_path: Path) -> None:
+    path, trace = tmp_path / "place.mcap", tmp_path / "place.jsonl"
+    variant = ["--variant", "expected", "--begin", "1000", "--trace", str(trace)]
+    recorded("place", path, *variant)
+    with AnyReader([path]) as reader:
+        assert reader.start_time >= 1000 * 10**9
+        assert reader.duration < 60 * 10**9
+    events = list(map(json.loads, trace.read_text(encoding="utf-8").splitlines()))
+    ends = [events[index] for index in (0, -1)]
+    assert [each["event"] for each in ends] == ["started", "succeeded"]
+    assert (ends[0]["tick"], ends[0]["time"], ends[0]["at_ns"]) == (1, 0.0, 1001 * 10**9)
+    assert ends[1]["at_ns"] == ends[0]["at_ns"] + round(ends[1]["time"] * 1e9)
+    assert ends[1]["tick"] == 1 + round(ends[1]["time"] / 0.04)
+
+
 @pytest.mark.parametrize(
     ("arguments", "reason"),
     [
@@ -120,13 +135,16 @@ def test_all_topics_are_in_it_with_the_definitions_of_their_types(tmp_path: Path
         ),
         (["record", "place", "--out", "a.bag"], "has to end in .mcap"),
         (["record", "place", "--out", "there.mcap"], "is there already"),
+        (["record", "place", "--out", "a.mcap", "--trace", "a.mcap"], "has to end in .jsonl"),
+        (["record", "place", "--out", "a.mcap", "--trace", "there.jsonl"], "is there already"),
     ],
 )
 def test_what_cannot_be_recorded_is_told_before_it_is_run(
     arguments: list[str], reason: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "there.mcap").write_text("mine", encoding="utf-8")
+    for name in ("there.mcap", "there.jsonl"):
+        (tmp_path / name).write_text("mine", encoding="utf-8")
     found = CliRunner().invoke(app, arguments)
     assert found.exit_code == 2
     assert reason in found.output

@@ -133,6 +133,13 @@ class InterruptibleTask(Task):
         own = skills_ahead(self.root, self._left[0] if self._left else None)
         return own if self._tree is None else [*skills_ahead(self._tree), *own]
 
+    def go_by(self, way: Way) -> None:
+        """Take a way to the goal that was planned before the first tick, in the place of its own
+        tree. It has one skill at least.
+        """
+        self._left = deque(way)
+        self._start(self._left.popleft())
+
     def recover(self, recovery: Recovery) -> None:
         """Ask for a tree, from any thread. One that runs already gives way to it."""
         self._asked.put(recovery)

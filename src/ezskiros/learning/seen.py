@@ -45,22 +45,32 @@ def activations(run: Run) -> Iterator[Activation]:
 def _running_at(
     executions: Iterable[Execution], stamps: Iterable[int]
 ) -> Iterator[Sequence[Execution]]:
-    """The executions at each of some instants that never decrease."""
+    """The executions at each of some instants that never decrease. What is preempted at the very
+    instant still ran: the rule asked for that.
+    """
     waiting = sorted(executions, key=lambda each: each.start_ns, reverse=True)
     running: list[Execution] = []
     for at in stamps:
         while waiting and waiting[-1].start_ns <= at:
             running.append(waiting.pop())
-        running = [each for each in running if each.end_ns > at]
-        yield _of_one_tree(running)
+        running = [each for each in running if _ran_at(each, at)]
+        yield _of_one_tree(running, at)
 
 
-def _of_one_tree(running: Sequence[Execution]) -> Sequence[Execution]:
-    """The executions of the tree that started last: a recovery runs in the place of the task."""
+def _ran_at(execution: Execution, at: int) -> bool:
+    is_stopped = execution.outcome == "preempted" and execution.end_ns == at
+    return execution.end_ns > at or is_stopped
+
+
+def _of_one_tree(running: Sequence[Execution], at: int) -> Sequence[Execution]:
+    """The executions of the tree that started last: a recovery runs in the place of the task. One
+    that starts at the very instant, while another tree runs, is what the rule asked for.
+    """
     roots = [each for each in running if len(each.path) == 1]
     if not roots:
         return running
-    last = max(roots, key=lambda each: each.start_ns)
+    earlier = [each for each in roots if each.start_ns < at]
+    last = max(earlier or roots, key=lambda each: each.start_ns)
     return [each for each in running if each.path[0] == last.path[0]]
 
 

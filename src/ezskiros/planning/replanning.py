@@ -17,6 +17,7 @@ from ezskiros.engine.interruption import NoWayError, Replan, Way
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
+from ezskiros.learning.lessons import Cost
 from ezskiros.planning.actions import NotPlannableError, actions, literal
 from ezskiros.planning.goals import Goal
 from ezskiros.planning.pddl import Step
@@ -49,16 +50,21 @@ def way(
     world: World,
     start: World,
     without: Sequence[Prohibition] = (),
+    *,
+    costs: Sequence[Cost] = (),
+    seconds: float = SECONDS,
 ) -> Way:
     """The skills that lead to the post-conditions of a task, and are run in `world`. `start` has
-    what is so there now; of what rules always stop, no step is made. Raises `NoWayError`.
+    what is so there now, `costs` the time that skills are known to lose to rules; of what rules
+    always stop, no step is made. Raises `NoWayError`.
     """
     skill = library.skill(task.skill)
     assert skill is not None, "it runs"
     wanted = list(_goals(skill, task.arguments))
     known, left_out = actions(library, world.ontology.model)
     try:
-        search = Search(start.copy, world.ontology.model, known, wanted, SECONDS, without=without)
+        model = world.ontology.model
+        search = Search(start.copy, model, known, wanted, seconds, costs, without)
         steps, said = search.run()
     except (NoPlannerError, RuntimeError) as problem:
         raise NoWayError(str(problem)) from None

@@ -92,6 +92,14 @@ def require_new(out: Path) -> None:
         output.fail(f"{out} is there already, and is not written over", exit_code=2)
 
 
+def require_trace(out: Path) -> None:
+    """End the run if a trace could not be written into a file of this name."""
+    if out.suffix != ".jsonl":
+        output.fail(f"the name of the trace has to end in .jsonl, not as {out}", exit_code=2)
+    require_new(out)
+    output.try_folder(out.parent)
+
+
 def require_film(out: Path) -> None:
     """End the run if a film could not be written into a file of this name."""
     if out.suffix.lower() not in _FILMS:

@@ -29,6 +29,7 @@ from heron.cli.choices import (
     require_learning,
     require_new,
     require_simulation,
+    require_trace,
     variant_of,
     workers_of,
 )
@@ -45,6 +46,7 @@ from heron.variants import (
     Person,
     Table,
     Terrain,
+    Trouble,
 )
 
 if TYPE_CHECKING:  # needs MuJoCo
@@ -52,6 +54,8 @@ if TYPE_CHECKING:  # needs MuJoCo
 
 _SHOWN_SEED = 1
 """The seed of the demo and the gallery. Its episodes end as most do; a test holds that."""
+_LATEST_S = 4_000_000_000
+"""Stamps of ROS have 32 bits for seconds."""
 app = typer.Typer(
     help="The experiments of the thesis, in physics.",
     no_args_is_help=True,
@@ -165,6 +169,20 @@ def blocked(
     _run("blocked", arm, blockage, seed, view, film)
 
 
+@runs.command()
+def second(
+    arm: Guarding = Arm.LEARNED,
+    trouble: Annotated[
+        Trouble, typer.Option(help="What stands in the way in most runs.")
+    ] = Trouble.LASTING,
+    seed: Seed = 0,
+    view: View = False,
+    film: Filming = None,
+) -> None:
+    """Experiment VII: drive to a hall as the planner says, with what earlier runs have taught."""
+    _run("second", arm, trouble, seed, view, film)
+
+
 runs.command()(insertion)
 
 
@@ -224,7 +242,8 @@ def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
 @app.command()
 def record(
     experiment: Annotated[
-        str, typer.Argument(help="Which one: nav, place, human, contact, corridor or blocked.")
+        str,
+        typer.Argument(help="Which one: nav, place, human, contact, corridor, blocked or second."),
     ],
     out: Annotated[Path, typer.Option(help="The file, such as drive.mcap.")],
     arm: Guarding = Arm.ROSSMARIE,
@@ -233,6 +252,13 @@ def record(
         typer.Option(help="Which terrain, table, person or encounter; the first one if not given."),
     ] = None,
     seed: Seed = 0,
+    trace: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write which skills ran, too, for `ezskiros learn`."),
+    ] = None,
+    begin: Annotated[
+        int, typer.Option(min=0, max=_LATEST_S, help="The stamp of its begin, in seconds.")
+    ] = 0,
 ) -> None:
     """Run one episode, and write all its topics into an MCAP file."""
     chosen = variant_of(known(experiment), variant)
@@ -241,10 +267,14 @@ def record(
         output.fail(f"the name of the recording has to end in .mcap, not as {out}", exit_code=2)
     require_new(out)
     output.try_folder(out.parent)
+    if trace is not None:
+        require_trace(trace)
     require_simulation()
+    from heron.cli.recording import Files
     from heron.cli.recording import record as record_episode
 
-    record_episode(output, experiment, chosen, arm, seed, out)
+    files = Files(out, trace, begin * 1_000_000_000)
+    record_episode(output, experiment, chosen, arm, seed, files)
 
 
 @app.command()

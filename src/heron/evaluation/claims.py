@@ -22,6 +22,7 @@ from heron.evaluation.claim import (
     there_is_harm,
     with_arm,
 )
+from heron.evaluation.learning_claims import claims_of_learning
 from heron.evaluation.place_claims import claims_of_places
 from heron.evaluation.sample import Sample
 from heron.evaluation.skill_claims import claims_of_skills
@@ -32,6 +33,9 @@ from heron.variants import Arm
 
 def claims_of(sample: Sample) -> Iterator[Claim]:
     """All that is expected of a variant."""
+    if Arm.LEARNED in sample.arms:
+        yield from claims_of_learning(sample)
+        return
     if Arm.TREES in sample.arms:
         yield from claims_of_trees(sample)
         return

@@ -16,7 +16,7 @@ from campaign import Value
 from heron.experiments import EXPERIMENTS, STUDIES, USUAL, Experiment
 from heron.variants import Arm
 
-_KINDS = (".action", ".c", ".h", ".j2", ".lark", ".msg", ".py", ".ross", ".ttl", ".turtle")
+_KINDS = (".action", ".c", ".h", ".j2", ".json", ".lark", ".msg", ".py", ".ross", ".ttl", ".turtle")
 # These have no say in how an episode goes.
 _TELLING = (
     *("heron/appearance", "heron/cli", "heron/demo", "heron/evaluation", "heron/films"),

@@ -29,6 +29,7 @@ _COLORS = {
     Arm.SKILL_AWARE: "#7d4fb0",
     Arm.PROACTIVE: "#0f8f8f",
     Arm.TREES: "#b5447a",
+    Arm.LEARNED: "#8a7a0f",
 }
 _MARKERS = "os^Dv"
 _WIDTH, _HEIGHT = 2.5, 2.3

@@ -59,12 +59,13 @@ class Sample:
 
     def compared(self, name: str, greater: Arm, lesser: Arm) -> Comparison:
         """A measure in two arms, on the seeds that both have."""
-        first, second = (
-            {row.seed: row.numbers[name] for row in self._of(arm) if name in row.numbers}
-            for arm in (greater, lesser)
-        )
+        first, second = self.by_seed(greater, name), self.by_seed(lesser, name)
         seeds = sorted(first.keys() & second.keys())
         return compare([first[seed] for seed in seeds], [second[seed] for seed in seeds])
+
+    def by_seed(self, arm: Arm, name: str) -> dict[int, float]:
+        """A measure of all episodes of an arm that have it, by their seeds."""
+        return {row.seed: row.numbers[name] for row in self._of(arm) if name in row.numbers}
 
     def _of(self, arm: Arm) -> list[Row]:
         return [row for row in self.rows if row.arm == arm.value]

@@ -20,16 +20,17 @@ _TOUCHED = "touched"
 
 def claims_of_trees(sample: Sample) -> Iterator[Claim]:
     """All that is expected of a variant."""
-    yield from (_alone(sample, arm) for arm in (Arm.ROSSMARIE, Arm.TREES))
+    yield from (alone(sample, arm) for arm in (Arm.ROSSMARIE, Arm.TREES))
     if sample.variant == Blockage.TROLLEY.value:
         yield _sooner(sample)
     else:
         yield _needs_operator(sample)
         yield _little_later(sample)
-    yield _touches_nothing(sample)
+    yield touches_nothing(sample)
 
 
-def _alone(sample: Sample, arm: Arm) -> Claim:
+def alone(sample: Sample, arm: Arm) -> Claim:
+    """Expect that an arm arrives without an operator."""
     done, visits = sample.values(arm, COMPLETED.name), sample.values(arm, INTERVENTIONS.name)
     found = sum(is_done == 1 and came == 0 for is_done, came in zip(done, visits, strict=True))
     return Claim(
@@ -72,7 +73,8 @@ def _little_later(sample: Sample) -> Claim:
     )
 
 
-def _touches_nothing(sample: Sample) -> Claim:
+def touches_nothing(sample: Sample) -> Claim:
+    """Expect that the base stands before what is in its way."""
     touched = [value > 0 for arm in sample.arms for value in sample.values(arm, _TOUCHED)]
     return Claim(
         "touches nothing",

@@ -10,6 +10,7 @@ from heron.experiments.navigation import NavigationEpisode, run_navigation
 from heron.experiments.observer import Observer
 from heron.experiments.placing import PlacingEpisode, PlacingMeasures, run_placing
 from heron.experiments.runner import Node
+from heron.experiments.second import run_second
 from heron.experiments.settings import USUAL, Settings
 from heron.experiments.studies import STUDIES, Study
 from heron.experiments.table import EXPERIMENTS
@@ -43,4 +44,5 @@ __all__ = [
     "run_human",
     "run_navigation",
     "run_placing",
+    "run_second",
 ]

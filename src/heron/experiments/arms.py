@@ -36,6 +36,7 @@ CORRIDOR_RULES = {
 BLOCKED_RULES = {
     Arm.ROSSMARIE: FOLDER / "blocked.ross",
     Arm.TREES: FOLDER / "blocked_trees.ross",
+    Arm.LEARNED: FOLDER / "blocked_trees.ross",
 }
 
 

@@ -1,4 +1,7 @@
-"""Experiment VI, a blocked way: two ways lead to a hall, and something stands across one."""
+"""Experiment VI, a blocked way: two ways lead to a hall, and something stands across one.
+
+Experiment VII delivers in the same scene.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ezskiros.engine.events import Event
+from ezskiros.learning.lessons import Cost
 from heron.experiments.arms import BLOCKED_RULES, machine_of
 from heron.experiments.clearing_operator import ClearingOperator
 from heron.experiments.episode import seeded, told_by
@@ -31,8 +36,8 @@ from heron.tasks import (
     TreeSkill,
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
-from heron.variants import Arm, Blockage
-from rossmarie.ir import OrderKind
+from heron.variants import Arm, Blockage, Trouble
+from rossmarie.ir import Change, OrderKind
 
 LONGEST_S = 300.0
 PATIENT = NavigationParameters(patience=120.0)
@@ -45,13 +50,15 @@ _HALL, _JUNCTION, _YARD = "heron:Place-4", "heron:Place-3", "heron:Place-5"
 class BlockedMeasures:
     """Times in s, lengths in m.
 
-    `replanned` counts the routes and the plans that took the place of another, `nearest` is the
-    least distance between the base and an obstacle, `touched` for how long they touched.
+    `activations` counts how often a rule became active for what it found, `replanned` the routes
+    and the plans that took the place of another. `nearest` is the least distance between the base
+    and an obstacle, `touched` for how long they touched.
     """
 
     is_completed: bool
     duration: float
     interventions: int
+    activations: int
     replanned: int
     nearest: float
     touched: float
@@ -61,11 +68,24 @@ class BlockedMeasures:
 
 
 @dataclass(frozen=True)
+class Delivery:
+    """The part of an episode that is chosen. With `costs` of skills, of which there may be none,
+    the planner finds the way to the hall; without, it is the one straight on.
+    """
+
+    arm: Arm
+    variant: Blockage | Trouble
+    seed: int
+    obstacles: tuple[Obstacle, ...]
+    costs: Sequence[Cost] | None = None
+
+
+@dataclass(frozen=True)
 class BlockedEpisode:
     """One run: what was run, how it went, and what the guard had to say."""
 
     arm: Arm
-    blockage: Blockage
+    variant: Blockage | Trouble
     seed: int
     obstacles: tuple[Obstacle, ...]
     outcome: Outcome
@@ -73,6 +93,7 @@ class BlockedEpisode:
     told: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
+    events: Sequence[tuple[float, Event]]
     trace: Trace
 
 
@@ -97,10 +118,24 @@ def run_blocked(
     settings: Settings = USUAL,
 ) -> BlockedEpisode:
     """One episode. The same arguments give the same episode, number for number."""
-    generators = seeded(("obstacles", *SEEDED), seed)
-    ways = WaysParameters()
-    obstacles = varied(blockage, ways, generators["obstacles"])
-    robot = _assembled(arm, ways, obstacles, generators, settings, observers)
+    generators = seeded_generators(seed)
+    obstacles = varied(blockage, WaysParameters(), generators["obstacles"])
+    return delivered(Delivery(arm, blockage, seed, obstacles), generators, observers, settings)
+
+
+def seeded_generators(seed: int) -> dict[str, np.random.Generator]:
+    """The generators of an episode; `obstacles` is that of what stands in the way."""
+    return seeded(("obstacles", *SEEDED), seed)
+
+
+def delivered(
+    delivery: Delivery,
+    generators: Mapping[str, np.random.Generator],
+    observers: Sequence[Observer],
+    settings: Settings,
+) -> BlockedEpisode:
+    """The episode in which something is delivered."""
+    robot = _assembled(delivery, generators, settings, observers)
     run(
         robot.physics,
         robot.nodes,
@@ -109,28 +144,27 @@ def run_blocked(
     )
     trace = robot.witness.trace()
     return BlockedEpisode(
-        arm=arm,
-        blockage=blockage,
-        seed=seed,
-        obstacles=obstacles,
+        arm=delivery.arm,
+        variant=delivery.variant,
+        seed=delivery.seed,
+        obstacles=delivery.obstacles,
         outcome=robot.task.outcome,
         measures=_measured(robot, trace),
         told=told_by(robot.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=robot.task.tree,
+        events=robot.task.events,
         trace=trace,
     )
 
 
 def _assembled(
-    arm: Arm,
-    ways: WaysParameters,
-    across: tuple[Obstacle, ...],
+    delivery: Delivery,
     generators: Mapping[str, np.random.Generator],
     settings: Settings,
     observers: Sequence[Observer],
 ) -> _Robot:
-    base = BaseParameters()
+    base, ways, across = BaseParameters(), WaysParameters(), delivery.obstacles
     physics = Base(build_ways(ways, base, [each.name for each in across]))
     obstacles = Obstacles(physics, across)
     physics.settle(_SETTLING_STEPS)
@@ -142,17 +176,18 @@ def _assembled(
     nodes = [obstacles, *base_nodes(physics, carrier, base, generators)]
     guard = None
     view: Carrier = carrier
-    if arm in BLOCKED_RULES:
-        guard = InProcessGuard(machine_of(BLOCKED_RULES[arm]), carrier, clock)
+    if delivery.arm in BLOCKED_RULES:
+        guard = InProcessGuard(machine_of(BLOCKED_RULES[delivery.arm]), carrier, clock)
         nodes.append(guard)
         view = Remapped(carrier, {COMMAND.name: unfiltered(COMMAND.name)})
     look_out = LookOut(carrier, LookOutParameters(), clock)
     navigation = PlaceNavigation(view, _routes(ways), PATIENT, clock, lambda: look_out.is_blocked)
-    task = SkillTask(carrier, "Deliver", "blocked.turtle", [f"Place={_HALL}"])
+    scene, place = "blocked.turtle", [f"Place={_HALL}"]
+    task = SkillTask(carrier, "Deliver", scene, place, delivery.costs)
     operator = ClearingOperator(physics, obstacles, settings.operator_delay)
     geoms = [physics.model.geom(each.name).id for each in across]
     hazard = ("is_blocked", lambda: obstacles.is_blocked)
-    witness = NearnessWitness(physics, geoms, guard, hazard)
+    witness = NearnessWitness(physics, geoms, guard, hazard, lambda: bool(geoms))
     nodes += [task, SkillContext(carrier, task), look_out, navigation, operator, witness]
     nodes += attended(observers, physics, carrier, guard)
     return _Robot(physics, navigation, task, guard, operator, witness, nodes)
@@ -181,6 +216,7 @@ def _measured(robot: _Robot, trace: Trace) -> BlockedMeasures:
         is_completed=robot.task.outcome is Outcome.COMPLETED,
         duration=robot.physics.now_ns * 1e-9,
         interventions=robot.operator.visits,
+        activations=_activations(robot.guard),
         replanned=robot.navigation.replanned + robot.task.replanned,
         nearest=float(distance.min()),
         touched=time_of(distance <= 0),
@@ -188,6 +224,11 @@ def _measured(robot: _Robot, trace: Trace) -> BlockedMeasures:
         time_restricted=time_of(trace.columns["is_restricted"] > 0),
         time_restricted_without_need=time_of(without_need(trace, present)),
     )
+
+
+def _activations(guard: InProcessGuard | None) -> int:
+    found = guard.verdicts if guard is not None else ()
+    return sum(each.change is Change.ACTIVATED for each in found)
 
 
 def _reactions(

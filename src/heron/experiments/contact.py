@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ezskiros.engine.events import Event
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arms import CONTACT_RULES, machine_of
 from heron.experiments.bystander import Bystander, varied
@@ -98,6 +99,7 @@ class ContactEpisode:
     told: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
+    events: Sequence[tuple[float, Event]]
     trace: Trace
 
 
@@ -132,6 +134,7 @@ def run_contact(
         told=told_by(cell.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=cell.task.tree,
+        events=cell.task.events,
         trace=trace,
     )
 

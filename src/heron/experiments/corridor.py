@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ezskiros.engine.events import Event
 from heron.experiments.arms import CORRIDOR_RULES, machine_of
 from heron.experiments.child import Child, Dash, varied
 from heron.experiments.episode import seeded, told_by
@@ -76,6 +77,7 @@ class CorridorEpisode:
     told: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
+    events: Sequence[tuple[float, Event]]
     trace: Trace
 
 
@@ -118,6 +120,7 @@ def run_corridor(
         told=told_by(robot.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=robot.task.tree,
+        events=robot.task.events,
         trace=trace,
     )
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from operator import attrgetter
 from typing import Any, Protocol
 
+from ezskiros.engine.events import Event
 from heron.appearance import Camera
 from heron.experiments.observer import Observer
 from heron.experiments.settings import Settings
@@ -76,6 +77,10 @@ class Episode(Protocol):
         """The skills of the task, and what became of them."""
 
     @property
+    def events(self) -> Sequence[tuple[float, Event]]:
+        """The events of the skills, with their instants (s)."""
+
+    @property
     def trace(self) -> Trace:
         """The truth about the episode."""
 
@@ -88,6 +93,7 @@ ARM_NAMES: Mapping[Arm, str] = {
     Arm.SKILL_AWARE: "ROSSMARie with skills",
     Arm.PROACTIVE: "ROSSMARie with places",
     Arm.TREES: "ROSSMARie with trees",
+    Arm.LEARNED: "ROSSMARie after learning",
 }
 
 
@@ -162,8 +168,10 @@ class Experiment:
 
     @property
     def shown_first(self) -> tuple[Arm, ...]:
-        """The guards of which episodes are shown side by side: none, and the last one."""
-        return Arm.NONE, self.arms[-1]
+        """The guards of which episodes are shown side by side: the first one, which is none as a
+        rule, and the last one.
+        """
+        return self.arms[0], self.arms[-1]
 
     @property
     def measures(self) -> tuple[Measure, ...]:

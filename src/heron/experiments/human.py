@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ezskiros.engine.events import Event
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import HUMAN_RULES, machine_of
@@ -83,6 +84,7 @@ class HumanEpisode:
     told: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
+    events: Sequence[tuple[float, Event]]
     trace: Trace
 
 
@@ -116,6 +118,7 @@ def run_human(
         told=told_by(cell.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=cell.task.tree,
+        events=cell.task.events,
         trace=trace,
     )
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from ezskiros.engine.events import Event
 from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.experiments.base_operator import BaseOperator, BaseOperatorParameters
 from heron.experiments.episode import seeded, told_by
@@ -51,6 +52,7 @@ class NavigationEpisode:
     told: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
+    events: Sequence[tuple[float, Event]]
     trace: Trace
 
 
@@ -105,6 +107,7 @@ def run_navigation(
         told=told_by(robot.guard),
         onsets=onsets(trace, hazards(trace, built, BaseParameters())),
         tree=robot.task.tree,
+        events=robot.task.events,
         trace=trace,
     )
 

@@ -1,5 +1,5 @@
-"""The obstacles of experiment VI: each stands across a way, for good or until somebody takes it
-away.
+"""The obstacles of experiments VI and VII: each stands across a way, for good or until somebody
+takes it away.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 
 from heron.robot import Base
 from heron.scene import Way, WaysParameters
-from heron.variants import Blockage
+from heron.variants import Blockage, Trouble
 
 _NEAR = 1.8  # m from middle to middle: the base is about to stand before it
 _ASIDE = 3.0  # m, to where it is taken
@@ -20,6 +20,13 @@ _PACE = 0.8  # m/s, at which somebody pushes a trolley
 _IN_THE_WAY = 1.2  # m that it has been taken aside when nothing of it is in the way of the base
 _ON_WAY = 0.75  # m beside the middle of a way
 _BEGIN = 0.3  # m; who is so near the begin of a way has left it
+_TROUBLES = {
+    Trouble.LASTING: Blockage.PALLET,
+    Trouble.PASSING: Blockage.TROLLEY,
+    Trouble.NONE: None,
+}
+OFTEN = 0.8
+"""The share of the runs in which something stands in the way, where there is trouble."""
 
 
 @dataclass(frozen=True)
@@ -48,6 +55,17 @@ def varied(
     if blockage is Blockage.TROLLEY:
         return (Obstacle("trolley", ways.first, first, 1, stay_s),)
     return pallet, Obstacle("trolley", ways.second, second, -1, later_s)
+
+
+def troubled(
+    trouble: Trouble, ways: WaysParameters, generator: np.random.Generator
+) -> tuple[Obstacle, ...]:
+    """The obstacle of experiment VII, if there is one: in `OFTEN` of the runs it stands across the
+    first way, as in experiment VI.
+    """
+    blockage = _TROUBLES[trouble]
+    is_there = bool(generator.random() < OFTEN)
+    return () if blockage is None or not is_there else varied(blockage, ways, generator)
 
 
 @dataclass

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ezskiros.engine.events import Event
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import PLACING_RULES, machine_of
@@ -83,6 +84,7 @@ class PlacingEpisode:
     told: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
+    events: Sequence[tuple[float, Event]]
     trace: Trace
 
 
@@ -119,6 +121,7 @@ def run_placing(
         told=told_by(cell.guard),
         onsets=onsets(trace, _hazards(trace, parameters)),
         tree=cell.task.tree,
+        events=cell.task.events,
         trace=trace,
     )
 

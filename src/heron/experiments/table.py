@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 from operator import attrgetter
 
 from heron.appearance import Camera
@@ -22,9 +23,11 @@ from heron.experiments.experiment import (
 )
 from heron.experiments.human import HumanEpisode, run_human
 from heron.experiments.navigation import NavigationEpisode, run_navigation
+from heron.experiments.obstacles import OFTEN
 from heron.experiments.placing import PlacingEpisode, run_placing
+from heron.experiments.second import TEACHING_SEEDS, run_second
 from heron.scene import BaseParameters
-from heron.variants import Blockage, Encounter, Passage, Person, Table, Terrain
+from heron.variants import Blockage, Encounter, Passage, Person, Table, Terrain, Trouble
 
 
 def _peak(place: str, words: str) -> Measure:
@@ -280,14 +283,19 @@ CORRIDOR = Experiment(
 
 
 def _of_obstacles(episode: BlockedEpisode) -> str:
-    return _BLOCKED[episode.blockage]
+    return _BLOCKED[episode.variant]
 
 
 _BLOCKED = {
     Blockage.PALLET: "a pallet on the first way",
     Blockage.TROLLEY: "a trolley on the first way, for a while",
     Blockage.BOTH: "both ways are blocked, the second for a while",
+    Trouble.LASTING: "a pallet on the first way, in most runs",
+    Trouble.PASSING: "a trolley on the first way for a while, in most runs",
+    Trouble.NONE: "nothing on either way",
 }
+_ON_WAY = Measure(_TOUCHED, "touches an obstacle", "s", 2, attrgetter(_TOUCHED))
+_REROUTES = Measure("replanned", "reroutes", "", 0, attrgetter("replanned"))
 
 BLOCKED = Experiment(
     name="blocked",
@@ -299,9 +307,9 @@ BLOCKED = Experiment(
     run=run_blocked,
     describe=_of_obstacles,
     own_measures=(
-        Measure("replanned", "reroutes", "", 0, attrgetter("replanned")),
+        _REROUTES,
         Measure("nearest", "least distance to an obstacle", "m", 2, attrgetter("nearest")),
-        Measure(_TOUCHED, "touches an obstacle", "s", 2, attrgetter(_TOUCHED)),
+        _ON_WAY,
     ),
     hazards={"blocked": "way blocked"},
     harms=dict.fromkeys(Blockage, (INTERVENTIONS.name,)),
@@ -316,6 +324,26 @@ BLOCKED = Experiment(
     opening=("blocked", 1.0),
 )
 
+ACTIVATIONS = Measure("activations", "activations of rules", "", 0, attrgetter("activations"))
+SECOND = replace(
+    BLOCKED,
+    name="second",
+    title="VII, the second run",
+    about=(
+        "The scene of experiment VI. Something stands across the short way in "
+        f"{100 * OFTEN:.0f} % of the runs. The planner finds the way to the hall: without "
+        f"knowledge, and with what `ezskiros learn` has counted in {len(TEACHING_SEEDS)} other "
+        "runs."
+    ),
+    run=run_second,
+    own_measures=(ACTIVATIONS, _REROUTES, _ON_WAY),
+    harms={
+        Trouble.LASTING: (ACTIVATIONS.name,),
+        Trouble.PASSING: (ACTIVATIONS.name,),
+        Trouble.NONE: (),
+    },
+)
+
 EXPERIMENTS: Mapping[str, Experiment] = {
-    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT, CORRIDOR, BLOCKED)
+    one.name: one for one in (NAVIGATION, PLACING, HUMAN, CONTACT, CORRIDOR, BLOCKED, SECOND)
 }

@@ -14,7 +14,7 @@ from heron.experiments.experiment import ARM_NAMES
 from heron.films.episode import film_of
 from heron.films.movie import write_movie
 from heron.films.processes import in_processes
-from heron.variants import Blockage, Encounter, Passage, Person, Table, Terrain
+from heron.variants import Arm, Blockage, Encounter, Passage, Person, Table, Terrain
 
 PAGE = "gallery.md"
 _FOLDER = "gallery"
@@ -131,13 +131,15 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
     for exhibit in exhibits:
         experiment = EXPERIMENTS[exhibit.experiment]
         title = f"{experiment.title}, {exhibit.variant.value}"
-        guard = ARM_NAMES[experiment.shown_first[-1]]
+        first, last = experiment.shown_first
+        without = "without a monitor" if first is Arm.NONE else f"with {ARM_NAMES[first]}"
+        guard = ARM_NAMES[last]
         lines += [
             f"## {title}",
             "",
             exhibit.words,
             "",
-            f"![{title}: without a monitor, and with {guard}]({_FOLDER}/{exhibit.name}.webp)",
+            f"![{title}: {without}, and with {guard}]({_FOLDER}/{exhibit.name}.webp)",
             "",
             "For a film of your own, of one episode, as MP4 or GIF:",
             "",

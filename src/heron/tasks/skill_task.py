@@ -15,6 +15,7 @@ from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import RunningSkills
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
+from ezskiros.learning.lessons import Cost
 from ezskiros.planning.replanning import way
 from ezskiros.runner import prepare
 from ezskiros.skills.calls import SkillCall
@@ -28,6 +29,8 @@ from heron.tasks.tree import Begun, TreeSkill, tree_over_time
 from heron.topics import Carrier
 
 _OUTCOMES = {Status.SUCCESS: Outcome.COMPLETED, Status.FAILURE: Outcome.GIVEN_UP}
+_LONGEST_SEARCH_S = 60.0
+"""Time stands still meanwhile: a busy computer may take this long."""
 
 
 class SkillTask:
@@ -36,9 +39,18 @@ class SkillTask:
     period_ns = 40_000_000
     _BEGIN_NS = 1_000_000_000
 
-    def __init__(self, carrier: Carrier, skill: str, scene: str, arguments: Iterable[str]) -> None:
-        """Raises `FaultyError` if the skills or the scene have errors, and `ValueError` if the
-        export of the skills is none.
+    def __init__(
+        self,
+        carrier: Carrier,
+        skill: str,
+        scene: str,
+        arguments: Iterable[str],
+        costs: Sequence[Cost] | None = None,
+    ) -> None:
+        """With `costs` of skills, of which there may be none, a plan leads to the post-conditions
+        of the skill; without, its own tree. Raises `FaultyError` if the skills or the scene have
+        errors, `NoWayError` if there is no plan, and `ValueError` if the export of the skills is
+        none.
         """
         ready = prepare(skill, [FOLDER], FOLDER / scene, ["Robot=heron", *arguments])
         self._carrier = carrier
@@ -51,7 +63,10 @@ class SkillTask:
             clock=lambda: self.now_ns * 1e-9,
             expansions=Expansions(ready.trees),
         )
+        self._costs = costs or ()
         self._task = InterruptibleTask(ready.call, setting, self._way)
+        if costs is not None:
+            self._task.go_by(self._planned(ready.call))
         self._events: list[tuple[float, Event]] = []
         self._trees = [Begun(self._task.root, 0)]
         self._task.begun = self._note
@@ -75,6 +90,11 @@ class SkillTask:
     def tree(self) -> tuple[TreeSkill, ...]:
         """The skills of the task, and what has become of them."""
         return tree_over_time(self._trees, self._events)
+
+    @property
+    def events(self) -> Sequence[tuple[float, Event]]:
+        """The events of its skills, with their instants (s)."""
+        return self._events
 
     def go_on(self, carrier: Carrier, began_ns: int) -> None:
         """In another scene, which has a carrier and a time of its own."""
@@ -101,12 +121,24 @@ class SkillTask:
         make the episode depend on how busy the computer is.
         """
         found: Future[Way] = Future()
-        setting = self._task.setting
-        start = setting.world.copy()
         try:
-            found.set_result(way(setting.library, call, setting.world, start, without))
+            found.set_result(self._planned(call, without))
         except NoWayError as problem:
             found.set_exception(problem)
         else:
             self.replanned += 1
         return found
+
+    def _planned(self, call: SkillCall, without: Sequence[Prohibition] = ()) -> Way:
+        """The skills that lead to the goal from where the world is now. Raises `NoWayError`."""
+        setting = self._task.setting
+        start = setting.world.copy()
+        return way(
+            setting.library,
+            call,
+            setting.world,
+            start,
+            without,
+            costs=self._costs,
+            seconds=_LONGEST_SEARCH_S,
+        )

@@ -14,6 +14,7 @@ from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import (
+from ezskiros.engine.prohibitions import Prohibition
     Afterwards,
     InterruptibleTask,
     NoWayError,
@@ -182,6 +183,32 @@ def test_another_plan_leads_to_the_goal(begin: Begin) -> None:
     assert scene.ticks(14) is Status.SUCCESS
     assert scene.lives()[-8:-4] == ["+left", "+right", "left", "right"]
     assert scene.lives()[-4:] == ["+aside", "aside", "+back", "back"]
+
+
+def test_a_way_that_was_planned_before_takes_the_place_of_its_own_tree(begin: Begin) -> None:
+    scene = begin("Both")
+    scene.task.go_by([scene.call("Patient"), scene.call("Clear")])
+    assert scene.lives() == [], "no skill runs before the first tick"
+    assert scene.ticks(14) is Status.SUCCESS
+    assert scene.lives() == ["+left", "+right", "left", "right", "+aside", "aside", "+back", "back"]
+
+
+def test_another_plan_is_for_the_goal_of_the_task_and_not_for_that_of_a_step(
+    tmp_path: Path,
+) -> None:
+    plain, events, _ = Skills(tmp_path, SOURCE).task("Both")
+    asked: list[str] = []
+
+    def replan(call: SkillCall, without: Sequence[Prohibition]) -> Future[Way]:
+        asked.append(call.skill.__name__)
+        return Future()
+
+    scene = Scene(InterruptibleTask(plain.root.call, plain.setting, replan), events)
+    scene.task.go_by([scene.call("Patient")])
+    scene.ticks(2)
+    scene.ask("Clear", Afterwards.REPLAN)
+    scene.ticks(6)
+    assert asked == ["Both"]
 
 
 def test_a_task_whose_goal_is_met_is_over(begin: Begin) -> None:

@@ -152,6 +152,34 @@ def test_during_a_recovery_its_tree_is_blamed_and_not_the_task(tmp_path: Path) -
     }
 
 
+def test_at_one_instant_the_rule_comes_before_the_recovery_that_it_asks_for(
+    tmp_path: Path,
+) -> None:
+    """As on the clock of a simulation: `Drive` is preempted, and a recovery starts."""
+    trace = [
+        event(0.0, "started", "Refill", {"Station": RAMP}),
+        event(0.0, "started", "Refill/Drive", {"Target": RAMP}),
+        event(2.0, "preempted", "Refill/Drive"),
+        event(2.0, "started", "give_way", {}),
+        event(2.0, "started", "give_way/Wait", {}),
+        event(3.0, "succeeded", "give_way/Wait"),
+        event(3.0, "succeeded", "give_way"),
+        *ran(3.0, 10.0, "Refill/Drive", {"Target": RAMP}),
+        event(10.0, "succeeded", "Refill"),
+    ]
+    found = learnt(tmp_path, (trace, [header(0.0, 10.0), verdict(2.0), cleared(3.0)]))
+    (trip,) = found.trips
+    assert (trip.skill, dict(trip.within)) == ("Drive", {"Refill": 1})
+    costs = {each.skill: each.lost_s for each in found.costs}
+    assert costs == {"Drive": 1.0, "Refill": 1.0, "give_way": 0.0, "Wait": 0.0}
+
+
+def test_what_succeeds_at_the_instant_has_not_run_any_more(tmp_path: Path) -> None:
+    verdicts = [header(0.0, 10.0), verdict(9.0), cleared(9.5)]
+    found = learnt(tmp_path, (refill(0.0, RAMP), verdicts))
+    assert [each.skill for each in found.trips] == ["Charge"]
+
+
 def test_a_rule_while_no_skill_runs_blames_none(tmp_path: Path) -> None:
     trace = [*ran(0, 2, "Drive"), *ran(4, 6, "Drive")]
     (trip,) = learnt(tmp_path, (trace, [header(-1, 10), *active(3, 3.5)])).trips

@@ -17,13 +17,14 @@ from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import Afterwards, InterruptibleTask, Recovery
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.world import World
+from ezskiros.learning.lessons import Cost
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import THING
 from ezskiros.planning.actions import Action, actions
 from ezskiros.planning.facts import About, Fluent, Literal
 from ezskiros.planning.forbidden import permitted
 from ezskiros.planning.reach import Reach
-from ezskiros.planning.replanning import replanner
+from ezskiros.planning.replanning import replanner, way
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
 from support.depth import examples
@@ -338,3 +339,21 @@ def test_what_is_in_reach_is_what_a_walk_finds(
                 walked.add(other)
                 waiting.append(other)
     assert found == walked
+
+
+def test_the_way_heeds_what_skills_lose_to_rules(tmp_path: Path) -> None:
+    """The ways by the corridor and by the yard have the same length."""
+    robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
+    setting, task = robot.task.setting, robot.task.root.call
+
+    def by(*costs: Cost) -> object:
+        found = way(setting.library, task, setting.world, setting.world.copy(), costs=costs)
+        return found[0].arguments["To"].label  # type: ignore[attr-defined]
+
+    def cost(start: str, target: str) -> Cost:
+        things = {"From": setting.world_model.thing(start), "To": setting.world_model.thing(target)}
+        places = tuple((name, thing.iri) for name, thing in things.items())
+        return Cost("Drive", places, executions=2, activations=1, lost_s=9.0)
+
+    assert by(cost("corridor", "hall")) == "yard"
+    assert by(cost("yard", "hall")) == "corridor"
