@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,13 +14,13 @@ from py_trees.common import Status
 
 from ezskiros.engine.events import Event, Happened
 from ezskiros.engine.interruption import (
-from ezskiros.engine.prohibitions import Prohibition
     Afterwards,
     InterruptibleTask,
     NoWayError,
     Recovery,
     Way,
 )
+from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.session import NOWHERE
 from ezskiros.skills.calls import SkillCall
 from support.engine import Skills
