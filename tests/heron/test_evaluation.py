@@ -263,6 +263,7 @@ def test_the_page_in_the_documentation_is_made_of_the_rows_beside_it() -> None:
                 "human/inside/deros/1",
                 "nav/gentle/collision_monitor/1",
                 "nav/gentle/none/1",
+                "second/passing/learned/1",
             ]
         ),
     ],

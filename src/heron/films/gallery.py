@@ -14,7 +14,7 @@ from heron.experiments.experiment import ARM_NAMES
 from heron.films.episode import film_of
 from heron.films.movie import write_movie
 from heron.films.processes import in_processes
-from heron.variants import Arm, Blockage, Encounter, Passage, Person, Table, Terrain
+from heron.variants import Arm, Blockage, Encounter, Passage, Person, Table, Terrain, Trouble
 
 PAGE = "gallery.md"
 _FOLDER = "gallery"
@@ -92,6 +92,14 @@ EXHIBITS = (
         "it until an operator takes it away. The rules let the base run a behavior tree: it waits, "
         "turns back to the junction, and marks the way as blocked. Then the planner finds the "
         "other way.",
+    ),
+    Exhibit(
+        "second",
+        Trouble.LASTING,
+        "trouble",
+        "The same scene, where a pallet stands across the short way in most runs. Without "
+        "knowledge of earlier runs the planner takes the short way, and the base loses time there. "
+        "With what `ezskiros learn` has counted in other runs, it takes the way by the yard.",
     ),
 )
 
