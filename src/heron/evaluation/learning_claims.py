@@ -59,21 +59,24 @@ def _no_activation(sample: Sample) -> Claim:
 
 
 def _sooner(sample: Sample) -> Claim:
-    compared = sample.compared(DURATION.name, _FIRST, _SECOND)
-    return Claim(
-        "sooner",
-        "after learning, the base arrives sooner",
-        f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
-        greater(compared.difference.value, compared.chance),
-    )
+    return _slower(sample, _FIRST, "sooner", "after learning, the base arrives sooner")
 
 
 def _later(sample: Sample) -> Claim:
-    compared = sample.compared(DURATION.name, _SECOND, _FIRST)
-    return Claim(
-        "later",
+    expected = (
         "after learning, the base arrives later: to a plan, the longer way is one step more, and "
-        "takes more time than is lost to rules",
+        "takes more time than is lost to rules"
+    )
+    return _slower(sample, _SECOND, "later", expected)
+
+
+def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> Claim:
+    """Expect that an arm takes longer than the other one."""
+    (other,) = (each for each in sample.arms if each is not arm)
+    compared = sample.compared(DURATION.name, arm, other)
+    return Claim(
+        key,
+        expected,
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
         greater(compared.difference.value, compared.chance),
     )
