@@ -21,7 +21,7 @@ from ezskiros.ontology.statements import Statement
 from rossmarie.skills import Child, Condition, Skill
 
 Names = Mapping[str, str]
-"""By the parameters of a skill: names that stand for the same things."""
+"""Names that stand for the same things, by the parameters of a skill."""
 
 
 @dataclass(frozen=True)

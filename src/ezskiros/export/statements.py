@@ -40,8 +40,8 @@ _TYPES: Mapping[str, tuple[type, ...]] = {
 _FLOAT = "float"
 _INFINITE = ({_FLOAT: "inf"}, {_FLOAT: "-inf"})
 """The numbers that JSON does not have."""
-MOST_PARTS = 10_000
-"""Parts of a statement, with the parts of these."""
+MOST_PARTS, MOST_LEVELS = 1000, 50
+"""Parts of a statement, with the parts of these, and levels of them."""
 
 
 def written(statement: Statement) -> dict[str, Any]:
@@ -70,15 +70,17 @@ class _Reader:
     def __init__(self) -> None:
         self._left = MOST_PARTS
 
-    def read(self, found: object) -> Statement:
+    def read(self, found: object, level: int = 1) -> Statement:
         self._left -= 1
+        if level > MOST_LEVELS:
+            raise ValueError(f"it has more than {MOST_LEVELS} levels")
         if self._left < 0:
             raise ValueError(f"it has more than {MOST_PARTS:,} parts")
         if not isinstance(found, dict):
             raise ValueError("it is no object")
         kind = found.get("kind")
         if kind == _ANY:
-            return self._any(found)
+            return self._any(found, level)
         made = _KINDS.get(kind) if isinstance(kind, str) else None
         if made is None:
             raise ValueError(f"its `kind` is none of {', '.join([*_KINDS, _ANY])}")
@@ -86,12 +88,12 @@ class _Reader:
         statement: Statement = made(**known)
         return statement
 
-    def _any(self, found: Mapping[str, object]) -> AnyOf:
+    def _any(self, found: Mapping[str, object], level: int) -> AnyOf:
         parts = found.get("parts")
         if not isinstance(parts, list) or not parts:
             raise ValueError("its `parts` are no list of statements")
         is_true = _checked(found, "is_true", "bool")
-        return AnyOf(tuple(self.read(each) for each in parts), bool(is_true))
+        return AnyOf(tuple(self.read(each, level + 1) for each in parts), bool(is_true))
 
 
 def _checked(found: Mapping[str, object], name: str, annotation: str) -> Value:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from ezskiros.export.statements import MOST_PARTS, statement_of, written
+from ezskiros.export.statements import MOST_LEVELS, MOST_PARTS, statement_of, written
 from ezskiros.ontology.statements import (
     AnyOf,
     Comparison,
@@ -42,6 +42,14 @@ STATEMENTS = st.recursive(
 RELATION = written(Relation("Robot", "http://example.org/at", "Start"))
 
 
+def nested(levels: int) -> object:
+    """An `any` in an `any`, and so on."""
+    found: object = RELATION
+    for _ in range(levels - 1):
+        found = {"kind": "any", "parts": [found], "is_true": True}
+    return found
+
+
 @given(STATEMENTS)
 def test_a_statement_is_read_as_it_was_written(statement: Statement) -> None:
     text = json.dumps(written(statement), allow_nan=False)
@@ -70,8 +78,9 @@ def test_a_statement_is_read_as_it_was_written(statement: Statement) -> None:
         ({"kind": "any", "parts": [RELATION]}, "its `is_true` is missing"),
         (
             {"kind": "any", "parts": [RELATION] * (MOST_PARTS + 1), "is_true": True},
-            "it has more than 10,000 parts",
+            "it has more than 1,000 parts",
         ),
+        (nested(MOST_LEVELS + 1), "it has more than 50 levels"),
     ],
 )
 def test_another_object_is_refused(found: object, told: str) -> None:
