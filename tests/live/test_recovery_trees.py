@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import signal
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,12 +11,11 @@ import pytest
 
 from support import command_line
 from support.backing_off import BEGUN, SKILLS, active, rules, said, tasks
-from support.live import LIMIT, Ears, Process, Ros, talking, until
+from support.live import LIMIT, Ears, Process, Ros, until
+from support.live_runs import begun_run
 from support.ontologies import HALL
 
 ROOT = Path(__file__).parents[2]
-DEBIAN = "/usr/lib/python3/dist-packages"
-"""Where Debian has rospy."""
 PUSH, PULL = 20.0, -20.0
 """Forces (N): a short tree answers the first, one that ends with its rule the second."""
 
@@ -72,16 +69,10 @@ def begin(ros: Ros, program: Path, folder: Path, tmp_path: Path, started: list[P
 
 
 def begun_task(ros: Ros, folder: Path, notes: Path, tmp_path: Path, namespace: str) -> Process:
-    places = [ros.variables.get("PYTHONPATH", ""), *sys.path]
-    if ros.name == "ros1":
-        places.append(DEBIAN)
-    paths = os.pathsep.join(filter(None, places))
-    variables = {**ros.variables, "PYTHONPATH": paths, "NOTES": str(notes)}
-    variables["ROS_NAMESPACE"] = namespace
-    words = ("run", "Push", str(folder), "Object=cable", "--scene", str(folder / "lab.turtle"))
+    words = ("Push", str(folder), "Object=cable", "--scene", str(folder / "lab.turtle"))
     options = ("--context", str(folder / "skills.json"), "--ontology", str(folder / "ontology"))
-    command = [sys.executable, "-m", "ezskiros", *words, *options]
-    return Process(command, variables, tmp_path / f"run{namespace[1:]}.log", talking)
+    log = tmp_path / f"run{namespace[1:]}.log"
+    return begun_run(ros, (*words, *options), log, notes, namespace)
 
 
 @pytest.fixture
