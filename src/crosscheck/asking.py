@@ -75,3 +75,17 @@ def asked_by(machine: ir.Machine, rule: int) -> tuple[ir.Doing, ...]:
             if isinstance(signal, ir.Read) and signal.slot in asked:
                 found[asked[signal.slot]] = None
     return tuple(found)
+
+
+def rests_on_skills(machine: ir.Machine, rule: ir.Rule) -> bool:
+    """Say whether a rule hears which skills run or can start: in its condition, or in what clears
+    it.
+    """
+    inputs = machine.inputs
+    heard = {
+        inputs[slot.input].channel
+        for slot in machine.slots
+        if any(isinstance(step, ir.Doing | ir.Quantity) for step in slot.path)
+    }
+    truths = ir.supports(machine).truths
+    return any(heard & truths[root].channels for root in rule.roots)

@@ -37,13 +37,19 @@ def begun_task(
     scene: str = "lab.turtle",
 ) -> Process:
     """A task that runs with the export of a folder; its skills note what they do."""
+    words = (task[0], str(folder), *task[1:], "--scene", str(folder / scene))
+    options = ("--context", str(folder / "skills.json"), "--ontology", str(folder / "ontology"))
+    return begun_run(ros, (*words, *options), log, notes, namespace)
+
+
+def begun_run(
+    ros: Ros, words: Sequence[str], log: Path, notes: Path, namespace: str = ""
+) -> Process:
+    """A task that runs in a namespace, by the words of a command; its skills note what they do."""
     places = [ros.variables.get("PYTHONPATH", ""), *sys.path]
     if ros.name == "ros1":
         places.append(_DEBIAN)
     paths = os.pathsep.join(filter(None, places))
     variables = {**ros.variables, "PYTHONPATH": paths, "NOTES": str(notes)}
     variables["ROS_NAMESPACE"] = namespace
-    words = ("run", task[0], str(folder), *task[1:], "--scene", str(folder / scene))
-    options = ("--context", str(folder / "skills.json"), "--ontology", str(folder / "ontology"))
-    command = [sys.executable, "-m", "ezskiros", *words, *options]
-    return Process(command, variables, log, talking)
+    return Process([sys.executable, "-m", "ezskiros", "run", *words], variables, log, talking)

@@ -94,6 +94,21 @@ def impact(
 
 
 @app.command()
+def weave(
+    rules: Rules,
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="FILE", help="Write it, such as guards.json.")
+    ],
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
+    """Write which rules each primitive skill waits for before it starts."""
+    from crosscheck.cli.weaving import run_weave
+
+    run_weave(rules, out, system or [], messages or [])
+
+
+@app.command()
 def live(
     rules: Rules,
     namespace: Annotated[

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import importlib
 import queue
-import threading
 import time
 from collections.abc import Callable
 from contextlib import suppress
@@ -16,7 +15,7 @@ from typing import Any
 from crosscheck.live.facts import Facts
 from crosscheck.live.model import Alive, Message
 from crosscheck.live.reading import context_of, is_alive, state_of
-from ezskiros.context.ros import ros_libraries
+from ezskiros.context.ros import ros2_spun, ros_libraries
 
 _NODE = "crosscheck_live"
 _MOST_WAITING = 1000
@@ -137,23 +136,10 @@ def _ros2(rclpy: Any, topics: list[tuple[Topic, Take]]) -> Callable[[], object]:
         if topic.is_kept:
             profile = qos.QoSProfile(depth=1, durability=qos.DurabilityPolicy.TRANSIENT_LOCAL)
         node.create_subscription(topic.type, topic.name, take, profile)
-    executor = importlib.import_module("rclpy.executors").SingleThreadedExecutor()
-    executor.add_node(node)
-    has_ended = threading.Event()
-
-    def spin() -> None:
-        while not has_ended.is_set():
-            executor.spin_once(timeout_sec=_LONGEST_SPIN)
-
-    thread = threading.Thread(target=spin, daemon=True)
-    thread.start()
+    stop = ros2_spun(node, _LONGEST_SPIN)
 
     def end() -> None:
-        """Nothing may be torn down under a thread that still waits: rclpy aborts the process."""
-        has_ended.set()
-        thread.join()
-        executor.shutdown()
-        node.destroy_node()
+        stop()
         rclpy.try_shutdown()
 
     return end

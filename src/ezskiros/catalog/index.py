@@ -9,6 +9,7 @@ from ezskiros.check import body_errors, scene_errors, world_errors
 from ezskiros.check import errors as check_errors
 from ezskiros.check import tree_errors as tree_check_errors
 from ezskiros.confinement import errors as confinement_errors
+from ezskiros.context import errors as context_errors
 from ezskiros.contracts import errors as contract_errors
 from ezskiros.drawing import errors as drawing_errors
 from ezskiros.export import errors as export_errors
@@ -47,6 +48,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *planning_errors.ALL,
     *export_errors.ALL,
     *learning_errors.ALL,
+    *context_errors.ALL,
     *skiros2_errors.ALL,
     *owl_errors.ALL,
     *catalog_errors.ALL,

@@ -19,10 +19,12 @@ from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.context import Context, export_for
+from ezskiros.cli.guards import guarded, guards_for
 from ezskiros.cli.output import output
 from ezskiros.cli.recovery import recoveries
 
 if TYPE_CHECKING:  # the engine is loaded only where it is needed
+    from ezskiros.context.guards import Guards
     from ezskiros.context.snapshot import Snapshot
     from ezskiros.engine.events import Event
     from ezskiros.engine.inference import Solution
@@ -55,6 +57,10 @@ ContextFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Tell which skills run, in the words of this skills.json."),
 ]
+GuardsFile = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Let skills wait for rules: guards.json of `crosscheck`."),
+]
 
 
 def run(
@@ -84,12 +90,15 @@ def run(
     ] = 0.04,
     timeout: Timeout = None,
     context: ContextFile = None,
+    guards: GuardsFile = None,
     ontology: Folders = None,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
     for path in (save, trace):
         if path is not None:
             output.try_file(path)
+    if guards is not None and simulate:
+        output.fail("--guards needs skills that run: leave out --simulate", exit_code=2)
     name_ontology(ontology)
     from ezskiros.engine.expansion import Expansions
     from ezskiros.engine.setting import Setting
@@ -108,7 +117,8 @@ def run(
         compatible=compatible,
         expansions=Expansions(ready.trees),
     )
-    run = _Run(ready.call, setting, period, timeout, export)
+    waiting = guards_for(guards, export) if guards is not None else None
+    run = _Run(ready.call, setting, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:
         with output.writing(save):
@@ -179,6 +189,7 @@ class _Run:
         period: float,
         timeout: float | None,
         export: Export | None,
+        guards: Guards | None,
     ) -> None:
         from rich.console import Console
 
@@ -187,7 +198,7 @@ class _Run:
         from ezskiros.planning.replanning import replanner
 
         self._setting, self._period, self._timeout = setting, period, timeout
-        self._export = export
+        self._export, self._guards = export, guards
         self.task = InterruptibleTask(call, setting, replanner(setting.library, setting.world))
         self._console = Console(highlight=False)
         self._live = LiveTree(self._console) if self._console.is_terminal else None
@@ -210,6 +221,8 @@ class _Run:
         with ExitStack() as stack:
             if not self._setting.simulate:
                 stack.enter_context(without_stand_ins())
+            if self._guards is not None:
+                stack.enter_context(guarded(self._guards, self._setting))
             if trace is not None:
                 stack.enter_context(output.writing(trace))
                 file = stack.enter_context(trace.open("w", encoding="utf-8"))

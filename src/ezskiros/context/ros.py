@@ -7,6 +7,7 @@ from __future__ import annotations
 import contextlib
 import importlib
 import os
+import threading
 import time
 from collections.abc import Callable
 from types import ModuleType
@@ -73,6 +74,34 @@ def ros2_node(rclpy: ModuleType, name: str) -> Any:
     """A node of ROS 2, in the namespace that `ROS_NAMESPACE` has, as in ROS 1."""
     _begin_ros2(rclpy)
     return rclpy.create_node(name, namespace=os.environ.get("ROS_NAMESPACE", ""))
+
+
+def ros2_spun(
+    node: Any, seconds: float, look: Callable[[], object] = lambda: None
+) -> Callable[[], object]:
+    """Spin a node of ROS 2 in a thread, which looks at something at least once in some seconds;
+    gives what ends both.
+    """
+    executor = importlib.import_module("rclpy.executors").SingleThreadedExecutor()
+    executor.add_node(node)
+    has_ended = threading.Event()
+
+    def spin() -> None:
+        while not has_ended.is_set():
+            executor.spin_once(timeout_sec=seconds)
+            look()
+
+    thread = threading.Thread(target=spin, daemon=True)
+    thread.start()
+
+    def end() -> None:
+        """Nothing may be torn down under a thread that still waits: rclpy aborts the process."""
+        has_ended.set()
+        thread.join()
+        executor.shutdown()
+        node.destroy_node()
+
+    return end
 
 
 def _begin_ros2(rclpy: ModuleType) -> None:

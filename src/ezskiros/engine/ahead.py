@@ -56,6 +56,8 @@ def _after(node: Behaviour) -> _After:
     if node.status is not Status.RUNNING:
         return _After(list(_beginning(node)), False, False)
     match node:
+        case RunningSkill(is_waiting=True):
+            return _After(list(_beginning(node)), False, True)  # a time limit may end the wait
         case RunningSkill(tree=None):
             return _After((), True, True)
         case RunningSkill(tree=Behaviour() as tree):

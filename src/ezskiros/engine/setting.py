@@ -19,6 +19,8 @@ from ezskiros.trees.library import Library
 
 Choose = Callable[[SkillInterface, Sequence[Solution]], Solution]
 """Picks one of several things that parameters can stand for."""
+Guard = Callable[[str], str | None]
+"""Says why a skill has to wait before it starts, by its name; None if it may start."""
 
 
 def _first(_skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
@@ -42,6 +44,8 @@ class Setting:
     expansions: Expansions = field(default_factory=Expansions)
     last_failure: Reason | None = None
     """Of the skill that failed last: what is above it fails because of that."""
+    guard: Guard | None = None
+    """It stands in front of each primitive."""
 
     def __post_init__(self) -> None:
         self.plans = Plans(self.library)

@@ -27,6 +27,7 @@ from ezskiros.engine.plans import Plan
 from ezskiros.engine.setting import Setting
 from ezskiros.engine.simulation import simulate
 from ezskiros.engine.values import Values
+from ezskiros.engine.waiting import reason_to_wait
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.nodes import Node
@@ -61,7 +62,7 @@ class RunningSkill(Behaviour):
         self._expanded: Tree | None = None
         self._tree: Behaviour | None = None
         self._path: tuple[str, ...] | None = None
-        self._text = ""
+        self._text = self._waits_for = ""
 
     @property
     def path(self) -> tuple[str, ...]:
@@ -95,11 +96,20 @@ class RunningSkill(Behaviour):
         """The behavior that a compound ticks, once it has started."""
         return self._tree
 
+    @property
+    def is_waiting(self) -> bool:
+        """True while a guard does not let it start: its status is RUNNING, and it does nothing."""
+        return bool(self._waits_for)
+
     # --- ticks: as of py_trees, which has a word for a log with each of them ----------------------
 
     def tick(self) -> Iterator[Behaviour]:
         """One tick."""
-        if self.status is not Status.RUNNING:
+        if self.status is not Status.RUNNING or self._waits_for:
+            if self._has_to_wait():
+                self.status = Status.RUNNING
+                yield self
+                return
             problem = self._start()
             if problem is not None:
                 self.status = self._fail(problem)
@@ -128,6 +138,10 @@ class RunningSkill(Behaviour):
     def terminate(self, new_status: Status) -> None:
         """A stop while it runs: children first."""
         if new_status is not Status.INVALID or self.status is not Status.RUNNING:
+            return
+        if self._waits_for:
+            self._waits_for = ""
+            self._tell(Happened.PREEMPTED, Code.PREEMPTION, "stopped before its start")
             return
         problem = self._preempted()
         code, text = int(Code.PREEMPTION), "stopped"
@@ -165,6 +179,17 @@ class RunningSkill(Behaviour):
         return self._end(Reason(code, str(text)))
 
     # --- start ------------------------------------------------------------------------------------
+
+    def _has_to_wait(self) -> bool:
+        """Ask the guard in front of it; what it waits for is told when that is something else."""
+        if self._setting.guard is None:
+            return False
+        before, plans = self._waits_for, self._plans()
+        self._waits_for = reason_to_wait(self._setting.guard, plans)
+        if self._waits_for not in ("", before):
+            self._plan = plans[0]
+            self._tell(Happened.RUNNING, 0, f"waits: {self._waits_for}")
+        return self.is_waiting
 
     def _start(self) -> Reason | None:
         """Why it cannot start, None if it has started."""

@@ -43,26 +43,50 @@ class Export:
         return Span(self.file, start, start + len(named))
 
 
-def read_export(path: Path) -> Export | Diagnostic:
-    """The head of an export, or why it is none. Raises `OSError` if it cannot be read."""
+class NotJsonError(Exception):
+    """A file that is no JSON; the text says why, `place` where."""
+
+    def __init__(self, why: str, place: Span) -> None:
+        super().__init__(why)
+        self.place = place
+
+
+def read_json(path: Path) -> tuple[SourceFile, Any]:
+    """A file, and what it has. Raises `NotJsonError`, and `OSError` if it cannot be read."""
     file = SourceFile(shown(str(path)), "")
     with path.open("rb") as opened:
         content = opened.read(LARGEST_EXPORT + 1)
     if len(content) > LARGEST_EXPORT:
-        return _no_export(file, 0, f"it is larger than {LARGEST_EXPORT >> 20} MiB")
+        raise NotJsonError(f"it is larger than {LARGEST_EXPORT >> 20} MiB", Span(file, 0, 0))
     try:
         file = SourceFile.decoded(file.path, content)
+        return file, json.loads(file.text, parse_constant=_refuse_constant)
     except UnicodeDecodeError as problem:
-        return _no_export(file, 0, f"byte {problem.start + 1} is not UTF-8")
-    try:
-        found = json.loads(file.text, parse_constant=_refuse_constant)
+        why = f"byte {problem.start + 1} is not UTF-8"
+        raise NotJsonError(why, Span(file, 0, 0)) from problem
     except json.JSONDecodeError as problem:
-        return _no_export(file, problem.pos, f"it is not JSON: {problem.msg}")
+        at = Span(file, problem.pos, min(problem.pos + 1, len(file.text)))
+        raise NotJsonError(f"it is not JSON: {problem.msg}", at) from problem
     except (ValueError, RecursionError) as problem:
-        return _no_export(file, 0, str(problem) or "it is too deep")
+        why = str(problem) if isinstance(problem, ValueError) else "it is too deep"
+        raise NotJsonError(why, Span(file, 0, min(1, len(file.text)))) from problem
+
+
+def place_of_key(file: SourceFile, key: str) -> Span:
+    """The first place where a key is written; the start of the file if it is not there."""
+    start = max(file.text.find(json.dumps(key)), 0)
+    return Span(file, start, min(start + 1, len(file.text)))
+
+
+def read_export(path: Path) -> Export | Diagnostic:
+    """The head of an export, or why it is none. Raises `OSError` if it cannot be read."""
+    try:
+        file, found = read_json(path)
+    except NotJsonError as problem:
+        return _no_export(problem.place, str(problem))
     wrong = _fault(found)
     if wrong is not None:
-        return _no_export(file, max(file.text.find(f'"{wrong[0]}"'), 0), wrong[1])
+        return _no_export(place_of_key(file, wrong[0]), wrong[1])
     sources = tuple(Source(each["path"], each["sha256"]) for each in found["sources"])
     return Export(path, found["digest"], sources, file)
 
@@ -71,9 +95,8 @@ def _refuse_constant(spelled: str) -> None:
     raise ValueError(f"`{spelled}` is no number of JSON")
 
 
-def _no_export(file: SourceFile, at: int, why: str) -> Diagnostic:
-    found = NoExport(path=file.path, reason=why)
-    return found.at(Span(file, at, min(at + 1, len(file.text))))
+def _no_export(place: Span, why: str) -> Diagnostic:
+    return NoExport(path=place.file.path, reason=why).at(place)
 
 
 def _fault(found: Any) -> tuple[str, str] | None:

@@ -1,0 +1,59 @@
+"""`ezskiros run --guards`: primitives wait while rules take away what they use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, NoReturn
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.writing import reason
+from ezskiros.cli.output import output
+
+if TYPE_CHECKING:  # loaded only where it is needed
+    from ezskiros.context.guards import Guards
+    from ezskiros.engine.setting import Setting
+    from ezskiros.export import Export
+
+
+def guards_for(path: Path, export: Export | None) -> Guards:
+    """The guards of a file; ends the run if it has none, or those of other skills than an export
+    has.
+    """
+    from ezskiros.context.guards import of_other_skills, read_guards
+
+    try:
+        guards = read_guards(path)
+    except OSError as problem:
+        output.fail(f"cannot read {path}: {reason(problem)}", exit_code=2)
+    if isinstance(guards, Diagnostic):
+        _refuse(guards)
+    other = of_other_skills(guards, export) if export is not None else None
+    if other is not None:
+        _refuse(other)
+    return guards
+
+
+def _refuse(found: Diagnostic) -> NoReturn:
+    output.print_findings([found])
+    output.fail("nothing is run: skills could not wait for rules", exit_code=2)
+
+
+@contextmanager
+def guarded(guards: Guards, setting: Setting) -> Iterator[None]:
+    """Within, primitives of a task wait for rules; the run ends if nobody can hear of these."""
+    from ezskiros.context.guards import ActiveRules
+    from ezskiros.context.guards_ros import listen
+    from ezskiros.context.ros import NoRosError
+
+    rules = ActiveRules(guards)
+    try:
+        stop = listen(guards, rules)
+    except NoRosError as problem:
+        output.fail(f"nothing is run: no rule can be heard: {problem}", exit_code=2)
+    setting.guard = rules.reason_to_wait
+    try:
+        yield
+    finally:
+        stop()

@@ -1,0 +1,172 @@
+"""Guards in front of primitives, from a file that `crosscheck weave` writes, and what is known of
+their rules while a robot runs.
+
+Unknown is not safe: while nobody knows which rules are active, what has a guard waits.
+"""
+
+from __future__ import annotations
+
+import re
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics.visible import visible
+from dslkit.source import SourceFile
+from ezskiros.context.errors import NoGuards, OtherGuards
+from ezskiros.export.read import Export, NotJsonError, place_of_key, read_json
+
+FORMAT = "crosscheck/guards"
+VERSION = 1
+PATIENCE = 3.0
+"""Seconds after which a node that says nothing is not trusted: it says once a second that it is
+there.
+"""
+_SHAPES = {
+    "digest": re.compile(r"[0-9a-f]{64}"),
+    "node": re.compile(r"[A-Za-z]\w*", re.ASCII),
+    "topic": re.compile(r"[A-Za-z]\w*(/[A-Za-z]\w*)*", re.ASCII),
+    "type": re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII),
+}
+_MOST_RULES = 10_000
+"""Rules in a message that are read."""
+_LONGEST_NAME = 120
+
+
+@dataclass(frozen=True)
+class Guards:
+    """The rules that each skill waits for, by its name; all `rules` that the node of the rules has;
+    and the topic on which it tells which of them are active.
+    """
+
+    file: SourceFile
+    digest: str
+    node: str
+    topic: str
+    type: str
+    rules: frozenset[str]
+    guards: Mapping[str, tuple[str, ...]]
+
+
+def read_guards(path: Path) -> Guards | Diagnostic:
+    """The guards in a file, or why it has none. Raises `OSError` if it cannot be read."""
+    try:
+        file, found = read_json(path)
+    except NotJsonError as problem:
+        return NoGuards(path=problem.place.file.path, reason=str(problem)).at(problem.place)
+    wrong = _fault(found)
+    if wrong is not None:
+        key, why = wrong
+        return NoGuards(path=file.path, reason=why).at(place_of_key(file, key))
+    return Guards(
+        file=file,
+        rules=frozenset(found["rules"]),
+        guards={skill: tuple(rules) for skill, rules in found["guards"].items()},
+        **{key: found[key] for key in _SHAPES},
+    )
+
+
+def _fault(found: Any) -> tuple[str, str] | None:
+    """The key that is wrong, and why; None if all is right."""
+    if not isinstance(found, dict) or found.get("format") != FORMAT:
+        return "format", f"its `format` is not `{FORMAT}`"
+    version = found.get("version")
+    if type(version) is not int or version != VERSION:
+        return "version", f"its `version` is not {VERSION}, which this EzSkiROS reads"
+    for key, shape in _SHAPES.items():
+        value = found.get(key)
+        if not isinstance(value, str) or shape.fullmatch(value) is None:
+            return key, f"its `{key}` is not one that `crosscheck weave` writes"
+    rules, guards = found.get("rules"), found.get("guards")
+    if not _is_names(rules):
+        return "rules", "its `rules` are not names"
+    assert isinstance(rules, list)
+    if not isinstance(guards, dict):
+        return "guards", "its `guards` are no object"
+    for skill, names in guards.items():
+        if not _is_names(names) or not set(rules).issuperset(names):
+            return skill, f"`{visible(skill)}` does not wait for some of the `rules`"
+    return None
+
+
+def _is_names(found: Any) -> bool:
+    return isinstance(found, list) and all(isinstance(each, str) for each in found)
+
+
+def of_other_skills(guards: Guards, export: Export) -> Diagnostic | None:
+    """The finding that guards are not those of the skills that are run, if that is so."""
+    if guards.digest == export.digest:
+        return None
+    found = OtherGuards(path=guards.file.path, export=export.file.path, digest=export.digest)
+    return found.at(place_of_key(guards.file, "digest"))
+
+
+# --- while the robot runs -------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class _State:
+    """What the node has told last: the rules that are active and that nobody exempts, whether any
+    command passes at all, and the time at which that came.
+    """
+
+    heard: float
+    is_open: bool
+    active: frozenset[str]
+
+
+class ActiveRules:
+    """The rules that are active, as far as the messages of their node tell. Messages may come from
+    any thread. Times are those of `clock`, in seconds.
+    """
+
+    def __init__(self, guards: Guards, clock: Callable[[], float] = time.monotonic) -> None:
+        self._guards, self.clock = guards, clock
+        self._state: _State | None = None
+        self._sign = self._lost = -float("inf")
+
+    def hear_state(self, message: Any) -> None:
+        """A `State` of the node; one that nobody can read says nothing."""
+        if len(message.active) > _MOST_RULES or len(message.exempted) > _MOST_RULES:
+            self._state = None
+            return
+        active = frozenset(map(str, message.active)) - frozenset(map(str, message.exempted))
+        self._state = _State(self.clock(), bool(message.open), active)
+
+    def hear_sign(self) -> None:
+        """A sign that the node is there."""
+        self._sign = self.clock()
+
+    def lose(self, at: float) -> None:
+        """The node was not there at a time: what it has told before is worth nothing."""
+        self._lost = at
+
+    def reason_to_wait(self, skill: str) -> str | None:
+        """The reason for which a skill waits; None if it may start."""
+        rules = self._guards.guards.get(skill)
+        if not rules:
+            return None
+        state = self._state
+        if state is None or not self._is_valid(state):
+            return "nobody knows which rules are active"
+        unknown = sorted(state.active - self._guards.rules)
+        if unknown:
+            name = visible(unknown[0][:_LONGEST_NAME])
+            return f"`{self._guards.node}` has other rules than the guards, such as `{name}`"
+        if not state.is_open:
+            return f"`{self._guards.node}` lets no command pass yet"
+        active = [f"`{each}`" for each in rules if each in state.active]
+        if not active:
+            return None
+        return f"rule {active[0]} is active" if len(active) == 1 else _several(active)
+
+    def _is_valid(self, state: _State) -> bool:
+        last_sign = max(self._sign, state.heard)
+        return state.heard > self._lost and self.clock() - last_sign <= PATIENCE
+
+
+def _several(names: list[str]) -> str:
+    return f"rules {', '.join(names[:-1])} and {names[-1]} are active"

@@ -1,0 +1,17 @@
+"""Guards in front of primitives: a skill that would only be stopped waits before it starts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ezskiros.engine.plans import Plan
+from ezskiros.engine.setting import Guard
+
+
+def reason_to_wait(guard: Guard, plans: Sequence[Plan]) -> str:
+    """The reason for which a skill waits; empty if it may start. A compound never waits: the
+    primitives of its tree do.
+    """
+    if all(plan.is_compound for plan in plans):
+        return ""
+    return guard(plans[0].skill.name) or ""
