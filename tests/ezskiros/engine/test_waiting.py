@@ -221,7 +221,7 @@ def test_a_skill_that_waits_is_ahead_and_what_follows_a_time_limit(tmp_path: Pat
 
 def test_a_tree_of_a_rule_takes_the_place_of_a_skill_that_waits(tmp_path: Path) -> None:
     plain, events, _ = begun(tmp_path, 'self.serialstar(Go(Name="a"))', Rules())
-    task = InterruptibleTask(plain.root.call, plain.setting, lambda _: pytest.fail("no plan"))
+    task = InterruptibleTask(plain.root.call, plain.setting, lambda _, __: pytest.fail("no plan"))
     task.tick()
     (look,) = (
         SkillCall(each, None, MappingProxyType({}), NOWHERE)
