@@ -78,6 +78,7 @@ EZSKIROS = Tool(
         "trees": {5},
         "check": {3, 4, 5, 6},
         "migrate": {7},
+        "context": {8},
         "contracts": {5},
         "drawing": {8},
         "engine": {8},

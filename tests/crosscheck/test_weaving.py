@@ -63,7 +63,11 @@ def test_the_other_language_reads_what_is_written(robot: Path, tmp_path: Path) -
     path.write_text(text_of(found))
     read = read_guards(path)
     assert isinstance(read, Guards)
-    assert (read.digest, read.node, read.rules) == (found.digest, found.node, {*found.rules})
+    assert (read.digest, read.node, read.rules) == (
+        found.digest,
+        found.node,
+        frozenset(found.rules),
+    )
     assert read.guards == {"Drive": ("a", "b"), "Reach": ("a",), "Wipe": ("a",)}
     assert (read.topic, read.type) == ("rules_safety/state", "rules_safety/State")
 

@@ -17,10 +17,14 @@ if TYPE_CHECKING:  # loaded only where it is needed
     from ezskiros.export import Export
 
 
-def guards_for(path: Path, export: Export | None) -> Guards:
-    """The guards of a file; ends the run if it has none, or those of other skills than an export
-    has.
+def guards_for(path: Path | None, export: Export | None, *, simulate: bool) -> Guards | None:
+    """The guards of a file, None without one; ends the run if the file has none, or those of other
+    skills than an export has.
     """
+    if path is None:
+        return None
+    if simulate:
+        output.fail("--guards needs skills that run: leave out --simulate", exit_code=2)
     from ezskiros.context.guards import of_other_skills, read_guards
 
     try:

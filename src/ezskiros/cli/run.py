@@ -97,8 +97,6 @@ def run(
     for path in (save, trace):
         if path is not None:
             output.try_file(path)
-    if guards is not None and simulate:
-        output.fail("--guards needs skills that run: leave out --simulate", exit_code=2)
     name_ontology(ontology)
     from ezskiros.engine.expansion import Expansions
     from ezskiros.engine.setting import Setting
@@ -117,7 +115,7 @@ def run(
         compatible=compatible,
         expansions=Expansions(ready.trees),
     )
-    waiting = guards_for(guards, export) if guards is not None else None
+    waiting = guards_for(guards, export, simulate=simulate)
     run = _Run(ready.call, setting, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:

@@ -17,7 +17,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.visible import visible
 from dslkit.source import SourceFile
 from ezskiros.context.errors import NoGuards, OtherGuards
-from ezskiros.export.read import Export, NotJsonError, place_of_key, read_json
+from ezskiros.export.read import Export, NotJsonError, place_of_key, read_json, wrong_format
 
 FORMAT = "crosscheck/guards"
 VERSION = 1
@@ -71,11 +71,9 @@ def read_guards(path: Path) -> Guards | Diagnostic:
 
 def _fault(found: Any) -> tuple[str, str] | None:
     """The key that is wrong, and why; None if all is right."""
-    if not isinstance(found, dict) or found.get("format") != FORMAT:
-        return "format", f"its `format` is not `{FORMAT}`"
-    version = found.get("version")
-    if type(version) is not int or version != VERSION:
-        return "version", f"its `version` is not {VERSION}, which this EzSkiROS reads"
+    wrong = wrong_format(found, FORMAT, VERSION)
+    if wrong is not None:
+        return wrong
     for key, shape in _SHAPES.items():
         value = found.get(key)
         if not isinstance(value, str) or shape.fullmatch(value) is None:
@@ -109,8 +107,8 @@ def of_other_skills(guards: Guards, export: Export) -> Diagnostic | None:
 
 @dataclass(frozen=True)
 class _State:
-    """What the node has told last: the rules that are active and that nobody exempts, whether any
-    command passes at all, and the time at which that came.
+    """The last news of the node: the rules that are active and that nobody exempts, `is_open` if
+    commands pass at all, and the time at which that was heard.
     """
 
     heard: float

@@ -101,17 +101,25 @@ def _no_export(place: Span, why: str) -> Diagnostic:
 
 def _fault(found: Any) -> tuple[str, str] | None:
     """The key that is wrong, and why; None if the head is right."""
-    if not isinstance(found, dict) or found.get("format") != FORMAT:
-        return "format", f"its `format` is not `{FORMAT}`"
-    version = found.get("version")
-    if type(version) is not int or version != VERSION:
-        return "version", f"its `version` is not {VERSION}, which this EzSkiROS reads"
+    wrong = wrong_format(found, FORMAT, VERSION)
+    if wrong is not None:
+        return wrong
     sources = found.get("sources")
     if not isinstance(sources, list) or not all(map(_is_source, sources)):
         return "sources", "its `sources` are not paths with their SHA-256"
     known = [Source(each["path"], each["sha256"]) for each in sources]
     if found.get("digest") != digest_of(known):
         return "digest", "its `digest` is not that of its `sources`"
+    return None
+
+
+def wrong_format(found: Any, form: str, version: int) -> tuple[str, str] | None:
+    """The key by which a file is of another format or version, and why; None if it is of these."""
+    if not isinstance(found, dict) or found.get("format") != form:
+        return "format", f"its `format` is not `{form}`"
+    own = found.get("version")
+    if type(own) is not int or own != version:
+        return "version", f"its `version` is not {version}, which this EzSkiROS reads"
     return None
 
 

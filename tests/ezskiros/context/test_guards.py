@@ -278,10 +278,9 @@ def test_the_example_of_a_page_is_refused(tmp_path: Path, folder: Path, code: st
     path = tmp_path / "guards.json"
     lines = (each for each in example.text.splitlines(True) if not each.startswith("#"))
     path.write_text(re.sub("DIGEST", "5a" * 32, "".join(lines)))
-    found = read_guards(path)
-    if isinstance(found, Guards):
-        skills = read_export(folder / "skills.json")
-        assert isinstance(skills, Export)
-        found = of_other_skills(found, skills)
+    read = read_guards(path)
+    skills = read_export(folder / "skills.json")
+    assert isinstance(skills, Export)
+    found = of_other_skills(read, skills) if isinstance(read, Guards) else read
     assert isinstance(found, Diagnostic)
     assert expectations.compare(example.text, [found], "#") == []
