@@ -81,8 +81,8 @@ def _in_ros1(
 
 
 def is_connected(subscriber: Any) -> bool:
-    """Say whether somebody publishes to a subscriber of ROS 1. Of a publisher that was killed it
-    keeps the connection, without a socket, and tries to connect again.
+    """Say whether somebody publishes to a subscriber of ROS 1. It keeps a connection that was
+    reset, without a socket, and tries again: `get_num_connections` counts that one as well.
     """
     connections = subscriber.impl.connections if subscriber.impl else ()
     return any(getattr(each, "socket", each) is not None for each in connections)

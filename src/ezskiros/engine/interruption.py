@@ -270,7 +270,7 @@ def _running_primitives(skill: RunningSkill) -> Iterator[RunningSkill]:
     """The primitives that run below a skill, or the skill itself."""
     if skill.status is not Status.RUNNING:
         return
-    if skill.tree is None or skill.is_waiting:
+    if skill.tree is None:
         yield skill
         return
     waiting: list[Behaviour] = [skill.tree]
