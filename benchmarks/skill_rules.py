@@ -20,7 +20,8 @@ SKILLS = {
     "classes": [],
     "properties": [],
     "skills": [
-        {"name": "Drive", "parents": [], "parameters": [], "trees": [], "permits": [], "uses": [],
+        {"name": "Drive", "parents": [], "parameters": [],
+         "conditions": {"pre": [], "hold": [], "post": []}, "trees": [], "permits": [], "uses": [],
          "place": None},
     ],
 }  # fmt: skip

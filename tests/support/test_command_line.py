@@ -252,6 +252,7 @@ COMMANDS = {
         "impact Wipe robot.ross",
         "live robot.ross --seconds 1",
         "show robot.ross --svg robot.svg",
+        "weave robot.ross --out guards.json",
     ],
     "heron": ["run nav --ros1 --arm none"],
     "ezskiros": [

@@ -72,7 +72,7 @@ def test_a_rule_in_time_is_proved(tmp_path: Path, condition: str) -> None:
         "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) - 20 cm",
         "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) and button",
         "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s) for 0.1 sec",
-        f"distance(pose, SchoolCorridor) < {WORST - 0.001} m",
+        f"distance(pose, SchoolCorridor) < {WORST - 0.01} m",
         "pose in SchoolCorridor and abs(velocity.x) > 0.3 m/s",
         "distance(pose, Charger) < stopping(drive, 0.3 m/s)",
     ],
