@@ -104,7 +104,7 @@ def begun(
 
 
 def noted(task: Task) -> list[str]:
-    """What the code of users has noted."""
+    """The notes of the code of users."""
     (found,) = (each for each in task.setting.library.descriptions() if each.__name__ == "Go")
     (kind,) = task.setting.library.implementations(found).values()
     return list(kind.onStart.__globals__["noted"])
