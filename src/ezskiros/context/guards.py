@@ -84,9 +84,14 @@ def _fault(found: Any) -> tuple[str, str] | None:
     assert isinstance(rules, list)
     if not isinstance(guards, dict):
         return "guards", "its `guards` are no object"
+    known = set(rules)
     for skill, names in guards.items():
-        if not _is_names(names) or not set(rules).issuperset(names):
-            return skill, f"`{visible(skill)}` does not wait for some of the `rules`"
+        if not _is_names(names):
+            return skill, f"the rules of `{visible(skill)}` are not names"
+        unknown = next((each for each in names if each not in known), None)
+        if unknown is not None:
+            name = visible(unknown[:_LONGEST_NAME])
+            return skill, f"`{visible(skill)}` waits for `{name}`, which is none of the `rules`"
     return None
 
 

@@ -21,7 +21,7 @@ from ezskiros.skills.permits import Permission, PermittedThing
 from ezskiros.skills.quantities import UNITS
 
 MOST_AHEAD = 64
-"""Of more than these nobody reads a message; so it says that nobody knows them."""
+"""A message with more skills than these is not read: the sender says that it does not know them."""
 
 
 @dataclass(frozen=True)

@@ -81,9 +81,12 @@ def state(*active: str, exempted: tuple[str, ...] = (), is_open: bool = True) ->
         ({"rules": "stop"}, "its `rules` are not names"),
         ({"rules": [1]}, "its `rules` are not names"),
         ({"guards": []}, "its `guards` are no object"),
-        ({"guards": {"Drive": "stop"}}, "`Drive`"),
-        ({"guards": {"Drive": ["nothing"]}}, "`Drive`"),
-        ({"guards": {"Drive": [[]]}}, "`Drive`"),
+        ({"guards": {"Drive": "stop"}}, "the rules of `Drive` are not names"),
+        (
+            {"guards": {"Drive": ["stop", "other"]}},
+            "`Drive` waits for `other`, which is none of the `rules`",
+        ),
+        ({"guards": {"Drive": [[]]}}, "the rules of `Drive` are not names"),
     ],
     ids=str,
 )
