@@ -83,8 +83,8 @@ def state(*active: str, exempted: tuple[str, ...] = (), is_open: bool = True) ->
         ({"guards": []}, "its `guards` are no object"),
         ({"guards": {"Drive": "stop"}}, "the rules of `Drive` are not names"),
         (
-            {"guards": {"Drive": ["stop", "other"]}},
-            "`Drive` waits for `other`, which is none of the `rules`",
+            {"guards": {"Drive": ["stop", "nothing"]}},
+            "`Drive` waits for `nothing`, which is none of the `rules`",
         ),
         ({"guards": {"Drive": [[]]}}, "the rules of `Drive` are not names"),
     ],
