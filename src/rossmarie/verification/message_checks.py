@@ -16,6 +16,15 @@ from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.invariants import remark_of
 from rossmarie.verification.layout import Layout
+from rossmarie.verification.message_contracts import (
+    ASKED,
+    ASKED_ONCE,
+    COMPUTED,
+    HANDED,
+    PREPARED,
+    RECEIVED,
+    STAGES,
+)
 from rossmarie.verification.message_numbers import MessageNumbers
 from rossmarie.verification.program import ANY, claim
 from rossmarie.verification.stages import (
@@ -75,8 +84,8 @@ class MessageChecks:
         contracts = [opaque.contract(*each) for each in self._opaque]
         contracts += opaque.contracts_of_samples(self._layout)
         contracts.append(self._subfunctions.text())
-        prepared = [_PREPARED] if self._beside.signals else []
-        return "\n".join([*contracts, *received, *prepared, _COMPUTED])
+        prepared = [PREPARED] if self._beside.signals else []
+        return "\n".join([*contracts, STAGES, *prepared, *received, COMPUTED])
 
     def written(self) -> Iterator[Written]:
         """All of them."""
@@ -96,9 +105,9 @@ class MessageChecks:
             call = f"{self._layout.name}_update_{name}({arguments})"
             received: Parts = (
                 (f"receive_{name}", f"received_{name}"),
-                *((("fold_" + name, "folded_" + name),) if self._looked_at(channel) else ()),
-                *self._preparing,
-                ("compute", "ignore_compute"),
+                *(((f"fold_{name}", f"folded_{name}"),) if self._looked_at(channel) else ()),
+                *((("prepare", "prepared"),) if self._beside.signals else ()),
+                ("compute", "computed"),
             )
             about = f"a message on {topic} is handed on as it is"
             handed = Check(f"handed_{name}", about, (*self._nothing_else, *received))
@@ -224,7 +233,7 @@ class MessageChecks:
                 given.append(f"static {kind}{kept};")
                 same = f"spec_same({word}, {kept})" if kind == "double " else f"{word} == {kept}"
                 claims.append(claim(same, f"{word} is handed on"))
-        return _RECEIVED.format(
+        return RECEIVED.format(
             name=name,
             channel=channel,
             given="\n".join(given),
@@ -252,11 +261,12 @@ class MessageChecks:
                 kept = f"given_{channel}_{number}{'' if word == field.name else '_count'}"
                 parameters.append(parameter)
                 claims.append(claim(f"{word} == {kept}", f"{word} is handed on to be asked"))
-        return _ASKED.format(
+        return ASKED.format(
             name=self._layout.places.channel_names[channel],
             channel=channel,
             parameters=", ".join(parameters),
             claims="\n".join(claims),
+            before="PREPARED" if self._beside.signals else "STORED",
         )
 
     def _given(self, channel: int) -> Iterator[str]:
@@ -267,9 +277,9 @@ class MessageChecks:
                 yield f"    given_{channel}_{number}_count = count_{number};"
 
     def _handed(self, channel: int, lines: list[str], call: str) -> str:
-        text = _HANDED.format(channel=channel, call=call)
+        text = HANDED.format(channel=channel, call=call)
         if self._looked_at(channel):
-            text = f"    folded_{channel} = 0;\n{text}{_HANDED_ON.format(channel=channel)}"
+            text = f"    folded_{channel} = 0;\n{text}\n{ASKED_ONCE.format(channel=channel)}"
         return "\n".join([ANY, *lines, IN_RANGE, text])
 
     # --- numbers -----------------------------------------------------------------------------
@@ -321,58 +331,6 @@ _ANY_NUMBERS = f"""\
     suppose_recent(m, t_ns);"""
 
 _IN_RANGE = "    __CPROVER_assume(t_ns < LATEST);"
-
-_RECEIVED = """\
-static unsigned received_{channel};
-{given}
-
-void received_{name}({parameters})
-{{
-    (void)m;
-    __CPROVER_assert(t_ns == asked_ns, "it is handed on at its instant");
-{claims}
-    received_{channel}++;
-}}
-"""
-
-_ASKED = """\
-static unsigned folded_{channel};
-
-void folded_{name}({parameters})
-{{
-    (void)m;
-{claims}
-    folded_{channel}++;
-}}
-"""
-
-_PREPARED = """\
-void ignore_prepare(monitor *m, const bool arrived[])
-{
-    (void)m;
-    (void)arrived;
-}
-"""
-"""The contract of a computation of what stands beside elements where that does not matter."""
-
-_COMPUTED = """\
-void ignore_compute(monitor *m, const bool arrived[], int64_t t_ns)
-{
-    (void)arrived;
-    m->now_ns = t_ns;
-}
-"""
-"""The contract of a computation from messages where its results do not matter."""
-
-_HANDED = """\
-    received_{channel} = 0;
-    const int events = {call};
-    __CPROVER_assert(received_{channel} == (events < 0 ? 0u : 1u),
-        "what is not refused is handed on once");"""
-
-_HANDED_ON = """
-    __CPROVER_assert(folded_{channel} == (events < 0 ? 0u : 1u),
-        "what is not refused is asked once");"""
 
 _KEPT = "    const monitor old = s;"
 
