@@ -128,7 +128,7 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
 def _without_frame(position: ast.Expression, context: Context) -> str | None:
     """The reason why nobody knows the frame of a position; None if a header says it."""
     node = stripped(position)
-    while isinstance(node, ast.Member | ast.Index):
+    while isinstance(node, ast.Member | ast.Index | ast.Sector):
         node = stripped(node.value)
     if not isinstance(node, ast.Reference) or context.folds_around(node).get(node.name.text):
         return "it is no field of an input"
