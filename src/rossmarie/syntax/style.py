@@ -59,6 +59,9 @@ class Style:
             case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
                 for condition in conditions:
                     self._operators(condition.expression)
+            case ast.Zone(shapes=shapes):
+                for shape in shapes:
+                    self.breaks.update((each.span.start, _PART) for each in shape.brackets[1:])
             case ast.Rule():
                 self._rule(item)
             case ast.Action(effects=effects):

@@ -59,7 +59,7 @@ def depth(expression: ast.Expression) -> int:
 
 
 def expressions(
-    item: ast.Item | ast.Condition | ast.Effect | ast.Statement,
+    item: ast.Item | ast.Condition | ast.Shape | ast.Effect | ast.Statement,
 ) -> Iterator[ast.Expression]:
     """The outermost expressions of an item or a part of one, in the order in which they are
     written.
@@ -71,7 +71,7 @@ def expressions(
     return _of_item(item)
 
 
-def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
+def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Expression]:
     match item:
         case ast.Constant(value=value):
             yield value
@@ -81,6 +81,11 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield expression
         case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
             yield from (condition.expression for condition in conditions)
+        case ast.Shape(brackets=brackets, radius=radius):
+            yield from brackets
+            yield from () if radius is None else (radius,)
+        case ast.Zone(shapes=shapes):
+            yield from chain.from_iterable(map(_of_item, shapes))
         case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
             yield condition
             yield from item.scope

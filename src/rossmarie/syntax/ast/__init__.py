@@ -87,6 +87,7 @@ from rossmarie.syntax.ast.items import (
     Rule,
     ServerDeclaration,
     ServiceDeclaration,
+    Shape,
     SkillNumber,
     Skills,
     Step,
@@ -94,6 +95,7 @@ from rossmarie.syntax.ast.items import (
     SystemMember,
     TopicDeclaration,
     UnitDeclaration,
+    Zone,
 )
 from rossmarie.syntax.ast.tests import (
     Arrival,
@@ -179,6 +181,7 @@ __all__ = [
     "SendGoal",
     "ServerDeclaration",
     "ServiceDeclaration",
+    "Shape",
     "SetParameter",
     "Setting",
     "Since",
@@ -200,4 +203,5 @@ __all__ = [
     "UnaryOperator",
     "Unit",
     "UnitDeclaration",
+    "Zone",
 ]
