@@ -85,7 +85,7 @@ def inside_of(shape: Shape) -> Subfunction:
             found = _in_polygon(shape)
         case Rectangle(low=(left, lower), high=(right, upper)):
             found = Number(1.0)
-            for beyond in (_Y > upper, _Y < lower, _X > right, _X < left):
+            for beyond in (upper < _Y, lower > _Y, right < _X, left > _X):
                 found = choose(beyond, 0.0, found)
         case Circle(radius=radius):
             found = choose(_square_from_centre(shape) > radius * radius, 0.0, 1.0)
@@ -120,7 +120,7 @@ def _crossings(name: str, about: str, edges: Sequence[_Edge]) -> Subfunction:
     )
     of_half, of_other = (half(_X, _Y) for half in halves)
     words = f"the {about} at ({{0}}, {{1}})"
-    return of_point(f"{name}_split", choose(_Y < middle, of_half, of_other), words)
+    return of_point(f"{name}_split", choose(middle > _Y, of_half, of_other), words)
 
 
 _Edge = tuple[float, float, float, float]

@@ -126,7 +126,7 @@ def _recover_zone(part: PartParser, item: Stretch, failure: Failure | None) -> a
     before = part.findings.count
     start = start_of_body(part, item, failure)
     shapes = _conditions(part, start, item.last)
-    found = parse_members(part, shapes, lambda _: "shape", lambda *_: None)
+    found: list[ast.Shape] = parse_members(part, shapes, lambda _: "shape", lambda *_: None)
     if part.findings.count == before:
         check_closed(part, item, start)
     name = name_of(part, item)

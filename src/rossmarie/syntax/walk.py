@@ -81,11 +81,8 @@ def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Express
             yield expression
         case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
             yield from (condition.expression for condition in conditions)
-        case ast.Shape(brackets=brackets, radius=radius):
-            yield from brackets
-            yield from () if radius is None else (radius,)
-        case ast.Zone(shapes=shapes):
-            yield from chain.from_iterable(map(_of_item, shapes))
+        case ast.Shape() | ast.Zone():
+            yield from _of_zone(item)
         case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
             yield condition
             yield from item.scope
@@ -104,6 +101,13 @@ def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Express
             yield timeout
         case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
             pass
+
+
+def _of_zone(item: ast.Shape | ast.Zone) -> Iterator[ast.Expression]:
+    for shape in item.shapes if isinstance(item, ast.Zone) else (item,):
+        yield from shape.brackets
+        if shape.radius is not None:
+            yield shape.radius
 
 
 def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:
