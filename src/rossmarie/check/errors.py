@@ -17,6 +17,7 @@ from rossmarie.check.skills import errors as skill_errors
 from rossmarie.check.system import errors as system_errors
 from rossmarie.check.tests import errors as test_errors
 from rossmarie.check.units import errors as unit_errors
+from rossmarie.check.zones import errors as zone_errors
 
 _DECLARED: tuple[type[Template], ...] = (
     *scope_errors.ALL,
@@ -31,6 +32,7 @@ _DECLARED: tuple[type[Template], ...] = (
     *range_errors.ALL,
     *expression_errors.ALL,
     *foresight_errors.ALL,
+    *zone_errors.ALL,
     *system_errors.ALL,
     *action_errors.ALL,
     *retrace_errors.ALL,

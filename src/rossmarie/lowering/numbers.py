@@ -290,6 +290,9 @@ class Numbers:
             case "norm" | "roll" | "pitch" | "yaw":
                 parts = self.components(arguments[0])
                 return (self._nodes.apply(_WHOLE[name], parts, shown),)
+            case "braking_distance" | "time_to":
+                parts = tuple(map(self.scalar, arguments))
+                return (self._nodes.apply(ir.Function(name), parts, shown),)
             case "distance":
                 return (self._distance(node, shown),)
             case "stopping":

@@ -61,7 +61,7 @@ def depth(expression: ast.Expression) -> int:
 
 
 def expressions(
-    item: ast.Item | ast.Condition | ast.Effect | ast.Statement,
+    item: ast.Item | ast.Condition | ast.Shape | ast.Effect | ast.Statement,
 ) -> Iterator[ast.Expression]:
     """The outermost expressions of an item or a part of one, in the order in which they are
     written.
@@ -73,7 +73,7 @@ def expressions(
     return _of_item(item)
 
 
-def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
+def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Expression]:
     match item:
         case ast.Constant(value=value):
             yield value
@@ -83,6 +83,8 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield expression
         case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
             yield from (condition.expression for condition in conditions)
+        case ast.Shape() | ast.Zone():
+            yield from _of_zone(item)
         case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
             yield condition
             yield from item.scope
@@ -101,6 +103,13 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield timeout
         case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
             pass
+
+
+def _of_zone(item: ast.Shape | ast.Zone) -> Iterator[ast.Expression]:
+    for shape in item.shapes if isinstance(item, ast.Zone) else (item,):
+        yield from shape.brackets
+        if shape.radius is not None:
+            yield shape.radius
 
 
 def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:

@@ -31,7 +31,7 @@ from rossmarie.types.ros_messages import (
     message_value,
     std_msgs_data,
 )
-from rossmarie.types.rules import Fault, Outcome, faults_of_position, unit_faults
+from rossmarie.types.rules import Fault, Outcome, faults_of_position, unit_faults, way_of
 
 __all__ = [
     "AXES",
@@ -68,4 +68,5 @@ __all__ = [
     "message_value",
     "std_msgs_data",
     "unit_faults",
+    "way_of",
 ]

@@ -113,13 +113,14 @@ class Box:
 
 @dataclass(frozen=True)
 class Region:
-    """All locations of a class of things, in the x-y plane of a frame. `has_area` tells that there
-    are polygons among them, and not just points.
+    """A zone, or all locations of a class of things, in the x-y plane of a frame. `has_area` tells
+    that there are shapes among them, and not just points.
     """
 
-    owl_class: str
+    name: str
     frame: str
     has_area: bool
+    is_zone: bool = False
 
 
 @dataclass(frozen=True)

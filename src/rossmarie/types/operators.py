@@ -52,6 +52,8 @@ class Operator(enum.Enum):
     YAW = "yaw"
     DISTANCE = "distance"
     STOPPING = "stopping"
+    BRAKING_DISTANCE = "braking_distance"
+    TIME_TO = "time_to"
     RATE = "rate"
     PREVIOUS = "previous"
     MEDIAN = "median"
@@ -137,6 +139,8 @@ SIGNATURES: Mapping[Operator, Signature] = {
     Operator.YAW: Signature(1, 1, rules.angle),
     Operator.DISTANCE: Signature(2, 2, rules.distance),
     Operator.STOPPING: Signature(1, 2, rules.stopping),
+    Operator.BRAKING_DISTANCE: Signature(3, 3, rules.braking_distance),
+    Operator.TIME_TO: Signature(2, 2, rules.time_to),
     Operator.RATE: Signature(1, 1, rules.rate),
     Operator.PREVIOUS: Signature(1, 1, rules.previous),
     Operator.MEDIAN: Signature(2, 2, rules.filtered),

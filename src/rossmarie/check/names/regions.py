@@ -92,7 +92,7 @@ def places_of(
     region = core.Region(
         name=_word(owl_class),
         about=f"the places of {owl_class}",
-        polygons=tuple(_polygon(each, skills) for each in known),
+        shapes=tuple(_polygon(each, skills) for each in known),
     )
     return region, Region(owl_class, frames[0], any(len(each.corners) > 1 for each in known))
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
 from rossmarie.check.names.regions import check_frame
+from rossmarie.check.operations.amounts import AMOUNTS, type_of_amount
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
@@ -71,6 +72,7 @@ USAGES: Mapping[Operator, str] = {
     Operator.YAW: "orientation.yaw()",
     Operator.DISTANCE: "distance(a, b)",
     Operator.STOPPING: "stopping(motion, 0.3 m/s)",
+    **AMOUNTS,
     Operator.RATE: "rate(x)",
     Operator.PREVIOUS: "previous(x)",
     Operator.MEDIAN: "median(x, 0.2 sec)",
@@ -131,6 +133,8 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
     if operator in _TIMES:
         warn_of_filter(node, context)
         return _filter(node, operator, context)
+    if operator in AMOUNTS:
+        return type_of_amount(node, operator, context)
     if operator is Operator.RATE:
         warn_of_rate(node, context)
     return _function(node, operator, context)

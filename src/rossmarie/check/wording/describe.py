@@ -55,8 +55,10 @@ def describe(type_: Type) -> str:
             return f"all that {message.name} has under one name"
         case Motion(name=name):
             return f"the motion {name}"
-        case Region(owl_class=owl_class, has_area=has_area):
-            return f"the {'places' if has_area else 'points'} of {owl_class}"
+        case Region(name=name, is_zone=True):
+            return f"the zone {name}"
+        case Region(name=name, has_area=has_area):
+            return f"the {'places' if has_area else 'points'} of {name}"
         case (
             Boolean() | Text() | Quaternion() | Interval() | Box() | Unsupported() | Unknown()
         ):  # fmt: skip

@@ -89,6 +89,7 @@ from rossmarie.syntax.ast.items import (
     Rule,
     ServerDeclaration,
     ServiceDeclaration,
+    Shape,
     SkillNumber,
     Skills,
     Step,
@@ -96,6 +97,7 @@ from rossmarie.syntax.ast.items import (
     SystemMember,
     TopicDeclaration,
     UnitDeclaration,
+    Zone,
 )
 from rossmarie.syntax.ast.tests import (
     Arrival,
@@ -187,6 +189,7 @@ __all__ = [
     "SetParameter",
     "Setting",
     "SettingPath",
+    "Shape",
     "Since",
     "SkillArgument",
     "SkillNumber",
@@ -206,4 +209,5 @@ __all__ = [
     "UnaryOperator",
     "Unit",
     "UnitDeclaration",
+    "Zone",
 ]
