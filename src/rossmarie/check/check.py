@@ -56,6 +56,7 @@ from rossmarie.check.system.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.system.message_rates import message_gaps
 from rossmarie.check.system.model import read_system_model
 from rossmarie.check.tests.statements import check_tests
+from rossmarie.check.zones.zones import check_zones
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
@@ -99,6 +100,7 @@ def check(
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
     resolve_timeouts(context)
+    check_zones(context)
     check_motions(context)
     gaps = message_gaps(context)
     conditions = _check_conditions(context)

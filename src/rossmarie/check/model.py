@@ -157,7 +157,9 @@ class CheckedMotion:
 
 @dataclass(frozen=True)
 class CheckedKeeps:
-    """The speed in m/s that a rule keeps a motion below in the places of a class, in a frame."""
+    """The speed in m/s that a rule keeps a motion below in a zone or in the places of a class, in a
+    frame.
+    """
 
     motion: CheckedMotion
     speed: float
@@ -189,8 +191,8 @@ class CheckedProgram:
     topics whose rate is declared; `feedback` and `categories` are
     those of each rule, `left_out` what a selection does not hold. `read_files` are the definitions
     of messages that were read, those that come with this program left out, and the file of skills.
-    `doing` holds what each question to the skills asks, `regions` the places that the name of each
-    class stands for, `motions` the motions by name. `keeps` is what each rule keeps.
+    `doing` holds what each question to the skills asks, `regions` what the name of each class and
+    zone stands for, `motions` the motions by name. `keeps` is what each rule keeps.
     """
 
     name: str

@@ -37,6 +37,7 @@ from rossmarie.core.regions import (
     phrase,
     range_of,
 )
+from rossmarie.core.sines import cosine, sine
 
 
 class Function(enum.Enum):
@@ -51,11 +52,15 @@ class Function(enum.Enum):
     MINIMUM = "minimum"  # of two
     MAXIMUM = "maximum"  # of two
     ABOVE = "above"  # the third where the first is above the second, else 0
+    BRAKING_DISTANCE = "braking_distance"  # of a speed, a deceleration and a latency
+    TIME_TO = "time_to"  # of what is left and the speed at which it becomes less
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
     PITCH = "pitch"
     YAW = "yaw"
+    SINE = "sine"  # of an angle
+    COSINE = "cosine"
 
 
 @dataclass(frozen=True)
@@ -145,6 +150,26 @@ def _maximum(a: Expression, b: Expression) -> Expression:
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
 
 
+# --- braking ---------------------------------------------------------------------------------
+
+LONGEST_TIME = 1e9
+"""The seconds that `time_to` gives at most: as much as never (S83)."""
+
+
+def _braking_distance(v: Expression, a: Expression, t: Expression) -> Expression:
+    """S82."""
+    way = abs(v) * t + (v * v) / (2.0 * a)
+    return choose(a > 0.0, choose(t < 0.0, UNKNOWN, way), UNKNOWN)
+
+
+def _time_to(left: Expression, speed: Expression) -> Expression:
+    """S83. What does not come closer takes the longest time, and what is there takes none."""
+    time = left / speed
+    running = choose(time < LONGEST_TIME, time, LONGEST_TIME)
+    coming = choose(left > 0.0, choose(speed > 0.0, running, LONGEST_TIME), 0.0)
+    return choose(Either(IsUnknown(left), IsUnknown(speed)), UNKNOWN, coming)
+
+
 # --- geometry --------------------------------------------------------------------------------
 
 _SLACK = 2.0**-40
@@ -211,11 +236,22 @@ def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]
     return ()
 
 
+def _bounds_of_sine(sine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
+    """A sine is no greater than its angle."""
+    return (abs(sine) < abs(angles[0]) * (1.0 + _SLACK) + 2.0 * _TINY,)
+
+
+def _bounds_of_cosine(cosine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
+    """A cosine is no further from 1 than the angle is from 0."""
+    return (1.0 - abs(angles[0]) * (1.0 + _SLACK) - _SLACK < cosine,)
+
+
 # --- all of them -----------------------------------------------------------------------------
 
 _LENGTH = (0.0, math.inf)
 _TURN = (-HALF_TURN, HALF_TURN)
 _QUARTER = (-RIGHT_ANGLE, RIGHT_ANGLE)
+_WAVE = (-1.0, 1.0)
 
 FUNCTIONS: Mapping[Function, Row] = {
     Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
@@ -227,6 +263,12 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
     Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
+    Function.BRAKING_DISTANCE: Row(
+        "S82", 3, 3, _braking_distance, "the way on which {0} is braked by {1} after {2}", _LENGTH
+    ),
+    Function.TIME_TO: Row(
+        "S83", 2, 2, _time_to, "the time in which {1} runs through {0}", (0.0, LONGEST_TIME)
+    ),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
@@ -236,4 +278,6 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
+    Function.SINE: Row("S69", 1, 1, sine, "the sine of {0}", _WAVE, _bounds_of_sine),
+    Function.COSINE: Row("S69", 1, 1, cosine, "the cosine of {0}", _WAVE, _bounds_of_cosine),
 }

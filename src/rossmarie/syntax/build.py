@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from dslkit.source import Span
 from rossmarie.syntax import ast
-from rossmarie.syntax.build_test import TestBuilder
+from rossmarie.syntax.build_zone import ZoneBuilder
 from rossmarie.syntax.scan import Token
 
 
@@ -70,7 +70,7 @@ class Mitigates(NamedTuple):
     span: Span
 
 
-class Builder(TestBuilder):
+class Builder(ZoneBuilder):
     """Builds all nodes of one file."""
 
     # --- items -----------------------------------------------------------------------------------

@@ -117,6 +117,8 @@ class _Cutter:
             return self._is_word(index + 1) and self._is_kind(index + 2, "text")
         if token.text == "motion":
             return self._is_word(index + 1) and self._text(index + 2) == "{"
+        if token.text == "zone":
+            return self._is_word(index + 1) and self._text(index + 2) in ("in", "{")
         if token.text == "always":
             return self._text(index + 1) == "if" and before.text != ":"
         if token.text in CONTEXTUAL_ITEM_WORDS:

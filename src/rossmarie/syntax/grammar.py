@@ -38,6 +38,8 @@ START_RULES = (
     "entity",
     "motion",
     "part",
+    "zone",
+    "shape",
     "rule",
     "priority",
     "hazard",

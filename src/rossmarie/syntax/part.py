@@ -25,6 +25,8 @@ _ITEMS = (
     ast.Entity,
     ast.Condition,
     ast.Motion,
+    ast.Shape,
+    ast.Zone,
     ast.Rule,
     ast.Skills,
     ast.Test,

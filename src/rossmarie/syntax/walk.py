@@ -16,6 +16,8 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             pass
         case ast.Member(value=value) | ast.Index(value=value):
             found = (value,)
+        case ast.Sector(value=value, arc=arc):
+            found = (value, arc.first, arc.last)
         case ast.Unary(operand=value) | ast.Parenthesized(inner=value):
             found = (value,)
         case ast.Binary(left=left, right=right) | ast.Membership(value=left, container=right):
@@ -59,7 +61,7 @@ def depth(expression: ast.Expression) -> int:
 
 
 def expressions(
-    item: ast.Item | ast.Condition | ast.Effect | ast.Statement,
+    item: ast.Item | ast.Condition | ast.Shape | ast.Effect | ast.Statement,
 ) -> Iterator[ast.Expression]:
     """The outermost expressions of an item or a part of one, in the order in which they are
     written.
@@ -71,7 +73,7 @@ def expressions(
     return _of_item(item)
 
 
-def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
+def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Expression]:
     match item:
         case ast.Constant(value=value):
             yield value
@@ -81,6 +83,8 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield expression
         case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
             yield from (condition.expression for condition in conditions)
+        case ast.Shape() | ast.Zone():
+            yield from _of_zone(item)
         case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
             yield condition
             yield from item.scope
@@ -99,6 +103,13 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield timeout
         case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
             pass
+
+
+def _of_zone(item: ast.Shape | ast.Zone) -> Iterator[ast.Expression]:
+    for shape in item.shapes if isinstance(item, ast.Zone) else (item,):
+        yield from shape.brackets
+        if shape.radius is not None:
+            yield shape.radius
 
 
 def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:
@@ -151,11 +162,16 @@ def _of_statement(statement: ast.Statement) -> Iterator[ast.Expression]:
     if not isinstance(statement, ast.OperatorReset) and statement.stretch is not None:
         found += [statement.stretch.first, statement.stretch.last]
     if isinstance(statement, ast.Arrival):
-        found += [
-            setting if isinstance(setting, ast.Doing) else setting.value
-            for setting in statement.settings
-        ]
+        for setting in statement.settings:
+            found += [setting] if isinstance(setting, ast.Doing) else _of_setting(setting)
     yield from (expression for expression in found if expression is not None)
+
+
+def _of_setting(setting: ast.Setting) -> Iterator[ast.Expression | None]:
+    for step in setting.path.steps:
+        if isinstance(step, ast.Arc):
+            yield from (step.first, step.last)
+    yield setting.value
 
 
 def _of_exemption(exemption: ast.Exemption) -> Iterator[ast.Expression]:

@@ -23,6 +23,7 @@ CONTEXTUAL_ITEM_WORDS = {
     "priority": "priority",
     "hazard": "hazard",
     "motion": "motion",
+    "zone": "zone",
     "test": "test",
     "skills": "skills",
     "always": "rule",
@@ -67,6 +68,7 @@ PART_WORDS = frozenset(
     | {"names"}
     | {"unless", "category", "task", "feedback", "per", "activation", "margin", "mitigates"}
     | {"keeps", "below"}
+    | {"box", "circle", "polygon", "radius"}
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
     | {"doing", "ahead", "while", "always"}
@@ -154,6 +156,11 @@ FORMS = {
     "`motion NAME { position : INPUT; speed : INPUT; brake : 0.6 m/s^2; "
     "acceleration : 0.5 m/s^2; fastest : 1.5 m/s; latency : 0.2 sec; }`",
     "part": "a part of a motion is written `NAME : EXPRESSION;`",
+    "zone": "a zone is written "
+    "`zone NAME in FRAME { box [0.2, 0.9, -0.4, 0.4] m; circle [0.9, 0] m radius 0.4 m; "
+    "polygon [0, 1], [1, 1], [1, 2] m; }`",
+    "shape": "a shape is written `box [XMIN, XMAX, YMIN, YMAX] m;`, "
+    "`circle [X, Y] m radius 0.4 m;` or `polygon [X, Y], [X, Y], [X, Y] m;`",
     "keeps": "what a rule keeps is written behind its contract: "
     "`keeps MOTION below 0.3 m/s in CLASS`",
     "category": "the category of a rule is written behind its contract: "

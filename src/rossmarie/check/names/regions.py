@@ -92,7 +92,7 @@ def places_of(
     region = core.Region(
         name=_word(owl_class),
         about=f"the places of {owl_class}",
-        polygons=tuple(_polygon(each, skills) for each in known),
+        shapes=tuple(_polygon(each, skills) for each in known),
     )
     return region, Region(owl_class, frames[0], any(len(each.corners) > 1 for each in known))
 
@@ -128,7 +128,7 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
 def _without_frame(position: ast.Expression, context: Context) -> str | None:
     """The reason why nobody knows the frame of a position; None if a header says it."""
     node = stripped(position)
-    while isinstance(node, ast.Member | ast.Index):
+    while isinstance(node, ast.Member | ast.Index | ast.Sector):
         node = stripped(node.value)
     if not isinstance(node, ast.Reference) or context.folds_around(node).get(node.name.text):
         return "it is no field of an input"

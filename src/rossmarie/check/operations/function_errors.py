@@ -143,6 +143,19 @@ class UnfitMotionPart(Error, code="ROSS265", name="unfit-motion-part"):
     found: str
 
 
+class UnfitAmount(Error, code="ROSS283", name="unfit-amount"):
+    """An argument of `braking_distance` or `time_to` that is not what it has to be."""
+
+    title = "{part} of `{function}` has to be {expected}"
+    label = "this is {found}"
+    help = "write `{usage}`"
+    function: str
+    part: str
+    expected: str
+    found: str
+    usage: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownFunction,
     WrongArgumentCount,
@@ -154,4 +167,5 @@ ALL: tuple[type[Template], ...] = (
     EdgeCount,
     ChangedMisused,
     UnfitMotionPart,
+    UnfitAmount,
 )

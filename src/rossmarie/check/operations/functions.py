@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
 from rossmarie.check.names.regions import check_frame
+from rossmarie.check.operations.amounts import AMOUNTS, type_of_amount
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
@@ -64,11 +65,14 @@ USAGES: Mapping[Operator, str] = {
     Operator.ANY: "any(array > 1)",
     Operator.ALL: "all(array > 1)",
     Operator.COUNT: "count(array > 1)",
+    Operator.SIN: "sin(angle)",
+    Operator.COS: "cos(angle)",
     Operator.ROLL: "orientation.roll()",
     Operator.PITCH: "orientation.pitch()",
     Operator.YAW: "orientation.yaw()",
     Operator.DISTANCE: "distance(a, b)",
     Operator.STOPPING: "stopping(motion, 0.3 m/s)",
+    **AMOUNTS,
     Operator.RATE: "rate(x)",
     Operator.PREVIOUS: "previous(x)",
     Operator.MEDIAN: "median(x, 0.2 sec)",
@@ -82,6 +86,8 @@ USAGES: Mapping[Operator, str] = {
 _FUNCTIONS: Mapping[str, Operator] = {operator.value: operator for operator in USAGES}
 _NEEDS: Mapping[Operator, str] = {
     Operator.NORM: "a vector",
+    Operator.SIN: "an angle",
+    Operator.COS: "an angle",
     Operator.ROLL: "an orientation",
     Operator.PITCH: "an orientation",
     Operator.YAW: "an orientation",
@@ -127,6 +133,8 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
     if operator in _TIMES:
         warn_of_filter(node, context)
         return _filter(node, operator, context)
+    if operator in AMOUNTS:
+        return type_of_amount(node, operator, context)
     if operator is Operator.RATE:
         warn_of_rate(node, context)
     return _function(node, operator, context)

@@ -25,6 +25,7 @@ from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import walk
 from rossmarie.types import MessageCatalog, Type, Unknown
+from rossmarie.types import Region as RegionType
 
 
 @dataclass
@@ -44,9 +45,9 @@ class Context:
 
     `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
     of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
-    what each question to the skills asks, `regions` the places of each class that is named,
-    `motions` the motions that are right. `entity` and `uses` belong to what is being checked at
-    the moment.
+    what each question to the skills asks, `regions` the places of each class and zone that is
+    named, `motions` the motions that are right, `zones` the zones that are. `entity` and `uses`
+    belong to what is being checked at the moment.
     """
 
     collector: Collector
@@ -66,6 +67,7 @@ class Context:
     doing: NodeMap[CheckedDoing] = field(default_factory=NodeMap)
     regions: NodeMap[Region] = field(default_factory=NodeMap)
     motions: dict[str, CheckedMotion] = field(default_factory=dict)
+    zones: dict[str, tuple[Region, RegionType]] = field(default_factory=dict)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
 

@@ -32,6 +32,7 @@ from rossmarie.syntax.ast.effects import (
 )
 from rossmarie.syntax.ast.expressions import (
     JUNCTIONS,
+    Arc,
     Binary,
     BinaryOperator,
     Boolean,
@@ -53,6 +54,7 @@ from rossmarie.syntax.ast.expressions import (
     Parenthesized,
     Reference,
     Response,
+    Sector,
     Since,
     SkillArgument,
     Text,
@@ -87,6 +89,7 @@ from rossmarie.syntax.ast.items import (
     Rule,
     ServerDeclaration,
     ServiceDeclaration,
+    Shape,
     SkillNumber,
     Skills,
     Step,
@@ -94,6 +97,7 @@ from rossmarie.syntax.ast.items import (
     SystemMember,
     TopicDeclaration,
     UnitDeclaration,
+    Zone,
 )
 from rossmarie.syntax.ast.tests import (
     Arrival,
@@ -101,6 +105,7 @@ from rossmarie.syntax.ast.tests import (
     Expectation,
     OperatorReset,
     Setting,
+    SettingPath,
     Statement,
     Stretch,
     Test,
@@ -109,6 +114,7 @@ from rossmarie.syntax.ast.tests import (
 __all__ = [
     "JUNCTIONS",
     "Action",
+    "Arc",
     "Arrival",
     "Awaited",
     "Binary",
@@ -176,11 +182,14 @@ __all__ = [
     "Rule",
     "RunTree",
     "Scale",
+    "Sector",
     "SendGoal",
     "ServerDeclaration",
     "ServiceDeclaration",
     "SetParameter",
     "Setting",
+    "SettingPath",
+    "Shape",
     "Since",
     "SkillArgument",
     "SkillNumber",
@@ -200,4 +209,5 @@ __all__ = [
     "UnaryOperator",
     "Unit",
     "UnitDeclaration",
+    "Zone",
 ]
