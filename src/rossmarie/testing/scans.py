@@ -34,6 +34,9 @@ USUAL: Mapping[str, SettingValue] = {
 }
 """The fields of a scan of which nothing is set, in SI."""
 
+FIELDS = frozenset((*USUAL, "intensities"))
+"""The fields on which sectors and beams rest."""
+
 Place = tuple[str, Path]
 """A topic, and a path in its messages."""
 
@@ -51,7 +54,7 @@ def set_sector(
     values: Values, topic: str, path: Path, value: SettingValue
 ) -> tuple[Place, SettingValue]:
     """The readings of a scan in which those of a sector are set, at a path that ends with it: all
-    to one number, to NaN for None, or one by one; then those behind the last see nothing.
+    to one number, to NaN for None or (), or one by one; then those behind the last see nothing.
     """
     *before, _, sector = path
     assert isinstance(sector, Sector), "only sectors are set so"
@@ -59,6 +62,8 @@ def set_sector(
     scan = _scan(values, topic, tuple(before))
     readings = list(scan.ranges)
     inside = np.flatnonzero(beams_inside(scan, sector)).tolist()
+    if isinstance(value, tuple) and len(value) < 2:
+        value = value[0] if value else None
     wanted: Sequence[object] = value if isinstance(value, tuple) else [value] * len(inside)
     for beam, reading in zip(inside, [*wanted, *[math.inf] * len(inside)], strict=False):
         readings[beam] = _number(reading)
