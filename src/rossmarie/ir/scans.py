@@ -29,6 +29,10 @@ _MISCOUNT = 1.5
 """The increments by which `angle_max` may be off: drivers disagree by one beam on what it is."""
 
 
+USUAL_DISTANCES = (0.05, 30.0)
+"""The distances in m between which a scan of a test measures, if the test does not say another."""
+
+
 class Scan(Protocol):
     """An object with the fields of the message, however it was made."""
 

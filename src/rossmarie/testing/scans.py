@@ -14,6 +14,7 @@ import numpy as np
 from rossmarie.ir import Array, Machine, Path, Sector
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.scans import (
+    USUAL_DISTANCES,
     UnreadableScanError,
     beams_inside,
     is_of_scan,
@@ -23,13 +24,12 @@ from rossmarie.ir.scans import (
 from rossmarie.ir.script import SettingValue
 
 BEAMS = 360
-
 USUAL: Mapping[str, SettingValue] = {
     "angle_min": math.radians(-180),
     "angle_max": math.radians(179),
     "angle_increment": math.radians(1),
-    "range_min": 0.05,
-    "range_max": 30.0,
+    "range_min": USUAL_DISTANCES[0],
+    "range_max": USUAL_DISTANCES[1],
     "ranges": (math.inf,) * BEAMS,
 }
 """The fields of a scan of which nothing is set, in SI."""
