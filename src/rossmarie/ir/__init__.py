@@ -75,7 +75,14 @@ from rossmarie.ir.model import (
     Truth,
     TruthNode,
 )
-from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
+from rossmarie.ir.naming import (
+    ScanFields,
+    arrival_names,
+    field_names,
+    list_names,
+    near_name,
+    scan_names,
+)
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
 from rossmarie.ir.path import (
     AXES,
@@ -210,6 +217,7 @@ __all__ = [
     "Rule",
     "Sampled",
     "Sampling",
+    "ScanFields",
     "Sector",
     "Signal",
     "SignalNode",
@@ -268,6 +276,7 @@ __all__ = [
     "rule_signals",
     "rule_terms",
     "samplings",
+    "scan_names",
     "signal_operands",
     "stand_beside",
     "supports",

@@ -234,8 +234,8 @@ class Numbers:
         return self._nodes.signal(folded, self.shown(node))
 
     def _is_there(self, node: ast.ListFold) -> int:
-        """The truth that is true of each beam of a scan, and of each point of a cloud: none is without
-        its place.
+        """The truth that is true of each beam of a scan, and of each point of a cloud: without its
+        place there is none.
         """
         points = self.type_of(node.list)
         assert isinstance(points, List), "checked: it is the points of a cloud, or beams"
