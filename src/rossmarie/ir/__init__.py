@@ -2,7 +2,9 @@
 
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions
+from rossmarie.ir.applied import functions, samplings
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
+from rossmarie.ir.beside import beside, made_beside, stand_beside
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.calls import SkillCall
 from rossmarie.ir.defined import Once, Response, defined, held_of
@@ -103,14 +105,12 @@ from rossmarie.ir.support import (
     columns_of,
     compared_signals,
     element_arrays,
-    functions,
     is_leaf,
     is_of_list,
     kind_of,
     leaf_truths,
     reachable_truths,
     rule_signals,
-    samplings,
     signal_operands,
     supports,
     truth_operands,
@@ -225,6 +225,7 @@ __all__ = [
     "arrays_of",
     "arrival_names",
     "below_margins",
+    "beside",
     "columns_of",
     "compared_signals",
     "defined",
@@ -246,6 +247,7 @@ __all__ = [
     "list_names",
     "machine_from_json",
     "machine_to_json",
+    "made_beside",
     "margins_of",
     "most_evaluations",
     "near_name",
@@ -259,6 +261,7 @@ __all__ = [
     "rule_terms",
     "samplings",
     "signal_operands",
+    "stand_beside",
     "supports",
     "told_truths",
     "truth_operands",

@@ -1,4 +1,5 @@
-"""Expressions over the elements of an array: they may use one array, and constants.
+"""Expressions over the elements of an array: they may use one array, constants, and numbers of
+other messages.
 
 A truth of its own, or a time that something has to hold, belongs outside.
 """
@@ -8,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from dslkit.diagnostics import Fix, Remark
+from rossmarie.check.operations.beside import CONDITIONAL, QUANTIFIERS, unfit_part
 from rossmarie.check.operations.errors import ArrayAsScalar
 from rossmarie.check.operations.function_errors import ElementwiseMixture
 from rossmarie.check.operations.rewriting import rewritten
@@ -20,12 +22,9 @@ from rossmarie.types import Array, Boolean, Unknown
 Temporal = ast.Held | ast.Since | ast.Once | ast.Response
 """The operators over time."""
 
-_QUANTIFIERS = frozenset({"any", "all"})
-_ELEMENTWISE = _QUANTIFIERS | {"count"}
-
 
 def check_elements(fold: ast.Call, context: Context) -> None:
-    """Report what else than one array and constants the argument of a fold is made of."""
+    """Report parts of the argument of a fold that may not stand in it."""
     (argument,) = fold.arguments
     first: ast.Expression | None = None
     for part in _parts(argument, context):
@@ -35,13 +34,23 @@ def check_elements(fold: ast.Call, context: Context) -> None:
             continue
         if is_array and first is not None and _spelling(part) == _spelling(first):
             continue
-        found = "this is another array" if is_array else "this changes from message to message"
+        found = "this is another array" if is_array else _reason(part, context)
+        if found is None:
+            continue
         finding = ElementwiseMixture(found=found, function=fold.function.text, text=text_of(part))
         labels = () if first is None else (finding.Array().at(first.span),)
         help, fix = None, None
         if isinstance(context.type_of(part), Boolean):
             help, fix = _take_out(part, fold, context)
         context.collector.add(finding.at(part.span, *labels, help=help, fix=fix))
+
+
+def _reason(part: ast.Expression, context: Context) -> str | None:
+    """The reason why something beside elements may not stand there; None if it may."""
+    if isinstance(context.type_of(part), Boolean):
+        return "this is the same for all elements"
+    unfit = unfit_part(part)
+    return None if unfit is None else unfit[1]
 
 
 def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[Remark, Fix | None]:
@@ -52,7 +61,7 @@ def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[
     help = ElementwiseMixture.OneTruth(text=text, function=function)
     if not isinstance(junction, ast.Binary) or junction.operator not in ast.JUNCTIONS:
         return help, None
-    if function not in _QUANTIFIERS or not (truth is junction.left or truth is junction.right):
+    if function not in QUANTIFIERS or not (truth is junction.left or truth is junction.right):
         return help, None
     sides = (
         side.span.text if side is truth else f"{function}({side.span.text})"
@@ -67,7 +76,7 @@ def enclosing_fold(node: ast.Expression, context: Context) -> ast.Call | None:
     """The `any`, `all` or `count` that a node stands in, if it stands in one."""
     around = context.parents.get(node)
     while around is not None and not isinstance(around, ast.Edges):
-        if isinstance(around, ast.Call) and around.function.text in _ELEMENTWISE:
+        if isinstance(around, ast.Call) and around.function.text in CONDITIONAL:
             return around
         around = context.parents.get(around)
     return None
@@ -79,7 +88,7 @@ def report_elements_over_time(
     """Report that an operator over time stands on the elements of an array, inside `fold`."""
     function = fold.function.text
     finding = ArrayAsScalar(expected="condition")
-    is_whole = stripped(fold.arguments[0]) is node and function in _QUANTIFIERS
+    is_whole = stripped(fold.arguments[0]) is node and function in QUANTIFIERS
     help: Remark
     fix = None
     match node:

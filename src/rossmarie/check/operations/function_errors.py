@@ -46,9 +46,9 @@ class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
 
 
 class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
-    """An elementwise expression over more than one array and constants."""
+    """An elementwise expression over more than one array, constants and numbers of messages."""
 
-    title = "an elementwise expression may use one array and constants"
+    title = "an elementwise expression may use one array, constants and numbers of messages"
     label = "{found}"
     note = "`{function}` looks at the elements of one array, one by one"
     help = "compare the least or greatest element with `{text}`: `min(...)` or `max(...)`"

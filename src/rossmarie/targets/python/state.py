@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from rossmarie import ir
 from rossmarie.core import sampling_row
 from rossmarie.targets.python.channels import calm_channels
-from rossmarie.targets.python.elements import results
+from rossmarie.targets.python.elements import inputs_of, results
 from rossmarie.targets.python.function import Function
 from rossmarie.targets.python.layout import Group, Layout
 
@@ -28,6 +28,8 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
             yield f"s{index}", "NAN"
     for array in range(len(layout.machine.arrays)):
         yield from (pair for pair in results(layout, array).items() if pair[0].startswith("q"))
+        if layout.is_kept(array):
+            yield f"kept_{array}", "()"
     for name, sampled in layout.memories.items():
         has_window = sampling_row(sampled.function).has_window
         yield name, f"Samples({sampled.window_ns if has_window else ''})"
@@ -60,9 +62,9 @@ def expire(layout: Layout, function: Function) -> None:
         for index, slot in enumerate(layout.machine.slots):
             if slot.input in group.inputs:
                 function.assign(f"x{index}", "NAN", 1)
-        for index, array in enumerate(layout.machine.arrays):
-            if array.input in group.inputs:
-                for variable, unknown in results(layout, index).items():
+        for array in range(len(layout.machine.arrays)):
+            for variable, unknown in results(layout, array).items():
+                if inputs_of(layout, variable) & group.inputs:
                     function.assign(variable, unknown, 1)
         for name in _sampled(layout, group):
             function.line(f"{name}.forget()", 1)

@@ -1,0 +1,40 @@
+"""The numbers that may stand beside elements (S74): of messages, by functions without a memory.
+
+A number that looks at other elements, at an age or at several messages stands outside.
+"""
+
+from __future__ import annotations
+
+from rossmarie.core import Sampling
+from rossmarie.syntax import ast
+from rossmarie.syntax.walk import walk
+
+QUANTIFIERS = frozenset({"any", "all"})
+CONDITIONAL = QUANTIFIERS | {"count"}
+EXTREMES = frozenset({"min", "max"})
+OF_SAMPLES = frozenset(each.value for each in Sampling) | {"changed"}
+
+
+def nature_of_call(node: ast.Call) -> str | None:
+    """The reason why a call may not stand beside elements, nor be asked of one; None if it may."""
+    name = node.function.text
+    if any(isinstance(argument, ast.Edges) for argument in node.arguments):
+        return "this counts over time"
+    if name in CONDITIONAL or (name in EXTREMES and len(node.arguments) == 1):
+        return "this looks at another array"
+    if name == "age":
+        return "this is the age of a whole message"
+    return "this looks at several messages" if name in OF_SAMPLES else None
+
+
+def unfit_part(number: ast.Expression) -> tuple[ast.Expression, str] | None:
+    """The first part of a number because of which it may not stand beside elements, and the reason;
+    None if it may.
+    """
+    for part in walk(number):
+        if isinstance(part, ast.ListFold):
+            return part, "this looks at a list"
+        nature = nature_of_call(part) if isinstance(part, ast.Call) else None
+        if nature is not None:
+            return part, nature
+    return None
