@@ -1,4 +1,4 @@
-"""S81: zones, and how far they are."""
+"""S81 and S82: zones, how far they are, and elements of lists in them."""
 
 from __future__ import annotations
 
@@ -94,3 +94,63 @@ def test_s81_another_frame_is_lost() -> None:
         zone = Watched(condition)
         assert zone.at(1.0, 1.0, "odom") is L
         assert zone.at(NAN, 1.0) is L
+
+
+LISTS = """
+action slow;
+input poses = topic /poses : geometry_msgs/PoseArray up to 5 timeout 5 sec;
+input cloud = topic /points : sensor_msgs/PointCloud2 up to 5 timeout 5 sec;
+zone box in base_link { box [0, 1, -1, 1] m; }
+rule near: if any(p in poses.poses: p in box) then { slow; };
+rule far: if all(p in poses.poses: distance(p.position, box) > 1 m) then { slow; };
+rule many: if count(p in cloud.points: p not in box) >= 2 then { slow; };
+"""
+
+
+class Seen:
+    """Rules on lists of poses and of points, and those of them that are active."""
+
+    def __init__(self) -> None:
+        self.machine = machine_of(LISTS)
+        self._monitor = Interpreter(self.machine)
+        self._at_ns = 0
+
+    def by(self, topic: str, *places: tuple[float, float], frame: str = "base_link") -> set[str]:
+        self._at_ns += 1
+        channel = next(n for n, each in enumerate(self.machine.channels) if each.topic == topic)
+        inputs = {n for n, each in enumerate(self.machine.inputs) if each.channel == channel}
+        slots = {n: FRAMES[frame] for n, s in enumerate(self.machine.slots) if s.input in inputs}
+        arrays = {
+            number: [place["xy".index(str(array.path[-1]))] for place in places]
+            for number, array in enumerate(self.machine.arrays)
+            if array.input in inputs
+        }
+        self._monitor.update(self._at_ns, {channel: ChannelValues(slots, arrays)})
+        names = [rule.name or "" for rule in self.machine.rules]
+        truths = [self._monitor._memory.truths[rule.condition] for rule in self.machine.rules]
+        return {name for name, truth in zip(names, truths, strict=True) if truth is T}
+
+    def lost(self) -> set[str]:
+        rules = self.machine.rules
+        memory = self._monitor._memory.truths
+        return {rule.name or "" for rule in rules if memory[rule.condition] is L}
+
+
+def test_s82_elements_lie_in_a_zone() -> None:
+    seen = Seen()
+    assert seen.by("/poses", (5.0, 0.0), (0.5, 0.5)) == {"near"}
+    assert seen.by("/poses", (5.0, 0.0), (0.5, 2.5)) == {"far"}
+    assert seen.by("/poses", (5.0, 0.0), (0.5, 1.5)) == set()
+    assert seen.by("/points", (5.0, 0.0), (0.5, 0.5), (0.0, -2.0)) == {"many"}
+    assert seen.by("/points", (5.0, 0.0), (0.5, 0.5)) == set()
+
+
+def test_s82_a_list_in_another_frame_is_lost() -> None:
+    seen = Seen()
+    seen.by("/points", (5.0, 0.0), (0.5, 0.5))
+    seen.by("/poses", (5.0, 0.0))
+    assert seen.lost() == set()
+    seen.by("/poses", (5.0, 0.0), frame="odom")
+    assert seen.lost() == {"near", "far"}
+    seen.by("/points", (5.0, 0.0), frame="odom")
+    assert seen.lost() == {"near", "far", "many"}
