@@ -25,6 +25,13 @@ from rossmarie.core.expressions import (
     choose,
     square_root,
 )
+from rossmarie.core.motion import (
+    LONGEST_TIME,
+    bounds_of_braking,
+    bounds_of_time,
+    braking_distance,
+    time_to,
+)
 from rossmarie.core.regions import (
     OPERANDS,
     RULES,
@@ -150,26 +157,6 @@ def _maximum(a: Expression, b: Expression) -> Expression:
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
 
 
-# --- braking ---------------------------------------------------------------------------------
-
-LONGEST_TIME = 1e9
-"""The seconds that `time_to` gives at most: as much as never (S83)."""
-
-
-def _braking_distance(v: Expression, a: Expression, t: Expression) -> Expression:
-    """S82."""
-    way = abs(v) * t + (v * v) / (2.0 * a)
-    return choose(a > 0.0, choose(t < 0.0, UNKNOWN, way), UNKNOWN)
-
-
-def _time_to(left: Expression, speed: Expression) -> Expression:
-    """S83. What does not come closer takes the longest time, and what is there takes none."""
-    time = left / speed
-    running = choose(time < LONGEST_TIME, time, LONGEST_TIME)
-    coming = choose(left > 0.0, choose(speed > 0.0, running, LONGEST_TIME), 0.0)
-    return choose(Either(IsUnknown(left), IsUnknown(speed)), UNKNOWN, coming)
-
-
 # --- geometry --------------------------------------------------------------------------------
 
 _SLACK = 2.0**-40
@@ -264,10 +251,22 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
     Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
     Function.BRAKING_DISTANCE: Row(
-        "S82", 3, 3, _braking_distance, "the way on which {0} is braked by {1} after {2}", _LENGTH
+        "S83",
+        3,
+        3,
+        braking_distance,
+        "the way on which {0} is braked by {1} after {2}",
+        _LENGTH,
+        bounds_of_braking,
     ),
     Function.TIME_TO: Row(
-        "S83", 2, 2, _time_to, "the time in which {1} runs through {0}", (0.0, LONGEST_TIME)
+        "S84",
+        2,
+        2,
+        time_to,
+        "the time in which {1} runs through {0}",
+        (0.0, LONGEST_TIME),
+        bounds_of_time,
     ),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one

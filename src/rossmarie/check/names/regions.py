@@ -118,6 +118,8 @@ def _word(name: str) -> str:
 
 def check_frame(position: ast.Expression, context: Context) -> bool:
     """Say whether a message tells the frame of a position; it is reported if not."""
+    if isinstance(context.type_of(position), Unknown):
+        return True
     reason = _without_frame(position, context)
     if reason is not None:
         text = text_of(position)
@@ -125,14 +127,21 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
     return reason is None
 
 
-def _without_frame(position: ast.Expression, context: Context) -> str | None:
-    """The reason why nobody knows the frame of a position; None if a header says it."""
+def _root(position: ast.Expression) -> ast.Reference | None:
+    """The name in front of fields; None if there is none."""
     node = stripped(position)
     while isinstance(node, ast.Member | ast.Index | ast.Sector):
         node = stripped(node.value)
-    if not isinstance(node, ast.Reference) or context.folds_around(node).get(node.name.text):
-        return "it is no field of an input"
-    used = context.inputs.get(node.name.text)
+    return node if isinstance(node, ast.Reference) else None
+
+
+def _without_frame(position: ast.Expression, context: Context) -> str | None:
+    """The reason why nobody knows the frame of a position; None if a header says it."""
+    root = _root(position)
+    fold = None if root is None else context.folds_around(root).get(root.name.text)
+    if fold is not None:
+        root = _root(fold.list)  # the header of the message with the list says it for all elements
+    used = None if root is None else context.inputs.get(root.name.text)
     if used is None or context.messages is None:
         return "it is no field of an input"
     message = context.messages.find(used.message_type)
