@@ -7,12 +7,15 @@ last one that runs.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.source import SourceFile
 from rossmarie.check import CheckedProgram, CheckOptions, check, select
+from rossmarie.check.instances.instantiate import instantiate
+from rossmarie.check.instances.spaces import Imported, Instances
+from rossmarie.check.instances.telling import told
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
 from rossmarie.ir import Category, Machine, Requirement, verify, without_margins
@@ -30,6 +33,7 @@ class CheckResult:
     modules: Sequence[ast.Module]
     program: CheckedProgram | None
     diagnostics: tuple[Diagnostic, ...]
+    instances: Instances = field(default_factory=Instances)
 
 
 class RulesError(Exception):
@@ -58,13 +62,15 @@ def check_file(
     Of the rules `only` those with these categories are kept (all if it is empty).
     """
     collector = Collector()
-    modules = load_modules(rules, systems, collector)
-    modules += [] if tests is None else [parse(tests, collector)]
+    files = load_modules(rules, systems, collector)
+    files += [] if tests is None else [Imported(parse(tests, collector), ())]
+    modules, instances = instantiate(files, collector)
     options = CheckOptions(message_folders=tuple(message_folders))
     program = check(modules, options, collector)
     if program is not None:
         program = select(program, modules, only, collector)
-    return CheckResult(modules, program, shortened(collector.sorted()))
+    found = shortened(told(collector.sorted(), instances))
+    return CheckResult(modules, program, found, instances)
 
 
 @dataclass(frozen=True)

@@ -67,13 +67,24 @@ class Style:
             case ast.Test(statements=statements):
                 for statement in statements:
                     self._statement(statement)
-            case (
-                ast.Import() | ast.Skills() | ast.Constant() | ast.Priority() | ast.Hazard()
-            ):  # fmt: skip
+            case ast.Import():
+                self._import(item)
+            case ast.Parameter(default=default, unit=unit):
+                self._word(unit, default if isinstance(default, ast.Name) else None)
+            case ast.Skills() | ast.Constant() | ast.Priority() | ast.Hazard():
                 pass
 
     def _word(self, *words: ast.Name | ast.Unit | None) -> None:
         self.words.update((word.span.start, word.span.end) for word in words if word is not None)
+
+    def _import(self, item: ast.Import) -> None:
+        """Break in front of `with`, each value and `as`."""
+        self._word(*(each.value for each in item.given if isinstance(each.value, ast.Name)))
+        for each in item.given[1:]:
+            self.breaks[each.span.start] = _OPERATOR
+        for name in (*item.given[:1], *(() if item.alias is None else (item.alias,))):
+            word = self.source.tokens[self.index(name.span.start) - 1]
+            self.breaks[word.start] = _PART
 
     def _input(self, item: ast.Input) -> None:
         self._word(item.topic, item.message_type, item.unit)

@@ -75,6 +75,10 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
     match item:
         case ast.Constant(value=value):
             yield value
+        case ast.Parameter(default=default) if not isinstance(default, ast.Name | None):
+            yield default
+        case ast.Import(given=given):
+            yield from (each.value for each in given if not isinstance(each.value, ast.Name))
         case ast.Input(timeout=timeout) if timeout is not None:
             yield timeout
         case ast.Condition(expression=expression):
@@ -97,7 +101,9 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield from chain.from_iterable(map(_of_statement, statements))
         case ast.Skills(timeout=timeout) if timeout is not None:
             yield timeout
-        case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
+        case (
+            ast.Parameter() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills()
+        ):  # fmt: skip
             pass
 
 

@@ -11,10 +11,37 @@ from rossmarie.syntax.ast.tests import Test
 
 
 @dataclass(frozen=True)
+class Given:
+    """`braking = 1.2 m/s^2`, `scan = /front/scan`: a value, or a topic, for a parameter."""
+
+    name: Name
+    value: Expression | Name
+    span: Span
+
+
+@dataclass(frozen=True)
 class Import:
-    """`import "husky_system.ross";` -- the path is relative to the importing file."""
+    """`import "separation.ross" with braking = 1.2 m/s^2, scan = /front/scan as front;` -- the path
+    is relative to the importing file; `alias` is the name behind `as`.
+    """
 
     path: Text
+    span: Span
+    given: tuple[Given, ...] = ()
+    alias: Name | None = None
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """`parameter braking = 1.2 m/s^2;`, `parameter gap in m;`, `parameter scan = topic /scan;`
+
+    `default` is a topic if it is a name; without one there is a `unit`.
+    """
+
+    name: Name
+    default: Expression | Name | None
+    unit: Unit | None
+    documentation: str | None
     span: Span
 
 
@@ -145,12 +172,15 @@ class Skills:
 
 @dataclass(frozen=True)
 class Constant:
-    """`const maxSpeed = 0.5 m/s`."""
+    """`const maxSpeed = 0.5 m/s`. One that stands for a `parameter` has its value, and nobody wrote
+    it as a constant.
+    """
 
     name: Name
     value: Expression
     documentation: str | None
     span: Span
+    parameter: Parameter | None = None
 
 
 @dataclass(frozen=True)
@@ -356,6 +386,7 @@ Item = (
     | System
     | Action
     | Skills
+    | Parameter
     | Constant
     | Input
     | Entity
