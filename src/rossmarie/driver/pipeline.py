@@ -77,7 +77,8 @@ def check_file(
 class Compiled:
     """A rules file without errors: its machine, the warnings on it, and where the definitions of
     its messages may lie, the tests in it, and of each input the path that its declaration chooses.
-    `sources` are all files that the machine rests on, as they were read, the main one last.
+    `sources` are all files that the machine rests on, each once, as they were read, the main one
+    last.
     `with_margins` is the machine for those that learn: with the margins that rules declare;
     `requirements` are what rules keep.
     """
@@ -90,6 +91,7 @@ class Compiled:
     bases: Mapping[str, FieldPath]
     sources: tuple[SourceFile, ...]
     requirements: tuple[Requirement, ...]
+    instances: Instances = field(default_factory=Instances)
 
 
 def compile_file(
@@ -116,10 +118,10 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     machine = lower(result.program)
     verify(machine)
     if refused := tuple(unsupported(machine)):
-        raise RulesError((*result.diagnostics, *refused))
+        raise RulesError((*result.diagnostics, *told(refused, result.instances)))
     folders = (*message_folders, *_declared_folders(result.modules))
     bases = {name: used.base for name, used in result.program.symbols.inputs.items()}
-    files = (module.file for module in result.modules)
+    files = {module.file.path: module.file for module in reversed(result.modules)}
     return Compiled(
         machine=without_margins(machine),
         with_margins=machine,
@@ -127,8 +129,9 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
         message_folders=folders,
         tests=result.program.tests,
         bases=bases,
-        sources=(*result.program.read_files, *files),
+        sources=(*result.program.read_files, *reversed(files.values())),
         requirements=lower_requirements(result.program),
+        instances=result.instances,
     )
 
 

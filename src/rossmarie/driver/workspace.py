@@ -116,8 +116,8 @@ class _Loader:
             self.parsed[identity] = _unread(path)
         elif is_new:
             source = read_source(path, self.collector)
-            is_read = source is not None
-            self.parsed[identity] = parse(source, self.collector) if is_read else _unread(path)
+            module = _unread(path) if source is None else parse(source, self.collector)
+            self.parsed[identity] = module
         imported = Imported(self.parsed[identity], wanted.space)
         if written is not None and _is_instance(written):
             imported = replace(imported, written=written, importer=wanted.importer)
@@ -133,12 +133,13 @@ class _Loader:
             known.written, known.importer = written, wanted.importer
             return
         subject = f"a value for `{written.path.value}`"
-        finding = ValuesTwice(subject=subject, advice="import it `as` another name, or give the values once")
+        advice = "import it `as` another name, or give the values once"
+        finding = ValuesTwice(subject=subject, advice=advice)
         place = finding.First().at(known.written.path.span)
         self.collector.add(finding.at(written.path.span, place))
 
     def _is_endless(self, wanted: _Wanted, identity: Path) -> bool:
-        """Say whether an import would go on for ever, or makes too many instances; it is reported."""
+        """Say whether an import would go on for ever, or makes too many instances; report it."""
         written, importer = wanted.written, wanted.importer
         if written is None or importer is None or written.alias is None:
             return False

@@ -123,10 +123,9 @@ class _Program:
                 continue
             if value is None and parameter.default is None:
                 self._report_missing(imported, parameter)
-            default = parameter.default or ast.Broken(parameter.name.span)
-            chosen = rewriter.node(default) if value is None else value
-            assert not isinstance(chosen, ast.Name)
             kept = rewriter.node(parameter)
+            chosen = value or kept.default or ast.Broken(kept.name.span)
+            assert not isinstance(chosen, ast.Name)
             behind = kept.documentation, kept.span, kept
             yield name, ast.Constant(kept.name, chosen, *behind)
 
@@ -223,9 +222,7 @@ class _Program:
 
     # --- items -------------------------------------------------------------------------------
 
-    def _items(
-        self, imported: Imported, constants: dict[str, ast.Constant]
-    ) -> Iterator[ast.Item]:
+    def _items(self, imported: Imported, constants: dict[str, ast.Constant]) -> Iterator[ast.Item]:
         """The items of a module. Tests of a file are about its defaults: they stay with the file
         where it is imported with other values, or under a name.
         """

@@ -43,8 +43,8 @@ class Imported:
 @dataclass
 class Space:
     """The names that the files of a space declare: `names` of constants, inputs, entities, motions
-    and actions (`values` are those of the first two), `rules`, `aliases` and parameters (`topics`) of topics. `inner` are the spaces in
-    it.
+    and actions (`values` are those of the first two), `rules`, `aliases` and parameters (`topics`)
+    of topics. `inner` are the spaces in it, by the names behind `as`.
     """
 
     path: Path

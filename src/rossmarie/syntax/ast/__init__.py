@@ -60,6 +60,7 @@ from rossmarie.syntax.ast.expressions import (
     UnaryOperator,
     Unit,
 )
+from rossmarie.syntax.ast.imports import Given, Import, Parameter
 from rossmarie.syntax.ast.items import (
     Action,
     ClearFor,
@@ -70,9 +71,7 @@ from rossmarie.syntax.ast.items import (
     Entity,
     Exemption,
     Feedback,
-    Given,
     Hazard,
-    Import,
     Input,
     Item,
     Keeps,
@@ -82,7 +81,6 @@ from rossmarie.syntax.ast.items import (
     Module,
     Motion,
     NodeDeclaration,
-    Parameter,
     Priority,
     ResourceDeclaration,
     ResumeContract,
