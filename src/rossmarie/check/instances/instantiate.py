@@ -19,7 +19,7 @@ from rossmarie.check.instances.rewrite import Rewriter
 from rossmarie.check.instances.spaces import Imported, Instances, Path, Space
 from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.scopes.errors import DuplicateName
-from rossmarie.check.wording.suggestions import near_name, rename
+from rossmarie.check.wording.suggestions import MOST_COMPARISONS, near_name, rename
 from rossmarie.syntax import ast
 
 TOPIC, VALUE = "a topic", "a value"
@@ -53,6 +53,8 @@ class _Program:
             space = self._spaces.setdefault(each.space, Space(each.space))
             for item in each.module.items:
                 space.take(item)
+                if isinstance(item, ast.Skills):
+                    self._instances.guesses.take(MOST_COMPARISONS + 1)
         self._open_rewriters()
         for each in self._files:
             self._take_imports(each)

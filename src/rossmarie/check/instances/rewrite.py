@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import dataclasses
 import enum
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, TypeVar
 
 from dslkit.source import SourceFile, Span
 from rossmarie.check.instances.spaces import Instances, Path, Space, Spaces, flat
+from rossmarie.check.wording.suggestions import near_name
 from rossmarie.syntax import ast
 
 _Node = TypeVar("_Node")
@@ -166,7 +167,7 @@ class Rewriter:
             found = self._rebuilt(root)
         else:
             words = (root.name.text, *(each.member.text for each in reversed(chain)))
-            text, rest = self._resolved(words, Kind.NAME)
+            text, rest = self._resolved(words, None)
             taken = len(words) - len(rest) - 1
             last = chain[-taken] if taken else root
             del chain[len(chain) - taken :]
@@ -194,8 +195,10 @@ class Rewriter:
 
     # --- names -------------------------------------------------------------------------------
 
-    def _resolved(self, words: tuple[str, ...], kind: Kind) -> tuple[str, tuple[str, ...]]:
-        """The name that words between dots mean, and those that are left."""
+    def _resolved(self, words: tuple[str, ...], kind: Kind | None) -> tuple[str, tuple[str, ...]]:
+        """The name that words between dots mean, and those that are left. Without a kind, the first
+        may be an element of a list, or a message.
+        """
         first, *_ = words
         for space in (self._space, self._whole) if first not in self._variables else ():
             path, at = space.path, 0
@@ -203,9 +206,22 @@ class Rewriter:
                 path, at = (*path, words[at]), at + 1
             if at:
                 return self._made(path, words[at]), words[at + 1 :]
-        own = self._space.rules if kind is Kind.RULE else self._space.names
-        text = self._made(self._space.path, first) if first in own else first
-        return text, words[1:]
+        own, whole = self._known(self._space, kind), self._known(self._whole, kind)
+        is_guess = kind is not None and first not in whole
+        is_own = first in own or (is_guess and self._is_meant(first, own))
+        return self._made(self._space.path, first) if is_own else first, words[1:]
+
+    def _known(self, space: Space, kind: Kind | None) -> Collection[str]:
+        return space.rules if kind is Kind.RULE else space.names
+
+    def _is_meant(self, name: str, own: Collection[str]) -> bool:
+        """Say whether a name that nobody declares is a name of this space, misspelt: then it is
+        reported as one of this space. Where there are skills, it may be a class of things.
+        """
+        is_other = name in self._conditions or name in self._variables
+        if not self._space.path or is_other or not self._instances.guesses.take(len(own)):
+            return False
+        return near_name(name, own) is not None
 
     def _made(self, path: Path, name: str) -> str:
         if not path:

@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 
 from dslkit.source import SourceFile
+from rossmarie.check.wording.suggestions import Suggestions
 from rossmarie.syntax import ast
 
 Path = tuple[str, ...]
@@ -81,8 +82,10 @@ def flat(path: Path, name: str) -> str:
 @dataclass
 class Instances:
     """All that messages need: the `names` that this stage made, each with its space and the name
-    there; and of each file of an instance its space, and the imports that lead to it.
+    there; and of each file of an instance its space, and the imports that lead to it. `guesses` is
+    the effort that is left to find out which names are misspelt.
     """
 
     names: dict[str, tuple[Path, str]] = field(default_factory=dict)
     files: dict[SourceFile, tuple[Path, tuple[ast.Import, ...]]] = field(default_factory=dict)
+    guesses: Suggestions = field(default_factory=Suggestions)

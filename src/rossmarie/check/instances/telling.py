@@ -34,8 +34,7 @@ def told(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic,
     """
     if not instances.files:
         return tuple(found)
-    names = sorted(instances.names, key=len, reverse=True)
-    pattern = re.compile(rf"\b(?:{'|'.join(map(re.escape, names))})\b") if names else None
+    pattern = _pattern(instances)
     merged: dict[tuple[object, ...], Diagnostic] = {}
     for number, each in enumerate(found):
         space, imports = instances.files.get(each.primary.span.file, ((), ()))
@@ -48,11 +47,22 @@ def told(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic,
     return tuple(merged.values())
 
 
+def spelled(text: str, instances: Instances) -> str:
+    """A text that names things of a program, as its main file would write it."""
+    pattern = _pattern(instances)
+    return text if pattern is None else _Wording(instances, pattern, ()).text(text)
+
+
+def _pattern(instances: Instances) -> re.Pattern[str] | None:
+    """A pattern of all names that were made; None if there are none."""
+    names = sorted(instances.names, key=len, reverse=True)
+    return re.compile(rf"\b(?:{'|'.join(map(re.escape, names))})\b") if names else None
+
+
 def _likeness(found: Diagnostic) -> tuple[object, ...]:
     """Equal for findings that say the same of the same text."""
     span = found.primary.span
-    texts = (found.title, found.primary.text, found.help, found.notes)
-    return (found.code, span.file.path, span.start, span.end, *texts)
+    return (found.code, span.file.path, span.start, span.end, found.title, found.primary.text)
 
 
 def _imported(imports: tuple[ast.Import, ...]) -> Iterator[Label]:
@@ -73,25 +83,26 @@ class _Wording:
 
     def of(self, found: Diagnostic) -> Diagnostic:
         """A finding with its names."""
-        label = dataclasses.replace(found.primary, text=self._text(found.primary.text))
+        label = dataclasses.replace(found.primary, text=self.text(found.primary.text))
         labels = tuple(
-            dataclasses.replace(each, text=self._text(each.text)) for each in found.labels
+            dataclasses.replace(each, text=self.text(each.text)) for each in found.labels
         )
         return dataclasses.replace(
             found,
-            title=self._text(found.title),
+            title=self.text(found.title),
             primary=label,
             labels=labels,
-            notes=tuple(map(self._text, found.notes)),
-            help=None if found.help is None else self._text(found.help),
+            notes=tuple(map(self.text, found.notes)),
+            help=None if found.help is None else self.text(found.help),
             fix=None if found.fix is None else self._fix(found.fix),
         )
 
     def _fix(self, fix: Fix) -> Fix:
-        edits = tuple(Edit(each.span, self._text(each.replacement)) for each in fix.edits)
-        return Fix(self._text(fix.title), edits)
+        edits = tuple(Edit(each.span, self.text(each.replacement)) for each in fix.edits)
+        return Fix(self.text(fix.title), edits)
 
-    def _text(self, text: str) -> str:
+    def text(self, text: str) -> str:
+        """A text with its names."""
         return self._pattern.sub(self._name, text)
 
     def _name(self, match: re.Match[str]) -> str:
