@@ -62,6 +62,7 @@ from rossmarie.syntax.ast.expressions import (
     UnaryOperator,
     Unit,
 )
+from rossmarie.syntax.ast.imports import Given, Import, Parameter
 from rossmarie.syntax.ast.items import (
     Action,
     ClearFor,
@@ -73,7 +74,6 @@ from rossmarie.syntax.ast.items import (
     Exemption,
     Feedback,
     Hazard,
-    Import,
     Input,
     Item,
     Keeps,
@@ -144,6 +144,7 @@ __all__ = [
     "FieldAssignment",
     "FieldBound",
     "FieldPath",
+    "Given",
     "Hazard",
     "Held",
     "Hook",
@@ -168,6 +169,7 @@ __all__ = [
     "Once",
     "OperatorReset",
     "Oscillates",
+    "Parameter",
     "Parenthesized",
     "Passed",
     "Position",
