@@ -37,6 +37,18 @@ from rossmarie.core.regions import (
     phrase,
     range_of,
 )
+from rossmarie.core.rotations import (
+    bounds_of_turned,
+    composed_w,
+    composed_x,
+    composed_y,
+    composed_z,
+    easy_composed,
+    easy_turned,
+    turned_x,
+    turned_y,
+    turned_z,
+)
 
 
 class Function(enum.Enum):
@@ -51,11 +63,19 @@ class Function(enum.Enum):
     MINIMUM = "minimum"  # of two
     MAXIMUM = "maximum"  # of two
     ABOVE = "above"  # the third where the first is above the second, else 0
+    SEEN = "seen"  # the first where the second equals the third, else unknown
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
     PITCH = "pitch"
     YAW = "yaw"
+    TURNED_X = "turned_x"  # of a vector x, y, z and the quaternion x, y, z, w that turns it
+    TURNED_Y = "turned_y"
+    TURNED_Z = "turned_z"
+    COMPOSED_X = "composed_x"  # of the quaternion of a turn, and of that of the turn before it
+    COMPOSED_Y = "composed_y"
+    COMPOSED_Z = "composed_z"
+    COMPOSED_W = "composed_w"
 
 
 @dataclass(frozen=True)
@@ -140,6 +160,12 @@ def _above(a: Expression, b: Expression, c: Expression) -> Expression:
     return choose(is_unknown, UNKNOWN, choose(a > b, c, 0.0))
 
 
+def _seen(a: Expression, b: Expression, c: Expression) -> Expression:
+    """S77."""
+    is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
+    return choose(is_unknown, UNKNOWN, choose(b.equals(c), a, UNKNOWN))
+
+
 def _maximum(a: Expression, b: Expression) -> Expression:
     """S6; of two equal ones the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
@@ -216,6 +242,8 @@ def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]
 _LENGTH = (0.0, math.inf)
 _TURN = (-HALF_TURN, HALF_TURN)
 _QUARTER = (-RIGHT_ANGLE, RIGHT_ANGLE)
+_VECTOR, _TURNING = "{0}, {1}, {2}", "{3}, {4}, {5}, {6}"
+_BEHIND, _BEFORE = "{0}, {1}, {2}, {3}", "{4}, {5}, {6}, {7}"
 
 FUNCTIONS: Mapping[Function, Row] = {
     Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
@@ -227,6 +255,7 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
     Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
+    Function.SEEN: Row("S77", 3, 3, _seen, "({0} where {1} is {2})"),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
@@ -236,4 +265,27 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
-}
+    **{
+        function: Row(
+            "S76", 7, 7, define, f"the {axis} of ({_VECTOR}) turned by ({_TURNING})",
+            bounds=bounds_of_turned, easy=easy_turned("xyz".index(axis)),
+        )
+        for function, axis, define in (
+            (Function.TURNED_X, "x", turned_x),
+            (Function.TURNED_Y, "y", turned_y),
+            (Function.TURNED_Z, "z", turned_z),
+        )
+    },
+    **{
+        function: Row(
+            "S76", 8, 8, define, f"the {axis} of the turn ({_BEFORE}), turned by ({_BEHIND})",
+            bounds=_unbounded, easy=easy_composed("xyzw".index(axis)),
+        )
+        for function, axis, define in (
+            (Function.COMPOSED_X, "x", composed_x),
+            (Function.COMPOSED_Y, "y", composed_y),
+            (Function.COMPOSED_Z, "z", composed_z),
+            (Function.COMPOSED_W, "w", composed_w),
+        )
+    },
+}  # fmt: skip

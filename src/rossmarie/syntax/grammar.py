@@ -59,6 +59,7 @@ START_RULES = (
     "resource_declaration",
     "unit_declaration",
     "messages_declaration",
+    "frame_declaration",
     "node",
     "test",
     *STATEMENT_WORDS.values(),

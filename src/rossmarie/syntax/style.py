@@ -101,7 +101,7 @@ class Style:
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
-            case ast.MessagesDeclaration():
+            case ast.MessagesDeclaration() | ast.FrameDeclaration():
                 pass
 
     def _effect(self, effect: ast.Effect) -> None:
