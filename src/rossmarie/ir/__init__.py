@@ -47,6 +47,7 @@ from rossmarie.ir.model import (
     Compare,
     Constant,
     Count,
+    Edge,
     Element,
     Flag,
     Fold,
@@ -72,6 +73,7 @@ from rossmarie.ir.model import (
     Slot,
     Truth,
     TruthNode,
+    bare_frame,
 )
 from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
@@ -155,6 +157,7 @@ __all__ = [
     "Count",
     "Doing",
     "Each",
+    "Edge",
     "Element",
     "ElementArrays",
     "Elements",
@@ -224,6 +227,7 @@ __all__ = [
     "Wiring",
     "arrays_of",
     "arrival_names",
+    "bare_frame",
     "below_margins",
     "columns_of",
     "compared_signals",

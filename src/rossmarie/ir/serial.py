@@ -21,7 +21,7 @@ from rossmarie.ir.path import ByName, Doing, Each, Listed, Points, Quantity
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 10
+VERSION = 11
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 

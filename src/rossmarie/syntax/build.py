@@ -131,9 +131,7 @@ class Builder(TestBuilder):
         frames = {"source": source, "frame": frame}
         return ast.Input(name, topic, message_type, path, *behind, bound=bound, **frames)
 
-    def _inside(
-        self, parts: list[Any], index: int
-    ) -> tuple[ast.Unit | None, ast.Name | None, int]:
+    def _inside(self, parts: list[Any], index: int) -> tuple[ast.Unit | None, ast.Name | None, int]:
         """The unit and the frame behind `in`, and where they end."""
         found: list[Token] = []
         while _is(parts, index, "in"):
@@ -334,9 +332,7 @@ class Builder(TestBuilder):
         has_alias = _is(parts, 2, "=")
         alias = self.name(parts[1]) if has_alias else None
         frame, _, parent, *behind = parts[3 if has_alias else 1 :]
-        told = {
-            word.text: value for word, value in zip(behind[::2], behind[1::2], strict=True)
-        }
+        told = {word.text: value for word, value in zip(behind[::2], behind[1::2], strict=True)}
         return ast.FrameDeclaration(
             alias, self._frame(frame), self._frame(parent),
             told.get("at"), told.get("turned"), told.get("timeout"), self._span(parts),

@@ -9,6 +9,7 @@ from functools import cached_property
 
 from dslkit.diagnostics import Collector, Template
 from dslkit.source import Span
+from rossmarie.check.frames import FrameTree
 from rossmarie.check.model import (
     CheckedDoing,
     CheckedInput,
@@ -45,7 +46,8 @@ class Context:
     `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
     of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
     what each question to the skills asks, `regions` the places of each class that is named,
-    `motions` the motions that are right. `entity` and `uses` belong to what is being checked at
+    `motions` the motions that are right, `frames` the frames, and `frame_inputs` the inputs that
+    they come by, by the frame. `entity` and `uses` belong to what is being checked at
     the moment.
     """
 
@@ -66,6 +68,8 @@ class Context:
     doing: NodeMap[CheckedDoing] = field(default_factory=NodeMap)
     regions: NodeMap[Region] = field(default_factory=NodeMap)
     motions: dict[str, CheckedMotion] = field(default_factory=dict)
+    frames: FrameTree = field(default_factory=FrameTree)
+    frame_inputs: dict[str, CheckedInput] = field(default_factory=dict)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
 
