@@ -18,8 +18,8 @@ LONGEST_NS = 10**18
 @dataclass(frozen=True)
 class CheckedFrame:
     """A frame as headers call it, and the frame that it lies in. With a `timeout_ns` it comes with
-    /tf; without one with /tf_static, unless the rules say themselves how it is `mounted`: x, y and z
-    in m, and the quaternion x, y, z, w of its turn.
+    /tf; without one with /tf_static, unless the rules say themselves how it is `mounted`: x, y and
+    z in m, and the quaternion x, y, z, w of its turn.
     """
 
     declaration: ast.FrameDeclaration

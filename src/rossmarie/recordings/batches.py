@@ -65,7 +65,7 @@ class Assembly:
                 self._arrays[column][row] = None
 
     def batch(self) -> Batch:
-        """All of it, without rows in which nothing came; of what was not added, nothing is known."""
+        """All of it but the rows in which nothing came; of what was not added, nothing is known."""
         for columns, most in self._lists:
             for row in range(len(self._times_ns)):
                 self._look_at_list(columns, most, row)

@@ -128,8 +128,9 @@ class Builder(TestBuilder):
         name, topic = self.name(parts[1]), self.name(parts[4])
         documentation, span = self._documentation(parts), self._span(parts)
         behind = names, unit, timeout, documentation, span
-        frames = {"source": source, "frame": frame}
-        return ast.Input(name, topic, message_type, path, *behind, bound=bound, **frames)
+        return ast.Input(
+            name, topic, message_type, path, *behind, bound=bound, source=source, frame=frame
+        )
 
     def _inside(self, parts: list[Any], index: int) -> tuple[ast.Unit | None, ast.Name | None, int]:
         """The unit and the frame behind `in`, and where they end."""

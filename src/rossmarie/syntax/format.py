@@ -190,7 +190,7 @@ class _Formatter:
                 ast.Import() | ast.Skills() | ast.Action() | ast.Constant() | ast.Input()
                 | ast.Priority() | ast.Hazard() | ast.Condition() | ast.TopicDeclaration()
                 | ast.ServiceDeclaration() | ast.ServerDeclaration() | ast.ResourceDeclaration()
-                | ast.UnitDeclaration() | ast.MessagesDeclaration()
+                | ast.UnitDeclaration() | ast.MessagesDeclaration() | ast.FrameDeclaration()
             ):  # fmt: skip
                 return _Entry(self._lines(start, end, ";", indent), start, end, group)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 
+from dslkit.diagnostics import Remark
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import members
 from rossmarie.check.names.frame_errors import NothingToTransform, NoWay, UnknownSource
@@ -85,15 +86,14 @@ def _source(
 
 def _can_be_seen(used: CheckedInput, written: ast.Name, context: Context) -> bool:
     """Say whether an input has something that can be seen from another frame."""
-    type_, help = used.type, None
+    type_ = used.type
     finding = NothingToTransform(field=used.field, frame=written.text, reason=_reason(type_))
     if isinstance(type_, List) or not has_frame(type_):
         path = used.declaration.path
         is_part = isinstance(type_, Quantity) and len(path) > 1 and path[-1].text in "xyzw"
+        help: Remark = finding.LeaveOut(frame=written.text)
         if is_part:
             help = finding.Whole(field=".".join(each.text for each in path[:-1]))
-        else:
-            help = finding.LeaveOut(frame=written.text)
         context.collector.add(finding.at(written.span, help=help))
         return False
     other = _in_another_frame(used, type_)
@@ -107,9 +107,9 @@ def _can_be_seen(used: CheckedInput, written: ast.Name, context: Context) -> boo
 def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
     """A field of which the frame is told in another place than that of the whole."""
     for name, part in members(type_).items():
-        if isinstance(type_, Message) and has_frame(part) and not isinstance(part, List):
-            if not is_told(used, (*used.path, name)):
-                return name
+        is_seen = isinstance(type_, Message) and has_frame(part) and not isinstance(part, List)
+        if is_seen and not is_told(used, (*used.path, name)):
+            return name
     return None
 
 

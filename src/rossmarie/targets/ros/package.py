@@ -163,6 +163,7 @@ class PackageWriter:
         used += ["command_task.h"] if self._machine.reactions.commands else []
         used += ["clouds.h"] if any(ir.POINTS in each.path for each in self._machine.lists) else []
         used += ["skills.h"] if self._asks_skills() else []
+        used += ["transforms.h"] if any(each.edge for each in self._machine.channels) else []
         used += [part.header for part in self._parts()]
         return sorted(["hooks.h", *(f"{runtime.FOLDER}/{header}" for header in used)])
 
