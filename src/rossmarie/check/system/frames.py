@@ -160,7 +160,7 @@ def quaternion(roll: float, pitch: float, yaw: float) -> tuple[float, float, flo
 def _numbers(
     word: str, node: ast.Expression | None, frame: CheckedFrame, context: Context
 ) -> tuple[float, float, float]:
-    """The three numbers behind a word in SI; 0 where it is not written, or wrong, which is reported."""
+    """The three numbers behind a word in SI; 0 where one is wrong, which is reported."""
     nothing = (0.0, 0.0, 0.0)
     if node is None:
         return nothing
