@@ -36,7 +36,7 @@ def test_a_drive_gives_the_same_verdicts(
     kind = {"ros1": "bag", "ros2": "mcap directory"}[ros.name]
     recording = write_kind(tmp_path, kind, list(drive(store_of(kind))))
     expected = replayed(RULES, recording, NEAR[ros.name])
-    assert len(expected) == 23
+    assert len(expected) == 22
     latched = tmp_path / "latched"
     told = says(ros, programs[0], latched, lambda: ros.play(recording), len(expected))
     assert told == expected

@@ -85,6 +85,12 @@ class Context:
         ranges = [stripped(part.container) for part in parts if isinstance(part, ast.Membership)]
         return frozenset(_counted(parts) - _counted(ranges))
 
+    @property
+    def told(self) -> dict[str, CheckedInput]:
+        """All inputs by name, those that frames come by as well."""
+        frames = {each.declaration.name.text: each for each in self.frame_inputs.values()}
+        return frames | self.inputs
+
     def may_suggest(self) -> bool:
         """Say whether to look for what a misspelt name may have meant."""
         return self.suggestions.take(len(self.declarations.names))
