@@ -38,6 +38,7 @@ from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues, known_count
 from rossmarie.ir.model import (
     FLAG_LIMITS,
+    TRANSFORMS,
     AgeReaches,
     And,
     Apply,
@@ -136,6 +137,7 @@ __all__ = [
     "POINTS",
     "SUBJECTS",
     "TASKS",
+    "TRANSFORMS",
     "AgeReaches",
     "And",
     "AnyFunction",

@@ -107,6 +107,10 @@ class Edge:
         return f"{self.topic} ({self.child} in {self.parent})"
 
 
+TRANSFORMS = "tf2_msgs/TFMessage"
+"""The type of messages with transforms."""
+
+
 def bare_frame(name: str) -> str:
     """The name of a frame in a transform: older programs write a slash in front, which tf2 leaves
     out.
@@ -134,6 +138,11 @@ class Channel:
     def source(self) -> str:
         """The topic that its messages come on."""
         return self.topic if self.edge is None else self.edge.topic
+
+    @property
+    def source_type(self) -> str:
+        """The type of the messages on that topic."""
+        return self.message_type if self.edge is None else TRANSFORMS
 
 
 # --- signals: numbers ------------------------------------------------------------------------

@@ -10,7 +10,7 @@ from pathlib import Path
 from dslkit import diagnostics
 from dslkit.diagnostics import Collector, Diagnostic, Remark, Template, remarked
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Channel, Kind, Machine, Slot, Step, path_text
+from rossmarie.ir import TRANSFORMS, Array, Channel, Kind, Machine, Slot, Step, path_text
 from rossmarie.recordings.errors import (
     MessagesUnreadable,
     NothingToReplay,
@@ -24,7 +24,7 @@ from rossmarie.recordings.errors import (
 )
 from rossmarie.recordings.model import Topic
 
-TRANSFORMS = ("tf2_msgs/TFMessage", "tf/tfMessage")
+_OF_TRANSFORMS = (TRANSFORMS, "tf/tfMessage")
 """The types of messages with transforms: the usual one, and one of old recordings."""
 
 
@@ -149,7 +149,7 @@ def _trouble(
     """The trouble that keeps a channel from reading the recorded topic `name`, with a better help
     than the usual one if there is.
     """
-    types = (channel.message_type,) if channel.edge is None else TRANSFORMS
+    types = (channel.message_type,) if channel.edge is None else _OF_TRANSFORMS
     wanted = types[0]
     topic = topics.get(name)
     if topic is None:

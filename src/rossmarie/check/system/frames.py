@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Sequence
 
 from dslkit.diagnostics import DeclaredHere, DidYouMean, Remark
 from dslkit.source import Span
@@ -19,6 +18,8 @@ from rossmarie.check.names.frame_errors import (
 )
 from rossmarie.check.operations.operands import duration_ns, require_constant, scalar_operand
 from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.declarations import report_second
+from rossmarie.check.scopes.errors import DuplicateName
 from rossmarie.check.system.errors import Here
 from rossmarie.check.units.quantities import read_unit
 from rossmarie.check.wording.describe import describe, is_plain
@@ -59,11 +60,11 @@ def _add_alias(
 ) -> None:
     expected = tree.aliases.setdefault(alias.text, declared.frame.text)
     if expected != declared.frame.text:
-        finding = FrameConflict(
-            thing=f"the alias `{alias.text}`",
-            found=declared.frame.text,
-            expected=expected,
-            words="another frame has this alias",
+        finding = DuplicateName(
+            identifier=alias.text,
+            kind="alias",
+            other=f"frame {expected}",
+            reason="an alias stands for one frame",
         )
         context.collector.add(finding.at(alias.span))
 
@@ -72,15 +73,21 @@ def _add(declared: ast.FrameDeclaration, tree: FrameTree, context: Context) -> N
     name = tree.named(declared.frame.text)
     frame = CheckedFrame(declared, name, tree.named(declared.parent.text))
     first = tree.frames.setdefault(name, frame)
-    if first is not frame:
-        finding = FrameConflict(
-            thing=f"the frame `{name}`",
-            found=frame.parent,
-            expected=first.parent,
-            words="a second declaration of this frame",
-        )
-        place = DeclaredHere().at(first.declaration.frame.span)
-        context.collector.add(finding.at(declared.frame.span, place))
+    if first is frame:
+        return
+    if first.parent == frame.parent:
+        reason = "one declaration says how a frame comes"
+        earlier = first.declaration.frame
+        report_second(declared.frame, earlier, "frame", reason, context.collector)
+        return
+    finding = FrameConflict(
+        thing=f"the frame `{name}`",
+        found=frame.parent,
+        expected=first.parent,
+        words="a second declaration of this frame",
+    )
+    place = DeclaredHere().at(first.declaration.frame.span)
+    context.collector.add(finding.at(declared.frame.span, place))
 
 
 def _check_circles(tree: FrameTree, context: Context) -> None:
@@ -233,8 +240,3 @@ def report_second_frame(
     finding = FrameConflict(thing=thing, found=found, expected=expected, words=f"`{found}` here")
     place = Here(what=f"`{expected}`").at(first.span)
     context.collector.add(finding.at(written.span, place))
-
-
-def steps_of(path: Sequence[ast.Name]) -> tuple[str, ...]:
-    """The fields of a path."""
-    return tuple(each.text for each in path)

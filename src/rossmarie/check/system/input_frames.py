@@ -86,22 +86,29 @@ def _source(
 
 def _can_be_seen(used: CheckedInput, written: ast.Name, context: Context) -> bool:
     """Say whether an input has something that can be seen from another frame."""
-    type_ = used.type
-    finding = NothingToTransform(field=used.field, frame=written.text, reason=_reason(type_))
-    if isinstance(type_, List) or not has_frame(type_):
-        path = used.declaration.path
-        is_part = isinstance(type_, Quantity) and len(path) > 1 and path[-1].text in "xyzw"
-        help: Remark = finding.LeaveOut(frame=written.text)
-        if is_part:
-            help = finding.Whole(field=".".join(each.text for each in path[:-1]))
+    reason, help = _trouble(used, written.text)
+    if reason is not None:
+        finding = NothingToTransform(field=used.field, frame=written.text, reason=reason)
         context.collector.add(finding.at(written.span, help=help))
-        return False
+    return reason is None
+
+
+def _trouble(used: CheckedInput, frame: str) -> tuple[str | None, Remark | None]:
+    """The reason why an input cannot be seen from another frame, and what to do; None if it can."""
+    type_, path = used.type, used.declaration.path
+    leave_out = NothingToTransform.LeaveOut(frame=frame)
+    if isinstance(type_, List):
+        return "it is a list", leave_out
+    if isinstance(type_, Quantity) and len(path) > 1 and path[-1].text in "xyzw":
+        whole = ".".join(each.text for each in path[:-1])
+        return "it is one component", NothingToTransform.Whole(field=whole)
+    if not has_frame(type_):
+        return "it has no position, orientation or vector", leave_out
     other = _in_another_frame(used, type_)
     if other is not None:
-        reason = f"its field `{other}` is in a frame of its own"
-        finding = dataclasses.replace(finding, reason=reason)
-        context.collector.add(finding.at(written.span, help=finding.Field(field=other)))
-    return other is None
+        field = NothingToTransform.Field(field=other)
+        return f"its field `{other}` is in a frame of its own", field
+    return None, None
 
 
 def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
@@ -111,12 +118,6 @@ def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
         if is_seen and not is_told(used, (*used.path, name)):
             return name
     return None
-
-
-def _reason(type_: Type) -> str:
-    if isinstance(type_, List):
-        return "it is a list"
-    return "it has no position, orientation or vector"
 
 
 def _report_no_way(

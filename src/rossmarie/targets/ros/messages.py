@@ -14,18 +14,11 @@ from rossmarie.targets.c99.text import block, indented
 from rossmarie.targets.ros import names
 from rossmarie.targets.ros.dialect import Dialect, Interface
 
-_TRANSFORMS = "tf2_msgs/TFMessage"
-
 
 def types_of(machine: ir.Machine) -> list[str]:
     """The types of all messages that come in or go through the filter, sorted."""
-    used = {_sent_type(channel) for channel in machine.channels}
+    used = {channel.source_type for channel in machine.channels}
     return sorted(used | {command.message_type for command in machine.reactions.commands})
-
-
-def _sent_type(channel: ir.Channel) -> str:
-    """The type of the messages on the topic of a channel."""
-    return channel.message_type if channel.edge is None else _TRANSFORMS
 
 
 def channels(layout: Layout, dialect: Dialect) -> str:
@@ -71,7 +64,7 @@ def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
     return (
         f"// {topic.topic}: {topic.message_type}\n"
         f"struct {word} {{\n"
-        f"    using Message = {dialect.cpp_type(_sent_type(topic), Interface.MESSAGE)};\n"
+        f"    using Message = {dialect.cpp_type(topic.source_type, Interface.MESSAGE)};\n"
         f"    static constexpr const char *topic = {names.heard(topic)};\n"
         f"    static constexpr int64_t timeout_ns = {timeout};\n\n"
         f"    static void fill({layout.name}_values &values, {arrays}, {message})\n"
