@@ -31,6 +31,7 @@ from rossmarie.recordings.errors import (
     at_file,
 )
 from rossmarie.recordings.extraction import Wanted
+from rossmarie.recordings.frames import frames_in
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.matching import (
     Match,
@@ -40,7 +41,7 @@ from rossmarie.recordings.matching import (
     kind_text,
     match_topics,
 )
-from rossmarie.recordings.model import Topic
+from rossmarie.recordings.model import FramesFound, Topic
 from rossmarie.recordings.storage import Storage
 from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
 from rossmarie.recordings.transforms import TransformDecoder, holds_transforms
@@ -103,6 +104,14 @@ class BagRecording:
             if reading is not None:
                 readings[topic] = reading
         return self._read(machine, readings, collector)
+
+    def frames(self) -> FramesFound:
+        """See `Recording.frames`."""
+        return frames_in(
+            self._connections,
+            lambda connection: typestore_for(connection, self._message_folders),
+            lambda topics: self._stored([*topics], Collector()),
+        )
 
     def close(self) -> None:
         """Release the file."""
