@@ -29,7 +29,8 @@ def rotation(turn: Sequence[float]) -> Matrix:
     """The matrix of a turn by a quaternion of any length, as I + 2w[v] + 2[v][v]."""
     x, y, z, w = np.array(turn) / np.linalg.norm(turn)
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    return np.eye(3) + 2.0 * w * cross + 2.0 * cross @ cross
+    found: Matrix = np.eye(3) + 2.0 * w * cross + 2.0 * cross @ cross
+    return found
 
 
 def matrix(placed: Placed) -> Matrix:

@@ -31,7 +31,8 @@ def write_model(recording: Recording) -> str:
     lines += [_line(topic, frames.headers.get(topic.name)) for topic in topics]
     width = max(len(line) for line in lines)
     seconds = (recording.end_ns - recording.start_ns) / 1e9
-    remarks = [_remark(each.count, seconds) for each in (*frames.transforms, *topics)]
+    counts = [*(each.count for each in frames.transforms), *(each.count for each in topics)]
+    remarks = [_remark(count, seconds) for count in counts]
     body = [f"{line:<{width}} // {remark}" for line, remark in zip(lines, remarks, strict=True)]
     title = f"// Written from {recording.path.name}: {seconds:.1f} s."
     opening = f"system {_identifier(recording.path.stem)} {{"

@@ -75,7 +75,7 @@ class Watched:
         return [float(memory.signals[rule.signals[0]]) for rule in self.machine.rules]
 
     @property
-    def truths(self) -> list[TruthValue]:
+    def truths(self) -> list[TruthValue | None]:
         memory = self._monitor._memory
         return [memory.truths[rule.condition] for rule in self.machine.rules]
 
