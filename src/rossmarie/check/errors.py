@@ -9,7 +9,7 @@ from rossmarie.check.expressions import errors as expression_errors
 from rossmarie.check.foresight import errors as foresight_errors
 from rossmarie.check.instances import errors as instance_errors
 from rossmarie.check.names import errors as name_errors
-from rossmarie.check.names import region_errors
+from rossmarie.check.names import frame_errors, region_errors
 from rossmarie.check.operations import errors as operation_errors
 from rossmarie.check.operations import function_errors, list_errors, range_errors, sector_errors
 from rossmarie.check.rules import errors as rule_errors
@@ -27,6 +27,7 @@ _DECLARED: tuple[type[Template], ...] = (
     *unit_errors.ALL,
     *name_errors.ALL,
     *region_errors.ALL,
+    *frame_errors.ALL,
     *operation_errors.ALL,
     *function_errors.ALL,
     *list_errors.ALL,

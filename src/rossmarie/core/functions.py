@@ -44,6 +44,18 @@ from rossmarie.core.regions import (
     phrase,
     range_of,
 )
+from rossmarie.core.rotations import (
+    bounds_of_turned,
+    composed_w,
+    composed_x,
+    composed_y,
+    composed_z,
+    easy_composed,
+    easy_turned,
+    turned_x,
+    turned_y,
+    turned_z,
+)
 from rossmarie.core.sines import cosine, sine
 
 
@@ -61,6 +73,7 @@ class Function(enum.Enum):
     ABOVE = "above"  # the third where the first is above the second, else 0
     BRAKING_DISTANCE = "braking_distance"  # of a speed, a deceleration and a latency
     TIME_TO = "time_to"  # of what is left and the speed at which it becomes less
+    SEEN = "seen"  # the first where the second equals the third, else unknown
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
@@ -68,6 +81,13 @@ class Function(enum.Enum):
     YAW = "yaw"
     SINE = "sine"  # of an angle
     COSINE = "cosine"
+    TURNED_X = "turned_x"  # of a vector x, y, z and the quaternion x, y, z, w that turns it
+    TURNED_Y = "turned_y"
+    TURNED_Z = "turned_z"
+    COMPOSED_X = "composed_x"  # of the quaternion of a turn, and of that of the turn before it
+    COMPOSED_Y = "composed_y"
+    COMPOSED_Z = "composed_z"
+    COMPOSED_W = "composed_w"
 
 
 @dataclass(frozen=True)
@@ -150,6 +170,12 @@ def _above(a: Expression, b: Expression, c: Expression) -> Expression:
     """S65."""
     is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
     return choose(is_unknown, UNKNOWN, choose(a > b, c, 0.0))
+
+
+def _seen(a: Expression, b: Expression, c: Expression) -> Expression:
+    """S77."""
+    is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
+    return choose(is_unknown, UNKNOWN, choose(b.equals(c), a, UNKNOWN))
 
 
 def _maximum(a: Expression, b: Expression) -> Expression:
@@ -239,6 +265,8 @@ _LENGTH = (0.0, math.inf)
 _TURN = (-HALF_TURN, HALF_TURN)
 _QUARTER = (-RIGHT_ANGLE, RIGHT_ANGLE)
 _WAVE = (-1.0, 1.0)
+_VECTOR, _TURNING = "{0}, {1}, {2}", "{3}, {4}, {5}, {6}"
+_BEHIND, _BEFORE = "{0}, {1}, {2}, {3}", "{4}, {5}, {6}, {7}"
 
 FUNCTIONS: Mapping[Function, Row] = {
     Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
@@ -268,6 +296,7 @@ FUNCTIONS: Mapping[Function, Row] = {
         (0.0, LONGEST_TIME),
         bounds_of_time,
     ),
+    Function.SEEN: Row("S77", 3, 3, _seen, "({0} where {1} is {2})"),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
@@ -279,4 +308,27 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
     Function.SINE: Row("S69", 1, 1, sine, "the sine of {0}", _WAVE, _bounds_of_sine),
     Function.COSINE: Row("S69", 1, 1, cosine, "the cosine of {0}", _WAVE, _bounds_of_cosine),
-}
+    **{
+        function: Row(
+            "S76", 7, 7, define, f"the {axis} of ({_VECTOR}) turned by ({_TURNING})",
+            bounds=bounds_of_turned, easy=easy_turned("xyz".index(axis)),
+        )
+        for function, axis, define in (
+            (Function.TURNED_X, "x", turned_x),
+            (Function.TURNED_Y, "y", turned_y),
+            (Function.TURNED_Z, "z", turned_z),
+        )
+    },
+    **{
+        function: Row(
+            "S76", 8, 8, define, f"the {axis} of the turn ({_BEFORE}), turned by ({_BEHIND})",
+            bounds=_unbounded, easy=easy_composed("xyzw".index(axis)),
+        )
+        for function, axis, define in (
+            (Function.COMPOSED_X, "x", composed_x),
+            (Function.COMPOSED_Y, "y", composed_y),
+            (Function.COMPOSED_Z, "z", composed_z),
+            (Function.COMPOSED_W, "w", composed_w),
+        )
+    },
+}  # fmt: skip

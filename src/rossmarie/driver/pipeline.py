@@ -120,7 +120,8 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     if refused := tuple(unsupported(machine)):
         raise RulesError((*result.diagnostics, *told(refused, result.instances)))
     folders = (*message_folders, *_declared_folders(result.modules))
-    bases = {name: used.base for name, used in result.program.symbols.inputs.items()}
+    frames = {each.declaration.name.text: () for each in result.program.frame_inputs.values()}
+    bases = frames | {name: used.base for name, used in result.program.symbols.inputs.items()}
     files = {module.file.path: module.file for module in reversed(result.modules)}
     return Compiled(
         machine=without_margins(machine),

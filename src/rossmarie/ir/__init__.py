@@ -40,6 +40,7 @@ from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues, known_count
 from rossmarie.ir.model import (
     FLAG_LIMITS,
+    TRANSFORMS,
     AgeReaches,
     And,
     Apply,
@@ -49,6 +50,7 @@ from rossmarie.ir.model import (
     Compare,
     Constant,
     Count,
+    Edge,
     Element,
     Flag,
     Fold,
@@ -74,6 +76,7 @@ from rossmarie.ir.model import (
     Slot,
     Truth,
     TruthNode,
+    bare_frame,
 )
 from rossmarie.ir.naming import (
     ScanFields,
@@ -147,6 +150,7 @@ __all__ = [
     "RETURNS",
     "SUBJECTS",
     "TASKS",
+    "TRANSFORMS",
     "AgeReaches",
     "And",
     "AnyFunction",
@@ -169,6 +173,7 @@ __all__ = [
     "Count",
     "Doing",
     "Each",
+    "Edge",
     "Element",
     "ElementArrays",
     "Elements",
@@ -240,6 +245,7 @@ __all__ = [
     "Wiring",
     "arrays_of",
     "arrival_names",
+    "bare_frame",
     "below_margins",
     "beside",
     "columns_of",

@@ -193,7 +193,7 @@ class _Formatter:
                 | ast.Input() | ast.Priority() | ast.Hazard() | ast.Condition() | ast.Shape()
                 | ast.TopicDeclaration()
                 | ast.ServiceDeclaration() | ast.ServerDeclaration() | ast.ResourceDeclaration()
-                | ast.UnitDeclaration() | ast.MessagesDeclaration()
+                | ast.UnitDeclaration() | ast.MessagesDeclaration() | ast.FrameDeclaration()
             ):  # fmt: skip
                 return _Entry(self._lines(start, end, ";", indent), start, end, group)
 

@@ -62,6 +62,7 @@ START_RULES = (
     "resource_declaration",
     "unit_declaration",
     "messages_declaration",
+    "frame_declaration",
     "node",
     "test",
     *STATEMENT_WORDS.values(),

@@ -125,7 +125,7 @@ class Style:
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
-            case ast.MessagesDeclaration():
+            case ast.MessagesDeclaration() | ast.FrameDeclaration():
                 pass
 
     def _effects(self, effects: Sequence[ast.Effect]) -> None:

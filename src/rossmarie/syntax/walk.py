@@ -93,8 +93,7 @@ def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Express
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))
         case ast.System(members=members):
-            declared = (each for each in members if isinstance(each, ast.TopicDeclaration))
-            yield from (each.rate for each in declared if each.rate is not None)
+            yield from chain.from_iterable(map(_of_member, members))
         case ast.Test(statements=statements):
             yield from chain.from_iterable(map(_of_statement, statements))
         case ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
@@ -125,6 +124,15 @@ def _of_parameters(item: ast.Parameter | ast.Import) -> Iterator[ast.Expression]
         case ast.Parameter(default=default):
             values = (default,)
     yield from (each for each in values if each is not None and not isinstance(each, ast.Name))
+
+
+def _of_member(member: ast.SystemMember) -> Iterator[ast.Expression]:
+    found: tuple[ast.Expression | None, ...] = ()
+    if isinstance(member, ast.TopicDeclaration):
+        found = (member.rate,)
+    elif isinstance(member, ast.FrameDeclaration):
+        found = (member.at, member.turned, member.timeout)
+    yield from (expression for expression in found if expression is not None)
 
 
 def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:

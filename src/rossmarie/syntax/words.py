@@ -60,13 +60,14 @@ MEMBER_WORDS = {
     "resource": "resource_declaration",
     "unit": "unit_declaration",
     "messages": "messages_declaration",
+    "frame": "frame_declaration",
     "node": "node",
 }
 """The words that begin a declaration inside a system."""
 
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
-    | {"names"}
+    | {"names", "from", "turned"}
     | {"unless", "category", "task", "feedback", "per", "activation", "margin", "mitigates"}
     | {"keeps", "below"}
     | {"box", "circle", "polygon", "radius"}
@@ -155,6 +156,8 @@ FORMS = {
     "resource_declaration": "a resource is declared as `resource NAME : /TOPIC, /SERVER;`",
     "unit_declaration": "the unit of a field is declared as `unit PACKAGE/TYPE.FIELD = rad/s;`",
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
+    "frame_declaration": "a frame is declared as `frame NAME in PARENT timeout 0.2 sec;`, or as "
+    "`frame NAME in PARENT at [0.3, 0, 0.5] m turned [0, 20, 180] deg;` where it stays",
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
     "motion": "a motion is written "

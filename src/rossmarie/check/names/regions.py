@@ -8,6 +8,7 @@ from dslkit.diagnostics import listed
 from dslkit.source import Span
 from rossmarie import core
 from rossmarie.check.model import CheckedSkills
+from rossmarie.check.names.frames import check_frame_is
 from rossmarie.check.names.region_errors import (
     NoFrame,
     NoLocation,
@@ -127,6 +128,18 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
     return reason is None
 
 
+def check_frame_of_region(
+    position: ast.Expression, container: ast.Expression, context: Context
+) -> bool:
+    """Say whether a position can be in a region: a message tells its frame, and nobody says that
+    it is another one. What is wrong is reported.
+    """
+    region = context.type_of(container)
+    if not check_frame(position, context) or not isinstance(region, Region):
+        return False
+    return check_frame_is(position, region.frame, container, context)
+
+
 def _root(position: ast.Expression) -> ast.Reference | None:
     """The name in front of fields; None if there is none."""
     node = stripped(position)
@@ -144,6 +157,8 @@ def _without_frame(position: ast.Expression, context: Context) -> str | None:
     used = None if root is None else context.inputs.get(root.name.text)
     if used is None or context.messages is None:
         return "it is no field of an input"
+    if used.frame is not None:
+        return None
     message = context.messages.find(used.message_type)
     header = None if message is None else message.fields.get(FRAME_OF_HEADER[0])
     has_frame = isinstance(header, Message) and isinstance(

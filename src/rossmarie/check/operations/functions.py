@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
-from rossmarie.check.names.regions import check_frame
+from rossmarie.check.names.frames import check_one_frame
+from rossmarie.check.names.regions import check_frame_of_region
 from rossmarie.check.operations.amounts import AMOUNTS, type_of_amount
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
@@ -107,6 +108,7 @@ _TIMES: Mapping[Operator, str] = {
 }
 """The functions that take a constant time, and what it is to them."""
 _MOST_FIELDS = 4
+_OF_ONE_FRAME = frozenset({Operator.DISTANCE, Operator.HYPOT, Operator.MIN, Operator.MAX})
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
 _EXTREMES = frozenset({Operator.MIN, Operator.MAX})
 
@@ -250,7 +252,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
         if operator is Operator.STOPPING:
             return _stopping(node, outcome.type, context)
         if operator is Operator.DISTANCE and isinstance(types[1], Region):
-            return outcome.type if check_frame(node.arguments[0], context) else Unknown()
+            is_known = check_frame_of_region(node.arguments[0], node.arguments[1], context)
+            return outcome.type if is_known else Unknown()
     elif operator is not Operator.ABS:
         arrays = [
             argument
@@ -261,7 +264,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
             report_array(argument, context)
         if arrays:
             return Unknown()
-    return applied(operator, node.arguments, context)
+    is_mixed = operator in _OF_ONE_FRAME and not check_one_frame(node.arguments, context)
+    return Unknown() if is_mixed else applied(operator, node.arguments, context)
 
 
 def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:

@@ -111,7 +111,7 @@ class _TestChecker:
             self._is_right = False
             return None
         inputs = tuple(dict.fromkeys(map(_input, written)))
-        topics = [self._context.inputs[name].topic for name in inputs]
+        topics = [self._context.told[name].topic for name in inputs]
         told = () if self._context.skills is None else (self._context.skills.file.topic,)
         topics += told if repeated or skills else ()
         names = (*inputs, DOING) if repeated else inputs
