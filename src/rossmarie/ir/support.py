@@ -51,6 +51,13 @@ class Supports:
     truths: tuple[Support, ...]
 
 
+def all_channels(machine: ir.Machine, support: Support) -> frozenset[int]:
+    """The channels on whose messages something rests in any way: also those of numbers beside
+    elements, whose messages alone change nothing.
+    """
+    return frozenset(machine.inputs[used].channel for used in support.inputs)
+
+
 def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
     """The signals that a signal is computed from."""
     match node:

@@ -5,6 +5,7 @@ A number that looks at other elements, at an age or at several messages stands o
 
 from __future__ import annotations
 
+from rossmarie.check.scopes.context import Context
 from rossmarie.core import Sampling
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import walk
@@ -15,7 +16,7 @@ EXTREMES = frozenset({"min", "max"})
 OF_SAMPLES = frozenset(each.value for each in Sampling) | {"changed"}
 
 
-def nature_of_call(node: ast.Call) -> str | None:
+def nature_of_call(node: ast.Call, context: Context) -> str | None:
     """The reason why a call may not stand beside elements, nor be asked of one; None if it may."""
     name = node.function.text
     if any(isinstance(argument, ast.Edges) for argument in node.arguments):
@@ -24,17 +25,23 @@ def nature_of_call(node: ast.Call) -> str | None:
         return "this looks at another array"
     if name == "age":
         return "this is the age of a whole message"
-    return "this looks at several messages" if name in OF_SAMPLES else None
+    if name in OF_SAMPLES:
+        return "this looks at several messages"
+    names = (each.name.text for each in node.arguments if isinstance(each, ast.Reference))
+    motions = [context.motions[each] for each in names if each in context.motions]
+    if any(unfit_part(motion.speed, context) is not None for motion in motions):
+        return "the speed of this motion looks at more than one message"
+    return None
 
 
-def unfit_part(number: ast.Expression) -> tuple[ast.Expression, str] | None:
+def unfit_part(number: ast.Expression, context: Context) -> tuple[ast.Expression, str] | None:
     """The first part of a number because of which it may not stand beside elements, and the reason;
     None if it may.
     """
     for part in walk(number):
         if isinstance(part, ast.ListFold):
             return part, "this looks at a list"
-        nature = nature_of_call(part) if isinstance(part, ast.Call) else None
+        nature = nature_of_call(part, context) if isinstance(part, ast.Call) else None
         if nature is not None:
             return part, nature
     return None

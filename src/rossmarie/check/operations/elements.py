@@ -49,7 +49,7 @@ def _reason(part: ast.Expression, context: Context) -> str | None:
     """The reason why something beside elements may not stand there; None if it may."""
     if isinstance(context.type_of(part), Boolean):
         return "this is the same for all elements"
-    unfit = unfit_part(part)
+    unfit = unfit_part(part, context)
     return None if unfit is None else unfit[1]
 
 

@@ -234,7 +234,7 @@ def _other(
         case ast.ListFold():
             return "this looks at another list", NotOfTheElement.OneLevel()
         case ast.Call():
-            return _other_call(node, fold, naming)
+            return _other_call(node, fold, naming, context)
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
             | ast.Member() | ast.Index() | ast.Sector() | ast.Unary() | ast.Binary()
@@ -243,8 +243,10 @@ def _other(
             return None
 
 
-def _other_call(node: ast.Call, fold: ast.ListFold, naming: NodeMap[bool]) -> _Other | None:
-    name, nature = node.function.text, nature_of_call(node)
+def _other_call(
+    node: ast.Call, fold: ast.ListFold, naming: NodeMap[bool], context: Context
+) -> _Other | None:
+    name, nature = node.function.text, nature_of_call(node, context)
     if nature is None:
         return None
     variable, text = fold.variable.text, text_of(fold.list)
