@@ -17,6 +17,7 @@ from rossmarie.guard import Core, Value
 from rossmarie.ir import (
     NEVER_NS,
     Array,
+    Beams,
     ByName,
     Doing,
     Each,
@@ -25,6 +26,7 @@ from rossmarie.ir import (
     Path,
     Points,
     Quantity,
+    Sector,
     Slot,
     Told,
     arrival_names,
@@ -182,6 +184,7 @@ def _field(message: Message, path: Path) -> Any:
         if isinstance(part, Doing | Quantity):
             return answer(part, value)
         assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
+        assert not isinstance(part, Sector | Beams), "read from the whole scan"
         place = _place(message, part, len(value))
         if place is None or place >= len(value):
             return math.nan

@@ -10,7 +10,7 @@ from rossmarie.check.foresight import errors as foresight_errors
 from rossmarie.check.names import errors as name_errors
 from rossmarie.check.names import region_errors
 from rossmarie.check.operations import errors as operation_errors
-from rossmarie.check.operations import function_errors, list_errors, range_errors
+from rossmarie.check.operations import function_errors, list_errors, range_errors, sector_errors
 from rossmarie.check.rules import errors as rule_errors
 from rossmarie.check.scopes import errors as scope_errors
 from rossmarie.check.skills import errors as skill_errors
@@ -28,6 +28,7 @@ _DECLARED: tuple[type[Template], ...] = (
     *operation_errors.ALL,
     *function_errors.ALL,
     *list_errors.ALL,
+    *sector_errors.ALL,
     *range_errors.ALL,
     *expression_errors.ALL,
     *foresight_errors.ALL,

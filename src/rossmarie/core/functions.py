@@ -44,6 +44,7 @@ from rossmarie.core.regions import (
     phrase,
     range_of,
 )
+from rossmarie.core.sines import cosine, sine
 
 
 class Function(enum.Enum):
@@ -65,6 +66,8 @@ class Function(enum.Enum):
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
     PITCH = "pitch"
     YAW = "yaw"
+    SINE = "sine"  # of an angle
+    COSINE = "cosine"
 
 
 @dataclass(frozen=True)
@@ -220,11 +223,22 @@ def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]
     return ()
 
 
+def _bounds_of_sine(sine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
+    """A sine is no greater than its angle."""
+    return (abs(sine) < abs(angles[0]) * (1.0 + _SLACK) + 2.0 * _TINY,)
+
+
+def _bounds_of_cosine(cosine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
+    """A cosine is no further from 1 than the angle is from 0."""
+    return (1.0 - abs(angles[0]) * (1.0 + _SLACK) - _SLACK < cosine,)
+
+
 # --- all of them -----------------------------------------------------------------------------
 
 _LENGTH = (0.0, math.inf)
 _TURN = (-HALF_TURN, HALF_TURN)
 _QUARTER = (-RIGHT_ANGLE, RIGHT_ANGLE)
+_WAVE = (-1.0, 1.0)
 
 FUNCTIONS: Mapping[Function, Row] = {
     Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
@@ -263,4 +277,6 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
+    Function.SINE: Row("S69", 1, 1, sine, "the sine of {0}", _WAVE, _bounds_of_sine),
+    Function.COSINE: Row("S69", 1, 1, cosine, "the cosine of {0}", _WAVE, _bounds_of_cosine),
 }

@@ -17,7 +17,7 @@ from dslkit.source import SourceFile, Span
 from rossmarie.core import Circle, Polygon, Rectangle, RegionFunction
 from rossmarie.ir import model as ir
 from rossmarie.ir.feedback import Margin
-from rossmarie.ir.path import ByName, Doing, Each, Listed, Points, Quantity
+from rossmarie.ir.path import Beams, ByName, Doing, Each, Listed, Points, Quantity, Sector
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
@@ -76,7 +76,9 @@ def _encode_instance(value: object, files: dict[SourceFile, int]) -> Json:
 
 
 _SHAPES = (Polygon, Rectangle, Circle)
-_PARTS = (ByName, Listed, Each, Points, Doing, Quantity, Margin, RegionFunction, *_SHAPES)
+_PARTS = (
+    ByName, Listed, Each, Points, Sector, Beams, Doing, Quantity, Margin, RegionFunction, *_SHAPES
+)  # fmt: skip
 _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)

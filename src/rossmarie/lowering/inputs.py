@@ -48,6 +48,10 @@ class Place:
         """A field of this part, which has a type."""
         return Place(self.input, self.part.field(name, type_))
 
+    def sector(self, sector: ir.Sector) -> Place:
+        """A sector of this part, which is the `ranges` of a scan."""
+        return Place(self.input, self.part.sector(sector))
+
     def element(self, index: int | str, owner: Type) -> Place:
         """An element of this part, whose type is `owner`."""
         return Place(self.input, self.part.element(index, owner))

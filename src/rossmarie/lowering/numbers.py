@@ -15,13 +15,15 @@ from rossmarie.check.model import CheckedMotion, CheckedProgram, Value
 from rossmarie.check.names.parts import Part, part_at
 from rossmarie.check.names.regions import FRAME_OF_HEADER
 from rossmarie.check.operations.lists import counts_all
+from rossmarie.check.operations.sectors import sector_between
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.core import Measure, RegionFunction, sampling_row
+from rossmarie.lowering.beams import ANGLE, coordinate, is_of_point
 from rossmarie.lowering.braking import way_to_stop
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
-from rossmarie.lowering.wording import words
+from rossmarie.lowering.wording import shown_unit, words
 from rossmarie.syntax import ast
 from rossmarie.types import (
     Array,
@@ -42,7 +44,6 @@ from rossmarie.types import (
     Unsupported,
     Vector,
 )
-from rossmarie.units import Unit
 
 _ARITHMETIC = {
     ast.BinaryOperator.ADD: ir.Function.ADD,
@@ -51,7 +52,12 @@ _ARITHMETIC = {
     ast.BinaryOperator.DIVIDE: ir.Function.DIVIDE,
 }
 
-_EACH = {"abs": ir.Function.ABSOLUTE, "hypot": ir.Function.HYPOT}
+_EACH = {
+    "abs": ir.Function.ABSOLUTE,
+    "hypot": ir.Function.HYPOT,
+    "sin": ir.Function.SINE,
+    "cos": ir.Function.COSINE,
+}
 """Functions that are applied to each component, or to each element."""
 
 _WHOLE = {
@@ -110,8 +116,8 @@ class Numbers:
                 return (self._folded_list(node),)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Index() | ast.Edges() | ast.Oscillates() | ast.Membership() | ast.Held()
-                | ast.Since()
+                | ast.Index() | ast.Sector() | ast.Edges() | ast.Oscillates() | ast.Membership()
+                | ast.Held() | ast.Since()
                 | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
             ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
@@ -156,6 +162,9 @@ class Numbers:
             case ast.Index(value=value, index=index):
                 place = self.place(value)
                 return None if place is None else place.element(index, self.type_of(value))
+            case ast.Sector(value=value, arc=arc):
+                place = self.place(value)
+                return None if place is None else place.sector(self._sector(arc))
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
                 | ast.Edges() | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary()
@@ -164,13 +173,19 @@ class Numbers:
             ):  # fmt: skip
                 return None
 
+    def _sector(self, arc: ast.Arc) -> ir.Sector:
+        ends = (self._program.values[end].numbers[0] for end in (arc.first, arc.last))
+        sector = sector_between(*ends)
+        assert sector is not None, "checked: it is a sector"
+        return sector
+
     def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
         match type_:
             case Message(fields=fields):
                 # A std_msgs message stands for its data.
                 data = fields["data"]
                 return self._read(
-                    place.field("data", data), data, replace(shown, unit=_unit_of(data))
+                    place.field("data", data), data, replace(shown, unit=shown_unit(data))
                 )
             case Vector(element=element):
                 return tuple(self._read_part(place, axis, element, shown) for axis in "xyz")
@@ -191,6 +206,8 @@ class Numbers:
 
     def _read_scalar(self, place: Place, type_: Type, shown: Shown) -> int:
         """One number, flag or text: of the message, or of the element at hand."""
+        if isinstance(type_, Quantity) and is_of_point(place):
+            return coordinate(place, type_, shown, self._inputs, self._nodes)
         if place.list_path is not None:
             return self._nodes.signal(ir.Element(self._inputs.column(place, type_)), shown)
         return self._nodes.signal(ir.Read(self._inputs.slot(place, type_)), shown)
@@ -217,13 +234,15 @@ class Numbers:
         return self._nodes.signal(folded, self.shown(node))
 
     def _is_there(self, node: ast.ListFold) -> int:
-        """The truth that is true of each point of a cloud: there is none without its place."""
+        """The truth that is true of each beam of a scan, and of each point of a cloud: none is without
+        its place.
+        """
         points = self.type_of(node.list)
-        assert isinstance(points, List), "checked: it is the points of a cloud"
-        assert isinstance(points.element, Point), "checked: it is the points of a cloud"
+        assert isinstance(points, List), "checked: it is the points of a cloud, or beams"
         name = node.variable.text
-        shown = Shown(name, node.body.span)
-        x = self._read_part(self._elements[name], "x", points.element.element, shown)
+        shown, element = Shown(name, node.body.span), points.element
+        field, type_ = ("x", element.element) if isinstance(element, Point) else ("angle", ANGLE)
+        x = self._read_part(self._elements[name], field, type_, shown)
         is_number = ir.Compare(ir.Comparison.EQUAL, x, x)
         return self._nodes.leaf(is_number, self.shown(node.body))
 
@@ -262,7 +281,7 @@ class Numbers:
                 return tuple(self._sampled(node, part, shown) for part in parts)
             case "rate" | "median" | "mean" | "low_pass":
                 return (self._sampled(node, self.scalar(arguments[0]), shown),)
-            case "abs" | "hypot":
+            case "abs" | "hypot" | "sin" | "cos":
                 return self._each(_EACH[name], tuple(map(self.components, arguments)), node)
             case "min" | "max":
                 return (self._extreme(node, shown),)
@@ -357,7 +376,7 @@ class Numbers:
 
     def shown(self, node: ast.Expression) -> Shown:
         """The words, the place and the unit of an expression."""
-        return Shown(words(node.span), node.span, _unit_of(self._program.types[node]))
+        return Shown(words(node.span), node.span, shown_unit(self._program.types[node]))
 
 
 def _spread(left: Components, right: Components) -> tuple[Components, Components]:
@@ -367,21 +386,3 @@ def _spread(left: Components, right: Components) -> tuple[Components, Components
         left * (size if len(left) == 1 else 1),
         right * (size if len(right) == 1 else 1),
     )
-
-
-def _unit_of(type_: Type) -> Unit | None:
-    match type_:
-        case Quantity(unit=unit):
-            return unit
-        case (
-            Vector(element=element)
-            | Interval(element=element)
-            | Box(element=element)
-            | Array(element=Quantity() as element)
-        ):
-            return element.unit
-        case (
-            Boolean() | Text() | Quaternion() | Array() | List() | Region() | Motion() | Message()
-            | Entry() | Unsupported() | Unknown()
-        ):  # fmt: skip
-            return None

@@ -14,8 +14,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.diagnostics import Collector, Diagnostic, Remark
 from rossmarie.ir import EARLIEST_NS, LATEST_NS, Array, Batch, Machine, Slot
+from rossmarie.ir.scans import is_of_scan
 from rossmarie.recordings.batches import Assembly
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.decoding import Decoder
@@ -262,6 +263,10 @@ def _report_missing(
         reason=f"this is how the recorded {connection.message_type} is defined",
     )
     other_cloud = FieldNotRecorded.OtherCloud(message_type=connection.message_type)
-    is_of_cloud = isinstance(missing, Array) and is_of_points(missing)
-    where = input_span(machine, missing.input)
-    collector.add(finding.at(where, help=other_cloud if is_of_cloud else None))
+    other_scan = FieldNotRecorded.OtherScan(message_type=connection.message_type)
+    help: Remark | None = None
+    if isinstance(missing, Array) and is_of_points(missing):
+        help = other_cloud
+    elif isinstance(missing, Array) and is_of_scan(missing):
+        help = other_scan
+    collector.add(finding.at(input_span(machine, missing.input), help=help))

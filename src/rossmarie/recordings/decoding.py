@@ -15,6 +15,7 @@ from rosbags.serde import SerdeError
 from rosbags.typesys.store import Typestore
 
 from rossmarie.ir.clouds import UnreadableCloudError
+from rossmarie.ir.scans import UnreadableScanError
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch
 from rossmarie.recordings.extraction import Message, Wanted, compile_extractor
@@ -42,8 +43,8 @@ _NOT_READ = float("nan")
 @dataclass(frozen=True, eq=False)
 class Decoded:
     """The values that are read of each message, by slot and by array of the machine. `failures` are
-    the messages that cannot be decoded, of which nothing is known, or of which a cloud is not, with
-    the reasons: their arrays are None.
+    the messages that cannot be decoded, of which nothing is known, and those with a cloud or a scan
+    of which not all is, with the reasons: their arrays are None.
     """
 
     slots: Mapping[int, NDArray[np.float64]]
@@ -65,7 +66,7 @@ class Decoder:
         self._most = Sizes(store.fielddefs).largest_message(self._name)
         extractor = compile_extractor(store, connection.message_type, wanted, texts)
         self._read, self._found = extractor.read, extractor.found
-        self._clouds = extractor.clouds
+        self._sensed = extractor.sensed
         self.missing = extractor.missing
         self._searches = extractor.searches
         self._plan = plan_for(store, connection.message_type, connection.encoding, self._found)
@@ -107,16 +108,18 @@ class Decoder:
             column[row] = values.slots.get(slot, _NOT_READ)
         for array, elements in values.arrays.items():
             found.arrays[array][row] = np.array(elements, np.float64)
-        return self._take_points(message, row, found)
+        return self._take_sensed(message, row, found)
 
-    def _take_points(self, message: Message, row: int, found: Found) -> str | None:
-        """Take the points of clouds; gives why a cloud is not known, if one is not (S56)."""
+    def _take_sensed(self, message: Message, row: int, found: Found) -> str | None:
+        """Take the points of clouds and the beams of scans; gives why some are not known, if some
+        are not (S56, S70).
+        """
         reason = None
-        for cloud in self._clouds:
+        for each in self._sensed:
             try:
-                columns: Mapping[int, NDArray[np.float64] | None] = cloud.read(message)
-            except UnreadableCloudError as error:
-                reason, columns = str(error), dict.fromkeys(cloud.columns)
+                columns: Mapping[int, NDArray[np.float64] | None] = each.read(message)
+            except (UnreadableCloudError, UnreadableScanError) as error:
+                reason, columns = str(error), dict.fromkeys(each.columns)
             for array, elements in columns.items():
                 found.arrays[array][row] = elements
         return reason

@@ -163,11 +163,11 @@ class Style:
             if isinstance(setting, ast.Setting):
                 self._index_sticks(setting.path)
 
-    def _index_sticks(self, path: ast.FieldPath) -> None:
+    def _index_sticks(self, path: ast.FieldPath | ast.SettingPath) -> None:
         self.tight_behind.update(
             before.span.end
             for before, step in zip(path.steps, path.steps[1:], strict=False)
-            if isinstance(step, ast.Position)
+            if isinstance(step, ast.Position | ast.Arc)
         )
 
     def _node(self, node: ast.NodeDeclaration) -> None:
@@ -259,7 +259,7 @@ class Style:
                     self.tight_behind.add(start + len("oscillates"))
                 case ast.Doing():
                     self._doing(node)
-                case ast.Index(value=value):
+                case ast.Index(value=value) | ast.Sector(value=value):
                     self.tight_behind.add(value.span.end)
                 case (
                     ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Edges()
@@ -292,9 +292,9 @@ def _peeled(node: ast.Expression) -> ast.Expression:
                 continue
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
-                | ast.Binary() | ast.Membership() | ast.Since() | ast.Once() | ast.Response()
-                | ast.Doing() | ast.ListFold() | ast.Broken()
+                | ast.Member() | ast.Index() | ast.Sector() | ast.Call() | ast.Edges()
+                | ast.Oscillates() | ast.Binary() | ast.Membership() | ast.Since() | ast.Once()
+                | ast.Response() | ast.Doing() | ast.ListFold() | ast.Broken()
             ):  # fmt: skip
                 return node
 

@@ -16,6 +16,8 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             pass
         case ast.Member(value=value) | ast.Index(value=value):
             found = (value,)
+        case ast.Sector(value=value, arc=arc):
+            found = (value, arc.first, arc.last)
         case ast.Unary(operand=value) | ast.Parenthesized(inner=value):
             found = (value,)
         case ast.Binary(left=left, right=right) | ast.Membership(value=left, container=right):
@@ -160,11 +162,16 @@ def _of_statement(statement: ast.Statement) -> Iterator[ast.Expression]:
     if not isinstance(statement, ast.OperatorReset) and statement.stretch is not None:
         found += [statement.stretch.first, statement.stretch.last]
     if isinstance(statement, ast.Arrival):
-        found += [
-            setting if isinstance(setting, ast.Doing) else setting.value
-            for setting in statement.settings
-        ]
+        for setting in statement.settings:
+            found += [setting] if isinstance(setting, ast.Doing) else _of_setting(setting)
     yield from (expression for expression in found if expression is not None)
+
+
+def _of_setting(setting: ast.Setting) -> Iterator[ast.Expression | None]:
+    for step in setting.path.steps:
+        if isinstance(step, ast.Arc):
+            yield from (step.first, step.last)
+    yield setting.value
 
 
 def _of_exemption(exemption: ast.Exemption) -> Iterator[ast.Expression]:

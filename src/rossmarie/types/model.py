@@ -57,6 +57,13 @@ class Point(Vector):
 
 
 @dataclass(frozen=True)
+class ScanPoint(Vector):
+    """A point of a sensor_msgs/LaserScan: its place x, y, z, and what `fields` are besides."""
+
+    fields: Mapping[str, Quantity] = field(default_factory=dict, compare=False)
+
+
+@dataclass(frozen=True)
 class Quaternion:
     """An orientation x, y, z, w (geometry_msgs Quaternion)."""
 
@@ -65,10 +72,12 @@ class Quaternion:
 class Array:
     """Any number of elements (`float32[] ranges`); `element` is a Quantity or Boolean. `names` is
     the field beside it with a name for each element, or the names that an input declares.
+    `has_sectors` tells that a scan says at which angle each element was measured.
     """
 
     element: Quantity | Boolean
     names: str | tuple[str, ...] | None = field(default=None, compare=False)
+    has_sectors: bool = field(default=False, compare=False)
 
 
 @dataclass(frozen=True)
@@ -81,6 +90,11 @@ class List:
     def is_of_points(self) -> bool:
         """Say whether the elements are the points of a cloud, which have no message each."""
         return isinstance(self.element, Point)
+
+    @property
+    def is_of_beams(self) -> bool:
+        """Say whether the elements are beams of a scan, which have no message each either."""
+        return isinstance(self.element, ScanPoint | Beam)
 
 
 @dataclass(frozen=True)
@@ -128,6 +142,13 @@ class Message:
 
     def __hash__(self) -> int:
         return hash(self.name)
+
+
+@dataclass(frozen=True)
+class Beam(Message):
+    """A beam of a sensor_msgs/LaserScan that tells nothing."""
+
+    __hash__ = Message.__hash__
 
 
 @dataclass(frozen=True)

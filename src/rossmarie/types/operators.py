@@ -45,6 +45,8 @@ class Operator(enum.Enum):
     ANY = "any"
     ALL = "all"
     COUNT = "count"
+    SIN = "sin"
+    COS = "cos"
     ROLL = "roll"
     PITCH = "pitch"
     YAW = "yaw"
@@ -130,6 +132,8 @@ SIGNATURES: Mapping[Operator, Signature] = {
     Operator.ANY: Signature(1, 1, partial(rules.fold, Boolean())),
     Operator.ALL: Signature(1, 1, partial(rules.fold, Boolean())),
     Operator.COUNT: Signature(1, 1, partial(rules.fold, Quantity(DIMENSIONLESS))),
+    Operator.SIN: Signature(1, 1, rules.wave),
+    Operator.COS: Signature(1, 1, rules.wave),
     Operator.ROLL: Signature(1, 1, rules.angle),
     Operator.PITCH: Signature(1, 1, rules.angle),
     Operator.YAW: Signature(1, 1, rules.angle),

@@ -28,6 +28,15 @@ from rossmarie.types.model import (
     Unsupported,
     Vector,
 )
+from rossmarie.types.sensors import (
+    CLOUD,
+    LAYOUT_OF_BEAMS,
+    LAYOUT_OF_POINTS,
+    POINTS,
+    SCAN,
+    beams_of,
+    tells,
+)
 from rossmarie.units import Unit, parse_unit
 
 FieldPath = tuple[str, ...]
@@ -37,9 +46,6 @@ Level = tuple[str, FieldPath]
 
 VECTORS = frozenset(("geometry_msgs/Vector3", "geometry_msgs/Point", "geometry_msgs/Point32"))
 QUATERNION = "geometry_msgs/Quaternion"
-CLOUD = "sensor_msgs/PointCloud2"
-POINTS = "points"
-"""The name of the points of a cloud, which its definition does not have: there they are bytes."""
 INSTANTS = frozenset(("builtin_interfaces/Time", "builtin_interfaces/Duration"))
 _MOST_FIELDS = 20_000
 _MOST_LEVELS = 32
@@ -52,15 +58,6 @@ _LIMITS = {
 """Of fields of whole numbers, as doubles: the greatest of 64 bits is rounded upwards, as it is when
 it arrives.
 """
-_LAYOUT_OF_POINTS = {
-    "height": Field("uint32", is_array=False),
-    "width": Field("uint32", is_array=False),
-    "fields": Field("sensor_msgs/PointField", is_array=True),
-    "is_bigendian": Field("bool", is_array=False),
-    "point_step": Field("uint32", is_array=False),
-    "row_step": Field("uint32", is_array=False),
-    "data": Field("uint8", is_array=True),
-}
 _TEXTS = frozenset(("string", "wstring"))
 _LISTS_OF_NAMES = ("name", "names", "joint_names")
 
@@ -240,10 +237,12 @@ class MessageCatalog:
             for field, type_ in fields.items()
             if isinstance(type_, Array)
         }
-        if name == CLOUD and _tells_points(definition):
+        if name == CLOUD and tells(definition, LAYOUT_OF_POINTS):
             inside = tuple((outer, (*path, POINTS)) for outer, path in levels)
             points = _inner_points() if is_element else List(self._point(inside))
             fields = {POINTS: points} | fields
+        if name == SCAN and not is_element and tells(definition, LAYOUT_OF_BEAMS):
+            return Message(name, {**fields, **named, **beams_of(fields)}, names)
         return Message(name, fields | named, names)
 
     def _point(self, levels: tuple[Level, ...]) -> Point:
@@ -325,13 +324,6 @@ def _inner_array(base: str) -> Unsupported:
 def _inner_points() -> Unsupported:
     """A cloud in an element of a list."""
     return Unsupported("points in each element of a list; rules look one level deep")
-
-
-def _tells_points(definition: definitions.Definition) -> bool:
-    """Say whether a cloud has all that says where its points are; another definition of it may
-    stand on the search path.
-    """
-    return all(definition.fields.get(name) == each for name, each in _LAYOUT_OF_POINTS.items())
 
 
 def _names_among(definition: definitions.Definition) -> str | None:

@@ -29,6 +29,7 @@ from rossmarie.units import DIMENSIONLESS, Unit, divide, multiply, parse_unit, u
 
 _SECONDS = Quantity(parse_unit("s"))
 _METRES = Quantity(parse_unit("m"))
+_RADIANS = Quantity(parse_unit("rad"))
 _SPEED = Quantity(parse_unit("m/s"))
 _SQUARE_SECOND = parse_unit("s^2")
 
@@ -235,6 +236,12 @@ def hypot(left: Type, right: Type) -> Outcome:
     if isinstance(left, Quantity) and isinstance(right, Quantity):
         return additive(lambda one, other: None if other.offset else one, left, right)
     return _unfit(left, right)
+
+
+def wave(angle: Type) -> Outcome:
+    """The sine or the cosine of an angle."""
+    is_angle = isinstance(angle, Quantity) and not unit_faults(angle, _RADIANS)
+    return Outcome(Quantity(DIMENSIONLESS)) if is_angle else fault(Fault.OPERANDS)
 
 
 def distance(left: Type, right: Type) -> Outcome:

@@ -130,7 +130,7 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
 def _root(position: ast.Expression) -> ast.Reference | None:
     """The name in front of fields; None if there is none."""
     node = stripped(position)
-    while isinstance(node, ast.Member | ast.Index):
+    while isinstance(node, ast.Member | ast.Index | ast.Sector):
         node = stripped(node.value)
     return node if isinstance(node, ast.Reference) else None
 

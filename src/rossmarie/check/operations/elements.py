@@ -111,7 +111,7 @@ def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expressio
         type_ = context.type_of(node)
         if node in context.values or isinstance(type_, Unknown):
             continue
-        is_chain = isinstance(node, ast.Reference | ast.Member)
+        is_chain = isinstance(node, ast.Reference | ast.Member | ast.Sector)
         if is_chain or not isinstance(type_, Array):
             yield node
         else:

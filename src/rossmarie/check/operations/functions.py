@@ -65,6 +65,8 @@ USAGES: Mapping[Operator, str] = {
     Operator.ANY: "any(array > 1)",
     Operator.ALL: "all(array > 1)",
     Operator.COUNT: "count(array > 1)",
+    Operator.SIN: "sin(angle)",
+    Operator.COS: "cos(angle)",
     Operator.ROLL: "orientation.roll()",
     Operator.PITCH: "orientation.pitch()",
     Operator.YAW: "orientation.yaw()",
@@ -84,6 +86,8 @@ USAGES: Mapping[Operator, str] = {
 _FUNCTIONS: Mapping[str, Operator] = {operator.value: operator for operator in USAGES}
 _NEEDS: Mapping[Operator, str] = {
     Operator.NORM: "a vector",
+    Operator.SIN: "an angle",
+    Operator.COS: "an angle",
     Operator.ROLL: "an orientation",
     Operator.PITCH: "an orientation",
     Operator.YAW: "an orientation",

@@ -36,7 +36,8 @@ from rossmarie.units import DIMENSIONLESS
 
 USUAL_BOUND = 64
 USUAL_POINTS = 65_536
-"""The bounds that are proposed where there is none, for lists of messages and for clouds."""
+USUAL_BEAMS = 1_440
+"""The bounds that are proposed where there is none: for lists of messages, clouds and scans."""
 
 _MOST_LISTS = 4
 
@@ -102,7 +103,8 @@ def _check_list(node: ast.ListFold, context: Context) -> None:
     used = None if root is None else context.inputs.get(root.name.text)
     if used is None or used.declaration.bound is not None:
         return
-    bound = USUAL_POINTS if type_.is_of_points else USUAL_BOUND
+    bound = USUAL_BEAMS if type_.is_of_beams else USUAL_BOUND
+    bound = USUAL_POINTS if type_.is_of_points else bound
     finding = UnboundedList(text=text_of(node.list), bound=bound)
     fix = None
     if root is not None and root.name.text not in context.proposed_bounds:
@@ -163,10 +165,10 @@ def _naming(fold: ast.ListFold, context: Context) -> NodeMap[bool]:
 
 
 def counts_all(fold: ast.ListFold, types: NodeMap[Type], values: NodeMap[Value]) -> bool:
-    """Say whether this is `count(p in cloud: true)`: how many points there are."""
+    """Say whether this is `count(p in cloud: true)`: how many points, or beams, there are."""
     its_list, value = types.get(fold.list), values.get(fold.body)
-    is_of_points = isinstance(its_list, List) and its_list.is_of_points
-    return is_of_points and fold.function.text == "count" and bool(value and value.boolean)
+    can_count = isinstance(its_list, List) and (its_list.is_of_points or its_list.is_of_beams)
+    return can_count and fold.function.text == "count" and bool(value and value.boolean)
 
 
 def _finding(node: ast.ListFold, found: str) -> NotOfTheElement:
@@ -235,8 +237,8 @@ def _other(
             return _other_call(node, fold, naming)
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-            | ast.Member() | ast.Index() | ast.Unary() | ast.Binary() | ast.Membership()
-            | ast.Parenthesized() | ast.Broken()
+            | ast.Member() | ast.Index() | ast.Sector() | ast.Unary() | ast.Binary()
+            | ast.Membership() | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip
             return None
 

@@ -52,6 +52,7 @@ def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
     fields = types.fields_of(layout.machine, channel)
     lines = [line for field in fields for line in _field(layout, name, field)]
     lines += [line for field in fields for line in _points(layout, name, field, fields)]
+    lines += [line for field in fields for line in _beams(layout, name, field, fields)]
     has_array = any(field.array is not None for field in fields)
     message = f"const Message &{'message' if fields else ''}"
     timeout = types.duration(_timeout(layout, channel))
@@ -82,7 +83,14 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
     assert field.array is not None, "a field is a slot or an array"
     array = layout.machine.arrays[field.array]
     kept = f"arrays.{channel}_{field.name}"
-    if ir.POINTS in array.path:
+    sector = array.path[-1] if array.path else ""
+    if isinstance(sector, ir.Sector):
+        scan = f"message{names.member(array.path[:-2])}"
+        yield f"sector({scan}, {types.number(sector.first)}, {types.number(sector.width)}, {kept});"
+        yield f"{target} = {kept}.data();"
+        yield f"values.{channel}.{field.count} = {kept}.size();"
+        return
+    if ir.POINTS in array.path or _beams_on(array.path) is not None:
         yield f"{target} = {kept}.data();"
         return
     if array.list is not None:
@@ -116,12 +124,40 @@ def _points(
     yield "});"
 
 
+def _beams(
+    layout: Layout, channel: str, last: types.Field, fields: Sequence[types.Field]
+) -> Iterator[str]:
+    """The lines that take the beams of a scan over, behind the last of their fields."""
+    machine = layout.machine
+    its_list = None if last.array is None else machine.arrays[last.array].list
+    if its_list is None or last.count is None:
+        return
+    whole = machine.lists[its_list]
+    kind = _beams_on(whole.path)
+    if kind is None:
+        return
+    scan = f"message{names.member(whole.path[:-1])}"
+    are_points = "true" if kind == ir.RETURNS else "false"
+    yield f"values.{channel}.{last.count} = beams({scan}, {are_points}, {whole.most}, {{"
+    for field in fields:
+        if field.array is not None and machine.arrays[field.array].list == its_list:
+            word = str(machine.arrays[field.array].path[-1]).upper()
+            yield f"    {{BeamField::{word}, arrays.{channel}_{field.name}.data()}},"
+    yield "});"
+
+
+def _beams_on(path: ir.Path) -> ir.Beams | None:
+    """The beams through which a path leads."""
+    return next((step for step in path if isinstance(step, ir.Beams)), None)
+
+
 def _scalar(slot: ir.Slot) -> str:
     """A field as a double."""
     last = slot.path[-1] if slot.path else ""
     if isinstance(last, ir.Doing | ir.Quantity):
         return skill_question(last)
-    assert not isinstance(last, ir.Each | ir.Points), "all elements are no scalar"
+    several = ir.Each | ir.Points | ir.Sector | ir.Beams
+    assert not isinstance(last, several), "all elements are no scalar"
     if not isinstance(last, str):
         whole = f"message{names.member(slot.path[:-1])}"
         return f"element({whole}, {_element_place(last, whole)})"
