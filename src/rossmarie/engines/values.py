@@ -41,6 +41,8 @@ of a cloud may also be given as the message that has them, what rules read of a 
 and the answers of skills as the message that tells which of them run.
 """
 
+_FRAME = ("header", "frame_id")
+"""The field that tells from where a message is seen."""
 _WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
 _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
@@ -84,6 +86,8 @@ class NamedValues:
                 index = self.lists[name]
                 channel = self._channel(self._machine.lists[index].input)
                 arrays.setdefault(channel, {}).update(self._columns(name, index, value))
+                for slot, number in self._frame(self._machine.lists[index].input, value).items():
+                    slots.setdefault(channel, {}).setdefault(slot, number)
             elif name in self.arrays:
                 index = self.arrays[name]
                 channel = self._channel(self._machine.arrays[index].input)
@@ -187,6 +191,17 @@ class NamedValues:
                 math.nan if each is None else self._number_of(kind, each) for each in fields
             ]
         return found
+
+    def _frame(self, used: int, value: Value) -> dict[int, float]:
+        """The frame of a cloud that is given as its message, by the slot that holds it."""
+        frame = getattr(getattr(value, "header", None), "frame_id", None)
+        if not isinstance(frame, str):
+            return {}
+        return {
+            index: self._number(index, frame)
+            for index, slot in enumerate(self._machine.slots)
+            if slot.input == used and slot.path == _FRAME
+        }
 
     def _points(self, its_list: int, cloud: Cloud) -> dict[int, list[float]]:
         """The columns of the points of a cloud; none if nothing is known of them (S56)."""
