@@ -11,7 +11,7 @@ from rossmarie.check.operations.amounts import AMOUNTS, type_of_amount
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
-from rossmarie.check.operations.elements import check_elements
+from rossmarie.check.operations.elements import check_elements, warn_of_raw_readings
 from rossmarie.check.operations.errors import DurationOutOfRange, NotAnArray
 from rossmarie.check.operations.function_errors import (
     OscillationCount,
@@ -195,6 +195,7 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
     outcome = apply(operator, type_)
     if not outcome.faults:
         check_elements(node, context)
+        warn_of_raw_readings(node, context)
     elif operator in _QUANTIFIERS and isinstance(type_, Array):
         _report_argument(node, argument, "a condition on the elements", context)
     elif operator in _EXTREMES and isinstance(type_, Array):
