@@ -56,6 +56,7 @@ from rossmarie.check.system.field_units import check_read_units
 from rossmarie.check.system.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.system.message_rates import message_gaps
 from rossmarie.check.system.model import read_system_model
+from rossmarie.check.system.node_parameters import resolve_node_parameters
 from rossmarie.check.tests.statements import check_tests
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
@@ -99,6 +100,7 @@ def check(
     read_skills(context)
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
+    resolve_node_parameters(context)
     resolve_timeouts(context)
     check_motions(context)
     gaps = message_gaps(context)

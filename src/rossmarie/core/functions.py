@@ -51,6 +51,8 @@ class Function(enum.Enum):
     MINIMUM = "minimum"  # of two
     MAXIMUM = "maximum"  # of two
     ABOVE = "above"  # the third where the first is above the second, else 0
+    RAISED = "raised"  # the first where it is above the second, up to the third, else the second
+    LOWERED = "lowered"  # the first where it is below the second, down to the third, likewise
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
@@ -145,6 +147,18 @@ def _maximum(a: Expression, b: Expression) -> Expression:
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
 
 
+def _raised(x: Expression, usual: Expression, most: Expression) -> Expression:
+    """S87."""
+    given = choose(usual < x, choose(most < x, usual, x), usual)
+    return choose(Either(IsUnknown(x), IsUnknown(most)), usual, given)
+
+
+def _lowered(x: Expression, usual: Expression, least: Expression) -> Expression:
+    """S87."""
+    given = choose(x < usual, choose(x < least, usual, x), usual)
+    return choose(Either(IsUnknown(x), IsUnknown(least)), usual, given)
+
+
 # --- geometry --------------------------------------------------------------------------------
 
 _SLACK = 2.0**-40
@@ -227,6 +241,10 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
     Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
+    Function.RAISED: Row("S87", 3, 3, _raised, "({0} where it is above {1}, up to {2}, else {1})"),
+    Function.LOWERED: Row(
+        "S87", 3, 3, _lowered, "({0} where it is below {1}, down to {2}, else {1})"
+    ),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),

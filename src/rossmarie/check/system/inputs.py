@@ -48,6 +48,8 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
     stated: dict[str, ast.Input] = {}
     units: dict[FieldKey, CheckedInput] = {}
     for declaration in context.declarations.inputs:
+        if declaration.setting is not None:
+            continue  # its value is known when constants are
         if declaration.number is not None:
             number = resolve_number(declaration, declaration.number, context)
             context.inputs.setdefault(declaration.name.text, number)

@@ -174,7 +174,8 @@ class Input:
 
     In the printed form `topic Wrench.force` the topic is a plain name and `message_type` is None:
     a system model knows it. `bound` is the number behind `up to`. `number` is what stands behind
-    `= doing` instead of a topic, which has no text then.
+    `= doing` instead of a topic, which has no text then. A `setting` is the value of a parameter
+    that the running node may set, which is no message of a topic.
     """
 
     name: Name
@@ -188,6 +189,7 @@ class Input:
     span: Span
     bound: Number | None = None
     number: SkillNumber | None = None
+    setting: Constant | None = None
 
 
 @dataclass(frozen=True)
