@@ -57,6 +57,7 @@ from rossmarie.check.system.frames import read_frames, resolve_frames
 from rossmarie.check.system.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.system.message_rates import message_gaps
 from rossmarie.check.system.model import read_system_model
+from rossmarie.check.system.node_parameters import resolve_node_parameters
 from rossmarie.check.tests.statements import check_tests
 from rossmarie.check.zones.zones import check_zones
 from rossmarie.ir.reactions import CommandTopic
@@ -102,6 +103,7 @@ def check(
     read_frames(context)
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
+    resolve_node_parameters(context)
     resolve_timeouts(context)
     resolve_frames(context)
     check_zones(context)

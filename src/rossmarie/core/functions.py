@@ -74,6 +74,8 @@ class Function(enum.Enum):
     BRAKING_DISTANCE = "braking_distance"  # of a speed, a deceleration and a latency
     TIME_TO = "time_to"  # of what is left and the speed at which it becomes less
     SEEN = "seen"  # the first where the second equals the third, else unknown
+    RAISED = "raised"  # the first where it is above the second, up to the third, else the second
+    LOWERED = "lowered"  # the first where it is below the second, down to the third, likewise
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
@@ -181,6 +183,18 @@ def _seen(a: Expression, b: Expression, c: Expression) -> Expression:
 def _maximum(a: Expression, b: Expression) -> Expression:
     """S6; of two equal ones the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
+
+
+def _raised(x: Expression, usual: Expression, most: Expression) -> Expression:
+    """S87."""
+    given = choose(usual < x, choose(most < x, usual, x), usual)
+    return choose(Either(IsUnknown(x), IsUnknown(most)), usual, given)
+
+
+def _lowered(x: Expression, usual: Expression, least: Expression) -> Expression:
+    """S87."""
+    given = choose(x < usual, choose(x < least, usual, x), usual)
+    return choose(Either(IsUnknown(x), IsUnknown(least)), usual, given)
 
 
 # --- geometry --------------------------------------------------------------------------------
@@ -297,6 +311,10 @@ FUNCTIONS: Mapping[Function, Row] = {
         bounds_of_time,
     ),
     Function.SEEN: Row("S77", 3, 3, _seen, "({0} where {1} is {2})"),
+    Function.RAISED: Row("S87", 3, 3, _raised, "({0} where it is above {1}, up to {2}, else {1})"),
+    Function.LOWERED: Row(
+        "S87", 3, 3, _lowered, "({0} where it is below {1}, down to {2}, else {1})"
+    ),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),

@@ -110,6 +110,7 @@ from rossmarie.ir.path import (
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
+from rossmarie.ir.settings import farthest, is_setting, setting_numbers, settings_of
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -259,12 +260,14 @@ __all__ = [
     "event_line",
     "exemption_words",
     "explain",
+    "farthest",
     "field_names",
     "functions",
     "held_of",
     "is_leaf",
     "is_of_list",
     "is_selected",
+    "is_setting",
     "kind_of",
     "known_count",
     "leaf_truths",
@@ -285,6 +288,8 @@ __all__ = [
     "rule_terms",
     "samplings",
     "scan_names",
+    "setting_numbers",
+    "settings_of",
     "signal_operands",
     "stand_beside",
     "supports",

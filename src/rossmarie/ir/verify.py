@@ -23,6 +23,7 @@ from rossmarie.ir.malformed import (
     require_index,
 )
 from rossmarie.ir.path import EACH, Doing, Path, Quantity
+from rossmarie.ir.settings import setting_numbers
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -169,6 +170,9 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Apply(function=function, operands=operands):
                 is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
+                if function in (Function.RAISED, Function.LOWERED):
+                    is_setting = setting_numbers(machine, signal.node) is not None
+                    require(is_setting, where, "a parameter of the node that is none")
             case ir.Sampled(function=function, window_ns=window_ns):
                 if sampling_row(function).takes_time:
                     require_duration(window_ns, where)

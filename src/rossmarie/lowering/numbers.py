@@ -105,7 +105,9 @@ class Numbers:
         if place is not None and self._is_component(node, place):
             return (self._component(node),)
         if place is not None:
-            return self._read(place, self.type_of(node), self.shown(node))
+            found = self._read(place, self.type_of(node), self.shown(node))
+            setting = place.input.declaration.setting
+            return found if setting is None else self._setting(found, setting, self.shown(node))
         match node:
             case ast.Parenthesized(inner=inner):
                 return self.components(inner)
@@ -126,6 +128,16 @@ class Numbers:
                 | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
             ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
+
+    def _setting(self, given: Components, setting: ast.Constant, shown: Shown) -> Components:
+        """A parameter of the node: what it was given, if that is tighter (S87)."""
+        assert setting.parameter is not None
+        is_up = setting.parameter.tightens is not None and setting.parameter.tightens.text == "up"
+        (usual,) = self._program.values[setting.value].numbers
+        far = ir.farthest(usual, is_up=is_up)
+        operands = *given, self._nodes.constant(usual, shown), self._nodes.constant(far, shown)
+        function = ir.Function.RAISED if is_up else ir.Function.LOWERED
+        return (self._nodes.apply(function, operands, shown),)
 
     def constant(self, value: Value, numbers: tuple[float, ...], shown: Shown) -> Components:
         """The signals of a constant: of its numbers, or of the index of its text."""

@@ -89,7 +89,9 @@ class Builder(ZoneBuilder):
     def number_parameter(self, parts: list[Any]) -> ast.Parameter:
         """`parameter NAME = VALUE`."""
         documentation, span = self._documentation(parts), self._span(parts)
-        return ast.Parameter(self.name(parts[1]), parts[3], None, documentation, span)
+        tightens = self.name(parts[5]) if len(parts) > 4 else None
+        name = self.name(parts[1])
+        return ast.Parameter(name, parts[3], None, documentation, span, tightens)
 
     def open_parameter(self, parts: list[Any]) -> ast.Parameter:
         """`parameter NAME in UNIT`."""

@@ -25,9 +25,9 @@ from rossmarie.syntax.words import (
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
     {"when", "until", "timeout", "then", "clear", "latched", "unless", "while", "always"}
-    | {"keeps", "category", "task", "feedback", "mitigates", "with", "as"}
+    | {"keeps", "category", "task", "feedback", "mitigates", "with", "as", "tightens"}
 )
-_CONTINUED = frozenset({"rule", "input", "import_item"})
+_CONTINUED = frozenset({"rule", "input", "import_item", "parameter"})
 _JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})

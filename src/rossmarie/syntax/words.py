@@ -74,7 +74,7 @@ PART_WORDS = frozenset(
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
     | {"doing", "ahead", "while", "always"}
-    | {"with", "as"}
+    | {"with", "as", "tightens"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -119,8 +119,8 @@ FORMS = {
     "step": "actions are written `{ ACTION; also ACTION else ACTION; }`",
     "import_item": 'an import is written `import "FILE.ross";` or '
     '`import "FILE.ross" with PARAMETER = VALUE, PARAMETER = VALUE as NAME;`',
-    "parameter": "a parameter is written `parameter NAME = 0.5 m;`, `parameter NAME in m;` or "
-    "`parameter NAME = topic /TOPIC;`",
+    "parameter": "a parameter is written `parameter NAME = 0.5 m;`, `parameter NAME in m;`, "
+    "`parameter NAME = topic /TOPIC;` or `parameter NAME = 0.5 m tightens up;`",
     "system": "a system is written `system NAME { topic /TOPIC : PACKAGE/TYPE; }`",
     "action": "an action is written `action NAME;` or `action NAME { EFFECT; EFFECT; }`",
     "skills": 'the skills are named by `skills "skills.json";`',

@@ -232,6 +232,14 @@ class _Program:
         for item in imported.module.items:
             if isinstance(item, ast.Parameter):
                 constant = constants.pop(item.name.text, None)
-                yield from () if constant is None else (constant,)
+                if constant is not None:
+                    yield constant if item.tightens is None else _setting(constant)
             elif not isinstance(item, ast.Test) or imported.written is None:
                 yield rewriter.node(item)
+
+
+def _setting(constant: ast.Constant) -> ast.Input:
+    """A parameter that the running node may set: a number that comes in."""
+    name, documentation, span = constant.name, constant.documentation, constant.span
+    behind = None, None, None, documentation, span
+    return ast.Input(name, name, None, (), *behind, setting=constant)

@@ -37,7 +37,8 @@ ARTICLES: Mapping[str, str] = {
 
 def kind_of(item: Named) -> str:
     """`constant` for a constant."""
-    is_parameter = isinstance(item, ast.Constant) and item.parameter is not None
+    constant = item.setting if isinstance(item, ast.Input) else item
+    is_parameter = isinstance(constant, ast.Constant) and constant.parameter is not None
     return "parameter" if is_parameter else KINDS[type(item)]
 
 

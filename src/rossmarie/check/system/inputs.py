@@ -50,6 +50,8 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
     units: dict[FieldKey, CheckedInput] = {}
     sources: dict[str, ast.Name] = {}
     for written in context.declarations.inputs:
+        if written.setting is not None:
+            continue  # its value is known when constants are
         declaration = with_frame_for_unit(written, context)
         if declaration.number is not None:
             number = resolve_number(declaration, declaration.number, context)

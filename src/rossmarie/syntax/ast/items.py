@@ -194,7 +194,8 @@ class Input:
     a system model knows it. `bound` is the number behind `up to`. `number` is what stands behind
     `= doing` instead of a topic, which has no text then. `source` is the frame behind `from`,
     `frame` the one behind `in`; a bare name behind the only `in` is the `unit`, though it may be
-    meant as a frame.
+    meant as a frame. A `setting` is the value of a parameter that the running node may set, which
+    is no message of a topic.
     """
 
     name: Name
@@ -210,6 +211,7 @@ class Input:
     number: SkillNumber | None = None
     source: Name | None = None
     frame: Name | None = None
+    setting: Constant | None = None
 
 
 @dataclass(frozen=True)
