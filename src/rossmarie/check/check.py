@@ -18,6 +18,7 @@ from rossmarie.check.actions.targets import Targets
 from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.expressions.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.expressions.infer import infer
+from rossmarie.check.expressions.parameters import fits_parameter, values_of
 from rossmarie.check.foresight.kept import check_kept
 from rossmarie.check.foresight.motions import check_motions
 from rossmarie.check.model import (
@@ -155,7 +156,8 @@ def _check_constants(context: Context) -> None:
 
 
 def _constants_in(constant: ast.Constant, context: Context) -> list[ast.Constant]:
-    found = [constant_of(part, context.declarations) for part in walk(constant.value)]
+    parts = (part for value in values_of(constant) for part in walk(value))
+    found = [constant_of(part, context.declarations) for part in parts]
     return [needed for needed in found if needed is not None]
 
 
@@ -169,7 +171,9 @@ def _report_circular_constant(circle: Sequence[ast.Constant], context: Context) 
 def _check_constant(constant: ast.Constant, is_first: bool, context: Context) -> None:
     context.enter(None)
     type_ = infer(constant.value, context)
-    is_known = isinstance(type_, Unknown) or require_constant(constant.value, "a constant", context)
+    kind = "a constant" if constant.parameter is None else "the value of a parameter"
+    is_known = isinstance(type_, Unknown) or require_constant(constant.value, kind, context)
+    is_known = is_known and fits_parameter(constant, type_, context)
     if is_first:
         context.constants[constant.name.text] = type_ if is_known else Unknown()
 

@@ -7,6 +7,7 @@ from rossmarie.check.actions import errors as action_errors
 from rossmarie.check.actions import retrace_errors, tree_errors
 from rossmarie.check.expressions import errors as expression_errors
 from rossmarie.check.foresight import errors as foresight_errors
+from rossmarie.check.instances import errors as instance_errors
 from rossmarie.check.names import errors as name_errors
 from rossmarie.check.names import region_errors
 from rossmarie.check.operations import errors as operation_errors
@@ -20,6 +21,7 @@ from rossmarie.check.units import errors as unit_errors
 
 _DECLARED: tuple[type[Template], ...] = (
     *scope_errors.ALL,
+    *instance_errors.ALL,
     *skill_errors.ALL,
     *unit_errors.ALL,
     *name_errors.ALL,

@@ -76,8 +76,30 @@ class Builder(TestBuilder):
     # --- items -----------------------------------------------------------------------------------
 
     def import_item(self, parts: list[Any]) -> ast.Import:
-        """`import "file.ross"`."""
-        return ast.Import(self.text([parts[1]]), self._span(parts))
+        """`import "file.ross" with NAME = VALUE, ... as NAME`."""
+        given = tuple(part for part in parts if isinstance(part, ast.Given))
+        alias = self.name(parts[-1]) if _is(parts, len(parts) - 2, "as") else None
+        return ast.Import(self.text([parts[1]]), self._span(parts), given, alias)
+
+    def given(self, parts: list[Any]) -> ast.Given:
+        """`NAME = VALUE`, `NAME = TOPIC`."""
+        value = self.name(parts[2]) if isinstance(parts[2], Token) else parts[2]
+        return ast.Given(self.name(parts[0]), value, self._span(parts))
+
+    def number_parameter(self, parts: list[Any]) -> ast.Parameter:
+        """`parameter NAME = VALUE`."""
+        documentation, span = self._documentation(parts), self._span(parts)
+        return ast.Parameter(self.name(parts[1]), parts[3], None, documentation, span)
+
+    def open_parameter(self, parts: list[Any]) -> ast.Parameter:
+        """`parameter NAME in UNIT`."""
+        documentation, span = self._documentation(parts), self._span(parts)
+        return ast.Parameter(self.name(parts[1]), None, self._unit(parts[3]), documentation, span)
+
+    def topic_parameter(self, parts: list[Any]) -> ast.Parameter:
+        """`parameter NAME = topic TOPIC`."""
+        documentation, span = self._documentation(parts), self._span(parts)
+        return ast.Parameter(self.name(parts[1]), self.name(parts[4]), None, documentation, span)
 
     def action(self, parts: list[Any]) -> ast.Action:
         """`action NAME { EFFECT; ... } latched until reset`."""

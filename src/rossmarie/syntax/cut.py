@@ -25,8 +25,9 @@ from rossmarie.syntax.words import (
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
     {"when", "until", "timeout", "then", "clear", "latched", "unless", "while", "always"}
-    | {"keeps", "category", "task", "feedback", "mitigates"}
+    | {"keeps", "category", "task", "feedback", "mitigates", "with", "as"}
 )
+_CONTINUED = frozenset({"rule", "input", "import_item"})
 _JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
@@ -123,7 +124,9 @@ class _Cutter:
             if token.text in ("test", "skills"):
                 is_apart = depth == 0 or self._source.begins_line(index)
                 return is_apart and self._is_kind(index + 1, "text")
-            return self._is_word(index + 1) and self._text(index + 2) == "over"
+            if token.text == "parameter":
+                return self._is_word(index + 1) and self._text(index + 2) in ("=", "in")
+            return self._is_word(index + 1) and self._text(self._behind_name(index + 1)) == "over"
         if token.text not in ITEM_WORDS:
             return False
         if before.text == "." and not self._is_word(index + 1):
@@ -137,6 +140,13 @@ class _Cutter:
         is_head = before.text in ITEM_WORDS and before.text != "if"
         is_name = is_head and not self._is_field(index - 1)
         return self._source.begins_line(index) or (self._ends_item(index - 1) and not is_name)
+
+    def _behind_name(self, index: int) -> int:
+        """The token behind a name and the dots and words that follow it."""
+        index += 1
+        while self._text(index) == ".":
+            index += 2
+        return index
 
     def _is_exempting(self, index: int) -> bool:
         """Say whether the `then` in front of a token belongs to an `unless doing SKILL`."""
@@ -155,7 +165,7 @@ class _Cutter:
         is_joined = not _JOINING.isdisjoint((token.text, before.text))
         if is_unfinished or is_joined or not self._ends_item(index - 1):
             return False
-        if kind in ("rule", "input") and {token.text, before.text} & _CONTINUATIONS:
+        if kind in _CONTINUED and {token.text, before.text} & _CONTINUATIONS:
             is_stray = token.text == "when" and before.text not in _CONTINUATIONS
             return is_stray and self._names_something(index + 1)
         if token.text == "topic":

@@ -187,7 +187,8 @@ class _Formatter:
             case ast.Rule():
                 return _Entry(self._lines(start, end, ";", indent), start, end, group, True)
             case (
-                ast.Import() | ast.Skills() | ast.Action() | ast.Constant() | ast.Input()
+                ast.Import() | ast.Skills() | ast.Parameter() | ast.Action() | ast.Constant()
+                | ast.Input()
                 | ast.Priority() | ast.Hazard() | ast.Condition() | ast.TopicDeclaration()
                 | ast.ServiceDeclaration() | ast.ServerDeclaration() | ast.ResourceDeclaration()
                 | ast.UnitDeclaration() | ast.MessagesDeclaration()

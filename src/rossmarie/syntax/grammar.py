@@ -33,6 +33,7 @@ START_RULES = (
     "system",
     "action",
     "skills",
+    "parameter",
     "constant",
     "input",
     "entity",

@@ -75,6 +75,8 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
     match item:
         case ast.Constant(value=value):
             yield value
+        case ast.Parameter() | ast.Import():
+            yield from _of_parameters(item)
         case ast.Input(timeout=timeout) if timeout is not None:
             yield timeout
         case ast.Condition(expression=expression):
@@ -97,8 +99,19 @@ def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
             yield from chain.from_iterable(map(_of_statement, statements))
         case ast.Skills(timeout=timeout) if timeout is not None:
             yield timeout
-        case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
+        case ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
             pass
+
+
+def _of_parameters(item: ast.Parameter | ast.Import) -> Iterator[ast.Expression]:
+    """The default of a parameter, or the values that an import gives; topics are none."""
+    values: tuple[ast.Expression | ast.Name | None, ...]
+    match item:
+        case ast.Import(given=given):
+            values = tuple(each.value for each in given)
+        case ast.Parameter(default=default):
+            values = (default,)
+    yield from (each for each in values if each is not None and not isinstance(each, ast.Name))
 
 
 def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:

@@ -25,6 +25,7 @@ CONTEXTUAL_ITEM_WORDS = {
     "motion": "motion",
     "test": "test",
     "skills": "skills",
+    "parameter": "parameter",
     "always": "rule",
 }
 """Likewise, but free as names elsewhere."""
@@ -70,6 +71,7 @@ PART_WORDS = frozenset(
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
     | {"doing", "ahead", "while", "always"}
+    | {"with", "as"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -112,7 +114,10 @@ FORMS = {
     "module": "a file consists of imports, systems, actions, constants, inputs, entities and rules",
     "actions": "actions are written `{ ACTION; ACTION; }`",
     "step": "actions are written `{ ACTION; also ACTION else ACTION; }`",
-    "import_item": 'an import is written `import "FILE.ross";`',
+    "import_item": 'an import is written `import "FILE.ross";` or '
+    '`import "FILE.ross" with PARAMETER = VALUE, PARAMETER = VALUE as NAME;`',
+    "parameter": "a parameter is written `parameter NAME = 0.5 m;`, `parameter NAME in m;` or "
+    "`parameter NAME = topic /TOPIC;`",
     "system": "a system is written `system NAME { topic /TOPIC : PACKAGE/TYPE; }`",
     "action": "an action is written `action NAME;` or `action NAME { EFFECT; EFFECT; }`",
     "skills": 'the skills are named by `skills "skills.json";`',

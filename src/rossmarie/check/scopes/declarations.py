@@ -26,6 +26,7 @@ KINDS: Mapping[type[object], str] = {
 ARTICLES: Mapping[str, str] = {
     "action": "an action",
     "constant": "a constant",
+    "parameter": "a parameter",
     "input": "an input",
     "entity": "an entity",
     "motion": "a motion",
@@ -34,7 +35,8 @@ ARTICLES: Mapping[str, str] = {
 
 def kind_of(item: Named) -> str:
     """`constant` for a constant."""
-    return KINDS[type(item)]
+    is_parameter = isinstance(item, ast.Constant) and item.parameter is not None
+    return "parameter" if is_parameter else KINDS[type(item)]
 
 
 @dataclass(frozen=True)

@@ -60,6 +60,7 @@ from rossmarie.syntax.ast.expressions import (
     UnaryOperator,
     Unit,
 )
+from rossmarie.syntax.ast.imports import Given, Import, Parameter
 from rossmarie.syntax.ast.items import (
     Action,
     ClearFor,
@@ -71,7 +72,6 @@ from rossmarie.syntax.ast.items import (
     Exemption,
     Feedback,
     Hazard,
-    Import,
     Input,
     Item,
     Keeps,
@@ -138,6 +138,7 @@ __all__ = [
     "FieldAssignment",
     "FieldBound",
     "FieldPath",
+    "Given",
     "Hazard",
     "Held",
     "Hook",
@@ -162,6 +163,7 @@ __all__ = [
     "Once",
     "OperatorReset",
     "Oscillates",
+    "Parameter",
     "Parenthesized",
     "Passed",
     "Position",

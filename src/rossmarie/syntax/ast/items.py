@@ -7,15 +7,8 @@ from dataclasses import dataclass
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax.ast.effects import Effect
 from rossmarie.syntax.ast.expressions import Doing, Expression, Name, Number, Text, Unit
+from rossmarie.syntax.ast.imports import Import, Parameter
 from rossmarie.syntax.ast.tests import Test
-
-
-@dataclass(frozen=True)
-class Import:
-    """`import "husky_system.ross";` -- the path is relative to the importing file."""
-
-    path: Text
-    span: Span
 
 
 @dataclass(frozen=True)
@@ -145,12 +138,15 @@ class Skills:
 
 @dataclass(frozen=True)
 class Constant:
-    """`const maxSpeed = 0.5 m/s`."""
+    """`const maxSpeed = 0.5 m/s`. One that stands for a `parameter` has its value, and nobody wrote
+    it as a constant.
+    """
 
     name: Name
     value: Expression
     documentation: str | None
     span: Span
+    parameter: Parameter | None = None
 
 
 @dataclass(frozen=True)
@@ -356,6 +352,7 @@ Item = (
     | System
     | Action
     | Skills
+    | Parameter
     | Constant
     | Input
     | Entity
