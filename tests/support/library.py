@@ -96,10 +96,9 @@ class _File:
     module: ast.Module
 
     @property
-    def parameters(self) -> dict[str, ast.Constant]:
-        return {
-            item.name.text: item for item in self.module.items if isinstance(item, ast.Constant)
-        }
+    def parameters(self) -> dict[str, ast.Parameter | ast.Constant]:
+        kinds = ast.Parameter | ast.Constant
+        return {item.name.text: item for item in self.module.items if isinstance(item, kinds)}
 
     @property
     def named(self) -> dict[str, Span]:
@@ -163,13 +162,13 @@ def _section(file: _File) -> Iterator[str]:
     yield _about(file) + "."
     yield ""
     yield "```ross"
-    yield f'import "rossmarie/{name_of(file.path)}";'
+    yield f'import "rossmarie/{name_of(file.path)}" as {file.path.stem};'
     yield "```"
     yield ""
     yield "| Parameter | As it comes | |"
     yield "|---|---|---|"
     for name, item in file.parameters.items():
-        yield f"| `{name}` | {_text(item.value.span)} | {_comment(item)} |"
+        yield f"| `{name}` | {_default(item)} | {_comment(item)} |"
     yield ""
     yield "| Input | Topic | Silent for at most |"
     yield "|---|---|---|"
@@ -183,7 +182,13 @@ def _section(file: _File) -> Iterator[str]:
         yield from _rule(file, rule)
 
 
-def _comment(item: ast.Constant) -> str:
+def _default(item: ast.Parameter | ast.Constant) -> str:
+    """The value that a file has by itself; a topic as its name."""
+    value = item.value if isinstance(item, ast.Constant) else item.default
+    return "" if value is None else _text(value.span)
+
+
+def _comment(item: ast.Parameter | ast.Constant) -> str:
     """What stands behind a constant on its line."""
     rest = item.span.file.text[item.span.end :].partition("\n")[0]
     return rest.partition("// ")[2].strip()
@@ -226,7 +231,7 @@ def _used(file: _File, text: str) -> list[str]:
                 if name in file.named:
                     waiting.append(_inner(file, name))
                 else:
-                    waiting.append(_text(file.parameters[name].value.span))
+                    waiting.append(_default(file.parameters[name]))
     return found
 
 
