@@ -9,7 +9,7 @@ import difflib
 import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from typing import NamedTuple
 
 from dslkit.diagnostics import Collector, Diagnostic, DidYouMean
@@ -35,9 +35,11 @@ MOST_INSTANCES = 256
 _RULES = ".ross"
 
 LIBRARY = Path(__file__).parents[1] / "library"
-"""The files that come with this program, to be imported as `rossmarie/NAME.ross`; such a file
-beside the one that imports takes their place.
+"""The files that come with this program, to be imported as `rossmarie/NAME.ross` or as
+`rossmarie/FOLDER/NAME.ross`; such a file beside the one that imports takes their place.
 """
+
+_SHIPPED = "rossmarie"
 
 
 def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> list[Imported]:
@@ -122,7 +124,7 @@ class _Loader:
         if written is not None and _is_instance(written):
             imported = replace(imported, written=written, importer=wanted.importer)
         self.visited[key] = imported
-        stack.append((imported, _imports(imported, path.parent)))
+        stack.append((imported, _imports(imported, path.parent, self.main)))
 
     def _again(self, known: Imported, wanted: _Wanted) -> None:
         """An import of a file that is there: its values count if there are none so far."""
@@ -222,9 +224,9 @@ def _foreign(source: SourceFile, kind: str) -> Diagnostic:
     return finding.at(span, help=finding.Download() if is_page else finding.NameRules())
 
 
-def _imports(importer: Imported, folder: Path) -> list[_Wanted]:
+def _imports(importer: Imported, folder: Path, main: Path) -> list[_Wanted]:
     return [
-        _Wanted(_imported(item.path.value, folder), item, importer)
+        _Wanted(_imported(item.path.value, folder, main), item, importer)
         for item in importer.module.items
         if isinstance(item, ast.Import)
     ]
@@ -235,18 +237,32 @@ def _is_instance(written: ast.Import) -> bool:
     return bool(written.given) or written.alias is not None
 
 
-def _imported(written: str, folder: Path) -> Path:
-    """The file that an import in a file of a folder means."""
-    path = folder / written
-    shipped = LIBRARY / path.name
-    is_shipped = written == f"rossmarie/{path.name}" and is_file(shipped) and not is_file(path)
-    return shipped if is_shipped else path
+def _imported(written: str, folder: Path, main: Path) -> Path:
+    """The file that an import in a file of a folder means. A file of the library means what the
+    main file would mean: so a copy beside that file counts for all.
+    """
+    shipped = _shipped(written)
+    if shipped is None:
+        return folder / written
+    path = (main.parent if LIBRARY in folder.parents or folder == LIBRARY else folder) / written
+    return path if is_file(path) else shipped
+
+
+def _shipped(written: str) -> Path | None:
+    """The file of the library that is called so, if there is one."""
+    first, *others = PurePosixPath(written).parts or ("",)
+    if first != _SHIPPED or not others or ".." in others:
+        return None
+    path = LIBRARY.joinpath(*others)
+    return path if is_file(path) else None
 
 
 def _import_not_found(path: Path, span: Span) -> Diagnostic:
     folder = path.parent
-    if folder.name == "rossmarie" and not is_folder(folder):
-        folder = LIBRARY
+    if _SHIPPED in folder.parts and not is_folder(folder):
+        parts = folder.parts
+        last = len(parts) - 1 - parts[::-1].index(_SHIPPED)
+        folder = LIBRARY.joinpath(*parts[last + 1 :])
     present = [found.stem for found in folder.glob("*.ross")] if is_folder(folder) else []
     near = difflib.get_close_matches(path.stem, present, n=1)
     finding = ImportNotFound(path=span.text.strip('"'), looked_for=f"`{path}`")

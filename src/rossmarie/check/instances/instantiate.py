@@ -47,6 +47,7 @@ class _Program:
         self._instances = Instances()
         self._spaces: dict[Path, Space] = {(): Space(())}
         self._rewriters: dict[Imported, Rewriter] = {}
+        self._hazards: dict[tuple[SourceFile, str], Imported] = {}
 
     def modules(self) -> tuple[list[ast.Module], Instances]:
         for each in self._files:
@@ -226,7 +227,8 @@ class _Program:
 
     def _items(self, imported: Imported, constants: dict[str, ast.Constant]) -> Iterator[ast.Item]:
         """The items of a module. Tests of a file are about its defaults: they stay with the file
-        where it is imported with other values, or under a name.
+        where it is imported with other values, or under a name. Hazards are of the whole program:
+        those of a file that is there several times count once.
         """
         rewriter = self._rewriters[imported]
         for item in imported.module.items:
@@ -234,8 +236,14 @@ class _Program:
                 constant = constants.pop(item.name.text, None)
                 if constant is not None:
                     yield constant if item.tightens is None else _setting(constant)
-            elif not isinstance(item, ast.Test) or imported.written is None:
+            elif not self._is_left_out(imported, item):
                 yield rewriter.node(item)
+
+    def _is_left_out(self, imported: Imported, item: ast.Item) -> bool:
+        if isinstance(item, ast.Hazard):
+            key = imported.module.file, item.name.text
+            return self._hazards.setdefault(key, imported) is not imported
+        return isinstance(item, ast.Test) and imported.written is not None
 
 
 def _setting(constant: ast.Constant) -> ast.Input:

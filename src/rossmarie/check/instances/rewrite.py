@@ -198,10 +198,13 @@ class Rewriter:
 
     def _resolved(self, words: tuple[str, ...], kind: Kind | None) -> tuple[str, tuple[str, ...]]:
         """The name that words between dots mean, and those that are left. Without a kind, the first
-        may be an element of a list, or a message.
+        may be an element of a list, or a message. What the file declares comes before what other
+        files are called in the whole program.
         """
         first, *_ = words
-        for space in (self._space, self._whole) if first not in self._variables else ():
+        is_declared = kind is not Kind.RULE and first in self._space.names
+        spaces = (self._space,) if is_declared else (self._space, self._whole)
+        for space in spaces if first not in self._variables else ():
             path, at = space.path, 0
             while at + 1 < len(words) and words[at] in self._spaces[path].inner:
                 path, at = (*path, words[at]), at + 1
