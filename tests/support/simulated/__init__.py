@@ -1,0 +1,1 @@
+"""Robots in the box as simulations, which write the recordings in the folders of these robots."""
