@@ -1,50 +1,39 @@
-"""The node of Nav2's collision monitor as a guard on the course, where its package is installed.
-
-It is a process of its own, and goes in lockstep: the clock and the scan are published, then the
-command, and the next tick of the course waits for the answer. Messages on several topics may
-overtake each other; what the node shows of the scan and the clock that it went by is compared
-with what it was sent, and the command is sent again where that was not the last.
-"""
+"""The node of Nav2's collision monitor as a guard on the course, where its package is installed."""
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
 import json
 import os
 import subprocess
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import partial
 from pathlib import Path
 from typing import Any
 
+import course_node
 import numpy as np
 from course import NS, Command, Contender, Odometry, Scan
+from course_node import Lockstep, cpu_ns
+from course_scenes import ORIGIN
 from nav2_model import CollisionMonitor, points_of
 from nav2_settings import Settings
 
 from support import ros2_live
 
 PACKAGE = "nav2_collision_monitor"
-APART_NS = 100 * NS
-"""Between two runs: so scans of the one before are too old."""
-
-ANSWER_S = 0.5
 ATTEMPTS = 50
+START_S = 20.0
 POINTS, ZONE = "/collision_monitor/collision_points_marker", "/zone"
 """On these it shows the points that it made of the last scan, and its first zone with the time."""
-
-START_S = 20.0
 
 
 def missing() -> str | None:
     """What is not there of it; None if all is."""
-    lacking = ros2_live.missing()
+    lacking = course_node.missing()
     if lacking:
-        return f"ROS 2 is {lacking}"
-    if importlib.util.find_spec("rclpy") is None:
-        return "rclpy is of another Python"
+        return lacking
     return None if _program() else f"{PACKAGE} is not installed"
 
 
@@ -67,48 +56,30 @@ def version() -> str:
 class Node:
     """The node with its settings. `contender` is for runs, one after the other.
 
-    To show what it goes by costs the node time. It does not have to if `is_checked` is false: then
+    Messages on several topics may overtake each other. What the node shows of the scan and the
+    clock that it went by is compared with what it was told, and it is asked again where that was
+    not the last. To show it costs the node time. It does not have to if `is_checked` is false: then
     its CPU time is that of its task, and now and then it is one scan behind.
     """
 
     def __init__(self, settings: Settings, folder: Path, *, is_checked: bool = True) -> None:
-        self.settings = settings
         self._model = CollisionMonitor(settings)
         self._is_checked = is_checked
-        self._rclpy: Any = importlib.import_module("rclpy")
-        self._messages = _Messages()
         self._domain = ros2_live.Domain()
-        self._context = self._rclpy.Context()
-        self._rclpy.init(context=self._context, domain_id=self._domain.number)
-        self._node = self._rclpy.create_node("course", context=self._context)
-        executors: Any = importlib.import_module("rclpy.executors")
-        self._executor = executors.SingleThreadedExecutor(context=self._context)
-        self._executor.add_node(self._node)
-        self._heard: dict[str, Any] = {}
-        self._open_topics()
-        self._begin_ns = APART_NS
+        shown = {}
+        if is_checked:
+            shown[POINTS] = course_node.kinds("visualization_msgs").MarkerArray
+            shown[ZONE] = course_node.kinds("geometry_msgs").PolygonStamped
+        self._lockstep = Lockstep(self._domain.number, "/cmd_vel_smoothed", shown)
         self._last: Scan | None = None
-        self._process = self._start(folder)
+        self._process = self._start(settings, folder)
         self.contender = Contender(settings.name, self._run)
 
-    def _open_topics(self) -> None:
-        quality: Any = importlib.import_module("rclpy.qos")
-        made, node = self._messages, self._node
-        self._clock = node.create_publisher(made.clock, "/clock", 10)
-        self._scan = node.create_publisher(made.scan, "/scan", quality.qos_profile_sensor_data)
-        self._command = node.create_publisher(made.twist, "/cmd_vel_smoothed", 10)
-        heard = {"/cmd_vel": made.twist}
-        if self._is_checked:
-            heard |= {POINTS: made.markers, ZONE: made.polygon}
-        self._topics = tuple(heard)
-        for topic, kind in heard.items():
-            node.create_subscription(kind, topic, partial(self._heard.__setitem__, topic), 10)
-
-    def _start(self, folder: Path) -> subprocess.Popen[bytes]:
+    def _start(self, settings: Settings, folder: Path) -> subprocess.Popen[bytes]:
         folder.mkdir(parents=True, exist_ok=True)
-        first = self.settings.zones[0].name
+        first = settings.zones[0].name
         given = {
-            **self.settings.parameters(),
+            **settings.parameters(),
             "use_sim_time": True,
             "autostart_node": True,
             "bond_heartbeat_period": 0.0,  # no manager is there to hear it
@@ -125,8 +96,8 @@ class Node:
             return subprocess.Popen(command, env=variables, stdout=log, stderr=log)
 
     def cpu_ns(self) -> int:
-        """The CPU time that its process has used."""
-        return time.clock_gettime_ns((~self._process.pid << 3) | 2)
+        """The CPU time that it has used."""
+        return cpu_ns(self._process.pid)
 
     def __call__(
         self,
@@ -136,37 +107,25 @@ class Node:
         at_ns: int,
     ) -> Command:
         """The answer of the node."""
-        is_new = scan is not self._last
+        new = scan if scan is not self._last else None
         for attempt in range(ATTEMPTS):
-            self._clock.publish(self._messages.of_clock(self._begin_ns + at_ns))
-            if scan is not None and is_new:
-                self._scan.publish(self._messages.of_scan(scan, self._begin_ns))
+            self._lockstep.tell(at_ns, new, None)
             time.sleep(0.001 * (1 + attempt))
-            answer = self._ask(command)
+            answer = self._lockstep.ask(command)
             if self._is_by(scan, at_ns):
                 self._last = scan
                 return answer
-        raise TimeoutError(f"the node of {PACKAGE} does not hear what it is sent")
-
-    def _ask(self, command: Command) -> Command:
-        self._heard.clear()
-        self._command.publish(self._messages.of_command(command))
-        until = time.monotonic() + ANSWER_S
-        while len(self._heard) < len(self._topics):
-            if time.monotonic() > until:
-                raise TimeoutError(f"the node of {PACKAGE} does not answer")
-            self._executor.spin_once(timeout_sec=ANSWER_S)
-        answer = self._heard["/cmd_vel"]
-        return Command(answer.linear.x, answer.angular.z)
+        raise TimeoutError(f"the node of {PACKAGE} does not hear what it is told")
 
     def _is_by(self, scan: Scan | None, at_ns: int) -> bool:
         """Say whether it went by this scan and this instant, as far as it is asked to show it."""
         if not self._is_checked:
             return True
-        stamp = self._heard[ZONE].header.stamp
-        shown = [marker.points for marker in self._heard[POINTS].markers]
+        heard = self._lockstep.heard
+        stamp = heard[ZONE].header.stamp
+        shown = [marker.points for marker in heard[POINTS].markers]
         wanted = points_of(scan) if scan and self._model.is_valid(scan, at_ns) else None
-        is_now = stamp.sec * NS + stamp.nanosec == self._begin_ns + at_ns
+        is_now = stamp.sec * NS + stamp.nanosec == self._lockstep.at(at_ns)
         if wanted is None or not shown:
             return is_now and wanted is None and not shown
         x = [point.x for point in shown[0]]
@@ -175,57 +134,21 @@ class Node:
     @contextmanager
     def _run(self) -> Iterator[Node]:
         self._last = None
-        odometry: Any = None
+        self._lockstep.begin()
         until = time.monotonic() + START_S
+        still = Odometry(0, ORIGIN, Command(0.0, 0.0))
         while True:  # until it is active, and has heard the clock of this run
             try:
-                self(None, odometry, Command(0.1, 0.0), 0)
+                self(None, still, Command(0.1, 0.0), 0)
                 break
             except TimeoutError:
                 if time.monotonic() > until or self._process.poll() is not None:
                     raise
         yield self
-        self._begin_ns += APART_NS
 
     def end(self) -> None:
         """No more runs."""
         self._process.terminate()
         self._process.wait(10)
-        self._executor.shutdown()
-        self._node.destroy_node()
-        self._context.try_shutdown()
+        self._lockstep.end()
         self._domain.leave()
-
-
-class _Messages:
-    """Messages of ROS 2; each is made once, and sent again with other numbers."""
-
-    def __init__(self) -> None:
-        self.clock: Any = importlib.import_module("rosgraph_msgs.msg").Clock
-        self.scan: Any = importlib.import_module("sensor_msgs.msg").LaserScan
-        self.twist: Any = importlib.import_module("geometry_msgs.msg").Twist
-        self.markers: Any = importlib.import_module("visualization_msgs.msg").MarkerArray
-        self.polygon: Any = importlib.import_module("geometry_msgs.msg").PolygonStamped
-        self._clock, self._scan, self._twist = self.clock(), self.scan(), self.twist()
-
-    def of_clock(self, at_ns: int) -> Any:
-        """The time of the course."""
-        self._clock.clock.sec, self._clock.clock.nanosec = divmod(at_ns, NS)
-        return self._clock
-
-    def of_scan(self, scan: Scan, begin_ns: int) -> Any:
-        """A scan, in the frame of the base."""
-        message = self._scan
-        message.header.frame_id = "base_link"
-        stamp = message.header.stamp
-        stamp.sec, stamp.nanosec = divmod(begin_ns + scan.stamp_ns, NS)
-        message.angle_min, message.angle_increment = scan.angle_min, scan.angle_increment
-        message.angle_max = scan.angle_min + (len(scan.ranges) - 1) * scan.angle_increment
-        message.range_min, message.range_max = scan.range_min, scan.range_max
-        message.ranges = scan.ranges.tolist()
-        return message
-
-    def of_command(self, command: Command) -> Any:
-        """A command."""
-        self._twist.linear.x, self._twist.angular.z = command.linear, command.angular
-        return self._twist
