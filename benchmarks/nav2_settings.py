@@ -95,7 +95,7 @@ STOP_M = SPEED * LATENCY_S + SPEED**2 / (2 * BRAKING)
 SIDE_M = 0.05
 
 SHIPPED = Settings(
-    "approach, as shipped",
+    "Nav2: approach",
     (
         Zone(
             "FootprintApproach",
@@ -111,7 +111,7 @@ SHIPPED = Settings(
 """As `nav2_bringup` sets it up, with the outline of this base."""
 
 ZONES = Settings(
-    "zones: stop, slow down",
+    "Nav2: zones",
     (
         Zone("Stop", box(-HALF_LENGTH, HALF_LENGTH + STOP_M, HALF_WIDTH + SIDE_M), "stop"),
         Zone(
