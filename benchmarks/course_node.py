@@ -1,6 +1,7 @@
 """A node of ROS 2 as a guard on the course, in lockstep: the clock and what is new are published,
 then the command, and the next tick of the course waits for the answer. So the node sees simulated
-time, and however slow the machine is, no message is too late.
+time, and however slow the machine is, no message is too late. To count what a node costs, the
+course waits as well until as much time is over in the world.
 """
 
 from __future__ import annotations
@@ -38,16 +39,20 @@ def kinds(package: str) -> Any:
 class Lockstep:
     """The other side of all topics of a node."""
 
-    def __init__(self, domain: int, command: str, heard: Mapping[str, Any]) -> None:
+    def __init__(
+        self, domain: int, command: str, heard: Mapping[str, Any], *, is_paced: bool
+    ) -> None:
         """`command` is the topic for the planner; `heard` are topics on which the node answers each
-        command, and their types, /cmd_vel is always one.
+        command, and their types; /cmd_vel is always one. `is_paced`: no faster than the world.
         """
+        self._is_paced = is_paced
+        self._began_s = 0.0
         rclpy: Any = importlib.import_module("rclpy")
         executors: Any = importlib.import_module("rclpy.executors")
         sensor: Any = importlib.import_module("rclpy.qos").qos_profile_sensor_data
         self._context = rclpy.Context()
         rclpy.init(context=self._context, domain_id=domain)
-        self._node = node = rclpy.create_node("course", context=self._context)
+        self._node = node = rclpy.create_node("course", context=self._context, enable_rosout=False)
         self._executor = executors.SingleThreadedExecutor(context=self._context)
         self._executor.add_node(node)
         twist, self._scan = kinds("geometry_msgs").Twist(), kinds("sensor_msgs").LaserScan()
@@ -73,6 +78,10 @@ class Lockstep:
 
     def tell(self, at_ns: int, scan: Scan | None, odometry: Odometry | None) -> None:
         """The time, and what is new."""
+        if at_ns == 0:
+            self._began_s = time.monotonic()
+        if self._is_paced:
+            time.sleep(max(0.0, self._began_s + at_ns / NS - time.monotonic()))
         self._clock.clock.sec, self._clock.clock.nanosec = divmod(self.at(at_ns), NS)
         self._tell_time(self._clock)
         if scan is not None:

@@ -110,7 +110,7 @@ def person_steps_out(random: np.random.Generator) -> Scene:
 
 
 def narrow_corridor(random: np.random.Generator) -> Scene:
-    """A corridor with 15 cm to spare on each side; the base enters it a little askew."""
+    """A corridor little wider than the base, which enters it a little askew."""
     half = HALF_WIDTH + 0.15
     sides = [(2.0, side * half, 7.0, side * half) for side in (1, -1)]
     fronts = [(2.0, side * half, 2.0, side * 3.0) for side in (1, -1)]
@@ -138,7 +138,7 @@ def someone_behind(random: np.random.Generator) -> Scene:
 
 
 def docking_station(random: np.random.Generator) -> Scene:
-    """The base creeps into a station, until 3 cm are left to its face and 8 cm on each side."""
+    """The base creeps into a station until it nearly touches, as docking asks for."""
     x, half = random.uniform(3.0, 3.5), HALF_WIDTH + 0.08
     face = [(x, -half, x, half)]
     sides = [(x - 0.35, side * half, x, side * half) for side in (1, -1)]

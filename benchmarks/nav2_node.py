@@ -59,7 +59,8 @@ class Node:
     Messages on several topics may overtake each other. What the node shows of the scan and the
     clock that it went by is compared with what it was told, and it is asked again where that was
     not the last. To show it costs the node time. It does not have to if `is_checked` is false: then
-    its CPU time is that of its task, and now and then it is one scan behind.
+    its CPU time is that of its task, at the pace of the world, and now and then it is one scan
+    behind.
     """
 
     def __init__(self, settings: Settings, folder: Path, *, is_checked: bool = True) -> None:
@@ -70,7 +71,9 @@ class Node:
         if is_checked:
             shown[POINTS] = course_node.kinds("visualization_msgs").MarkerArray
             shown[ZONE] = course_node.kinds("geometry_msgs").PolygonStamped
-        self._lockstep = Lockstep(self._domain.number, "/cmd_vel_smoothed", shown)
+        self._lockstep = Lockstep(
+            self._domain.number, "/cmd_vel_smoothed", shown, is_paced=not is_checked
+        )
         self._last: Scan | None = None
         self._process = self._start(settings, folder)
         self.contender = Contender(settings.name, self._run)

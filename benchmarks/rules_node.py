@@ -1,4 +1,4 @@
-"""A generated node of ROS 2 as a guard on the course."""
+"""A generated node of ROS 2 as a guard on the course, at the pace of the world."""
 
 from __future__ import annotations
 
@@ -27,7 +27,8 @@ class Node:
         built = ros2_build.Workspace(folder / "workspace", ["-DCMAKE_BUILD_TYPE=Release"])
         self._ros = ros2_live.Ros2(folder, built)
         (program,) = self._ros.prepare([machine])
-        self._lockstep = Lockstep(int(self._ros.variables["ROS_DOMAIN_ID"]), "/unfil_cmd_vel", {})
+        domain = int(self._ros.variables["ROS_DOMAIN_ID"])
+        self._lockstep = Lockstep(domain, "/unfil_cmd_vel", {}, is_paced=True)
         self._process = self._ros.begin(program, {}, use_sim_time=True)
         self._last: Scan | None = None
         self.contender = Contender(rules.name, self._run)

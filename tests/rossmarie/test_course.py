@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import importlib
 import math
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import nullcontext
 from dataclasses import replace
@@ -16,9 +14,9 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
+from support.benchmarks import imported
 from support.parts import NAV2_MONITOR, needs
 
-BENCHMARKS = Path(__file__).parents[2] / "benchmarks"
 MODULES = (
     "course_shapes",
     "course_scenes",
@@ -40,14 +38,8 @@ PEOPLE = st.tuples(METERS, METERS, st.floats(0.1, 0.5))
 
 @pytest.fixture(scope="module")
 def modules() -> Iterator[dict[str, Any]]:
-    """The modules of the course, which find each other beside them."""
-    sys.path.insert(0, str(BENCHMARKS))
-    try:
-        yield {name: importlib.import_module(name) for name in MODULES}
-    finally:
-        sys.path.remove(str(BENCHMARKS))
-        for name in MODULES:
-            del sys.modules[name]
+    with imported(MODULES) as found:
+        yield found
 
 
 def contender(modules: dict[str, Any], guard: Callable[..., Any]) -> Any:
