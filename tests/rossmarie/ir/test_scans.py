@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 from random import Random
 from types import SimpleNamespace
 
@@ -11,8 +12,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rossmarie.check.operations.sectors import sector_between
-from rossmarie.ir import INVALID, RETURNS, Beams, Sector
+from rossmarie.core import Function
+from rossmarie.interpreter import Interpreter
+from rossmarie.interpreter.arithmetic import apply
+from rossmarie.ir import INVALID, RETURNS, Beams, ChannelValues, Machine, Sector
 from rossmarie.ir.scans import UnreadableScanError, beams, is_scan, sector
+from support.compiled import machine_of
 from support.scans import HIGH, LIES, LOW, plain_scan, random_scan, truthful
 
 INF, NAN = math.inf, math.nan
@@ -161,6 +166,32 @@ def test_s72_intensities_are_one_for_each_beam() -> None:
     scan.intensities = [1.0]
     assert columns(scan, RETURNS, "intensity") is None
     assert columns(scan, RETURNS, "range") == [[1.0, 2.0]]
+
+
+@cache
+def places() -> Machine:
+    return machine_of(
+        """
+        action stop;
+        input scan = topic /scan : sensor_msgs/LaserScan up to 9;
+        rule x: if max(p in scan.points: p.x) > 1 m then { stop; };
+        rule y: if max(p in scan.points: p.y) > 1 m then { stop; };
+        rule z: if max(p in scan.points: p.z) > 1 m then { stop; };
+        """
+    )
+
+
+@given(st.floats(-math.pi, math.pi), st.floats(0.0, 30.0))
+def test_s72_x_and_y_are_computed_in_the_machine(angle: float, distance: float) -> None:
+    machine = places()
+    columns = {"range": [distance], "angle": [angle]}
+    arrays = {index: columns[str(each.path[-1])] for index, each in enumerate(machine.arrays)}
+    interpreter = Interpreter(machine)
+    interpreter.update(0, {0: ChannelValues({}, arrays)})
+    found = [interpreter.signals[rule.signals[0]] for rule in machine.rules]
+    waves = [apply(each, (angle,)) for each in (Function.COSINE, Function.SINE)]
+    assert found == [distance * waves[0], distance * waves[1], 0.0]
+    assert math.hypot(*found) == pytest.approx(distance)
 
 
 def test_s73_invalid_are_the_beams_that_are_left_out() -> None:

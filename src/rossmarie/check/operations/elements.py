@@ -63,7 +63,7 @@ def warn_of_raw_readings(fold: ast.Call, context: Context) -> None:
     parts = [part for part in _parts(argument, context) if _is_raw(part, context)]
     if not parts or fold.function.text == "max" or _is_bounded_below(argument, context):
         return
-    if fold.function.text in ("any", "count") and _asks_what_is_far(argument):
+    if fold.function.text in ("any", "count") and _asks_what_is_far(argument, context):
         return
     text = parts[0].span.text
     edits = (Edit(_behind(part.span), _ALL_AROUND) for part in parts)
@@ -90,11 +90,15 @@ def _is_bounded_below(argument: ast.Expression, context: Context) -> bool:
     return value is not None and bool(value.numbers) and value.numbers[0] > 0.0
 
 
-def _asks_what_is_far(argument: ast.Expression) -> bool:
+def _asks_what_is_far(argument: ast.Expression, context: Context) -> bool:
     """Say whether a condition is that of elements above something, which a reading of 0 is not."""
     node = stripped(argument)
-    above = (ast.BinaryOperator.GREATER, ast.BinaryOperator.GREATER_OR_EQUAL)
-    return isinstance(node, ast.Binary) and node.operator in above
+    if not isinstance(node, ast.Binary):
+        return False
+    if node.operator in (ast.BinaryOperator.GREATER, ast.BinaryOperator.GREATER_OR_EQUAL):
+        return node.left not in context.values
+    below = (ast.BinaryOperator.LESS, ast.BinaryOperator.LESS_OR_EQUAL)
+    return node.operator in below and node.right not in context.values
 
 
 def _behind(span: Span) -> Span:
