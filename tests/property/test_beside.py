@@ -41,7 +41,7 @@ def test_python_is_what_the_interpreter_is(case: Case) -> None:
 
 
 @needs_c
-@settings(phases=phases_of_compiled(), max_examples=examples(0.5))
+@settings(phases=phases_of_compiled(), max_examples=examples(1))
 @given(cases_beside())
 def test_c_is_what_the_interpreter_is(case: Case) -> None:
     machine, trace = case
