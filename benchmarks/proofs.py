@@ -1,12 +1,14 @@
 """Proves the generated C of the examples, and writes the page of proofs and their cost.
 
-Examples that are named are proved; the page keeps the rows of the others. The exit code is 1 if a
-question is not proved.
+Examples that are named are proved; the page keeps the rows of the others. With `--library` the
+examples are the files of the library. A row says by a digest of which sources it is. The exit code
+is 1 if a question is not proved.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import re
 import resource
 import sys
@@ -16,7 +18,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from machine import processor
-from proved_examples import EXAMPLES
+from proved_examples import EXAMPLES, LIBRARY
 
 from rossmarie.driver.verifying import prove, questions_of
 from rossmarie.verification.prover import PROGRAMS, Prover, Verdict
@@ -54,6 +56,7 @@ def proved(prover: Prover, example: str) -> Proved:
         verdicts[Verdict.UNDECIDED],
         verdicts[Verdict.REFUTED],
         f"{minutes:.0f}",
+        digest(example),
     ]
     unproved = (
         f"- {link(example)}: {outcome.check.about}"
@@ -63,15 +66,20 @@ def proved(prover: Prover, example: str) -> Proved:
     return Proved("| " + " | ".join(map(str, cells)) + " |", tuple(unproved))
 
 
+def digest(example: str) -> str:
+    """The beginning of the SHA-256 of a rules file."""
+    return f"`{hashlib.sha256((ROOT / example).read_bytes()).hexdigest()[:12]}`"
+
+
 def link(example: str) -> str:
     """How the page names a rules file."""
     return f"[{Path(example).name}](../../{example})"
 
 
-def written(page: str) -> dict[str, Proved]:
-    """The examples that a page has, each with its rows."""
+def written(page: str, examples: Iterable[str]) -> dict[str, Proved]:
+    """Those of the examples that a page has, each with its rows."""
     found = {}
-    for example in EXAMPLES:
+    for example in examples:
         named = re.escape(link(example))
         rows = re.findall(rf"^\| {named} .*$", page, re.MULTILINE)
         unproved = re.findall(rf"^- {named}: .*$", page, re.MULTILINE)
@@ -80,8 +88,8 @@ def written(page: str) -> dict[str, Proved]:
     return found
 
 
-def page(prover: Prover, known: Iterable[Proved]) -> str:
-    """The whole page."""
+def page(prover: Prover, known: Iterable[Proved], of: str) -> str:
+    """The whole page about examples, which are `of` something."""
     known = list(known)
     tools = ", ".join(f"{tool} {prover.version(tool)}" for tool in PROGRAMS)
     unproved = [line for each in known for line in each.unproved]
@@ -89,12 +97,13 @@ def page(prover: Prover, known: Iterable[Proved]) -> str:
         [
             "# What proofs cost",
             "",
-            "Written by `benchmarks/proofs.py`; do not edit. `rossmarie verify` on examples, by",
+            f"Written by `benchmarks/proofs.py`; do not edit. `rossmarie verify` on {of}, by",
             f"{tools}, on {processor()}.",
             f"No solver was given more than {SECONDS} seconds of a processor for one question.",
             "",
-            "| Rules file | Rules | Questions | Proved | Undecided | Refuted | Processor minutes |",
-            "|---|---|---|---|---|---|---|",
+            "| Rules file | Rules | Questions | Proved | Undecided | Refuted | Processor minutes "
+            "| Sources |",
+            "|---|---|---|---|---|---|---|---|",
             *(each.row for each in known),
             *(["", "Not proved:", ""] if unproved else []),
             *unproved,
@@ -107,20 +116,23 @@ def main() -> int:
     """Prove, and write the page after each example."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--out", type=Path, required=True, help="the page to write")
+    parser.add_argument("--library", action="store_true", help="prove files of the library")
     parser.add_argument("examples", nargs="*", metavar="EXAMPLE", help="one of the rules files")
     arguments = parser.parse_args()
-    if unknown := {*arguments.examples} - {*EXAMPLES}:
-        parser.error(f"no example: {', '.join(unknown)}; there are {', '.join(EXAMPLES)}")
+    examples = LIBRARY if arguments.library else EXAMPLES
+    if unknown := {*arguments.examples} - {*examples}:
+        parser.error(f"no example: {', '.join(unknown)}; there are {', '.join(examples)}")
     out: Path = arguments.out
-    known = written(out.read_text(encoding="utf-8")) if out.is_file() else {}
-    wanted = arguments.examples or EXAMPLES
+    known = written(out.read_text(encoding="utf-8"), examples) if out.is_file() else {}
+    wanted = arguments.examples or examples
+    of = "files of [the library](library.md)" if arguments.library else "examples"
     prover = Prover()
     if reason := prover.lacking():
         parser.error(f"{reason}; `make prover` sets it up")
     for example in wanted:
         known[example] = proved(prover, example)
-        rows = (known[each] for each in EXAMPLES if each in known)
-        out.write_text(page(prover, rows), encoding="utf-8")
+        rows = (known[each] for each in examples if each in known)
+        out.write_text(page(prover, rows, of), encoding="utf-8")
     return int(any(known[example].unproved for example in wanted))
 
 

@@ -1,5 +1,9 @@
 """The rules files whose generated C is proved."""
 
+from pathlib import Path
+
+_ROOT = Path(__file__).parents[1]
+
 EXAMPLES = (
     "examples/thesis/mobile_base.ross",
     "examples/thesis/arm.ross",
@@ -7,3 +11,10 @@ EXAMPLES = (
     "examples/husky/husky.ross",
     "examples/demo/demo.ross",
 )
+
+LIBRARY = tuple(
+    path.relative_to(_ROOT).as_posix()
+    for path in sorted((_ROOT / "src/rossmarie/library").glob("*/*.ross"))
+    if path.name.count(".") == 1 and path.name != "system.ross"
+)
+"""The files of the library that have rules."""

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.core import Measure, Polygon, Region, RegionFunction, row, sampling_row
+from rossmarie.core import (
+    Circle,
+    Measure,
+    Polygon,
+    Rectangle,
+    Region,
+    RegionFunction,
+    row,
+    sampling_row,
+)
 from support.drafts import SECOND, Draft
 from support.skill_contexts import QUESTIONS, calls_told
 
@@ -32,11 +42,20 @@ def _polygon(name: str, *corners: tuple[float, float]) -> Polygon:
 
 _L = ((-1.0, -1.0), (2.0, -1.0), (2.0, 0.25), (0.5, 0.25), (0.5, 3.0), (-1.0, 3.0))
 _TRIANGLE = ((0.5, 0.0), (5.0, 1.0), (1.0, 1.5))
+_STAR = tuple(
+    (radius * math.cos(turn), radius * math.sin(turn))
+    for radius, turn in ((1.0 + number % 2, math.pi * number / 15) for number in range(30))
+)
+_BOX = Rectangle("box", "a box", (-1.0, -0.5), (0.25, 1.0))
+_CIRCLE = Circle("circle", "a circle", (1.0, 0.5), 0.5)
 regions = st.sampled_from(
     (
         Region("ell", "an L", (_polygon("l", *_L),)),
         Region("both", "two", (_polygon("l", *_L), _polygon("triangle", *_TRIANGLE))),
         Region("post", "a point", (_polygon("point", (0.25, -0.5)),)),
+        Region("star", "a star", (_polygon("star", *_STAR),)),
+        Region("round", "a circle", (_CIRCLE,)),
+        Region("zone", "a zone", (_BOX, _CIRCLE, _polygon("triangle", *_TRIANGLE))),
     )
 )
 

@@ -31,7 +31,9 @@ from rossmarie.ir import (
     Told,
     arrival_names,
     field_names,
+    scan_names,
 )
+from rossmarie.ir.scans import scan_path
 from rossmarie.ir.skills import answer
 
 Watch = Callable[..., "int | None"]
@@ -75,10 +77,15 @@ class Readings:
         fields: dict[str, Path] = {
             max(names, key=len): field.path
             for names, field in named
-            if machine.inputs[field.input].channel == channel
+            if machine.inputs[field.input].channel == channel and scan_path(field.path) is None
+        }
+        scans = {  # sectors are taken of the whole scan
+            name: scan.path
+            for name, scan in scan_names(machine).items()
+            if machine.inputs[scan.input].channel == channel
         }
         ages = arrival_names(machine).items()
-        return fields | {name: () for name, arriving in ages if arriving == channel}
+        return fields | scans | {name: () for name, arriving in ages if arriving == channel}
 
     def _on(self, channel: int, fields: Sequence[Slot] | Sequence[Array]) -> list[Slot | Array]:
         inputs = self._machine.inputs

@@ -18,6 +18,7 @@ from rossmarie.check.actions.targets import Targets
 from rossmarie.check.effects import CheckedEffect
 from rossmarie.check.expressions.decided import warn_of_decided, warn_of_never_cleared
 from rossmarie.check.expressions.infer import infer
+from rossmarie.check.expressions.parameters import fits_parameter, values_of
 from rossmarie.check.foresight.kept import check_kept
 from rossmarie.check.foresight.motions import check_motions
 from rossmarie.check.model import (
@@ -52,9 +53,11 @@ from rossmarie.check.scopes.exemptions import is_of_exempted
 from rossmarie.check.scopes.trees import constant_of
 from rossmarie.check.skills.file import read_skills
 from rossmarie.check.system.field_units import check_read_units
+from rossmarie.check.system.frames import read_frames, resolve_frames
 from rossmarie.check.system.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.system.message_rates import message_gaps
 from rossmarie.check.system.model import read_system_model
+from rossmarie.check.system.node_parameters import resolve_node_parameters
 from rossmarie.check.tests.statements import check_tests
 from rossmarie.check.zones.zones import check_zones
 from rossmarie.ir.reactions import CommandTopic
@@ -97,9 +100,12 @@ def check(
     model = read_system_model(declarations, options.message_folders, context.suggestions, collector)
     context.messages = model.messages
     read_skills(context)
+    read_frames(context)
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
+    resolve_node_parameters(context)
     resolve_timeouts(context)
+    resolve_frames(context)
     check_zones(context)
     check_motions(context)
     gaps = message_gaps(context)
@@ -157,7 +163,8 @@ def _check_constants(context: Context) -> None:
 
 
 def _constants_in(constant: ast.Constant, context: Context) -> list[ast.Constant]:
-    found = [constant_of(part, context.declarations) for part in walk(constant.value)]
+    parts = (part for value in values_of(constant) for part in walk(value))
+    found = [constant_of(part, context.declarations) for part in parts]
     return [needed for needed in found if needed is not None]
 
 
@@ -171,7 +178,9 @@ def _report_circular_constant(circle: Sequence[ast.Constant], context: Context) 
 def _check_constant(constant: ast.Constant, is_first: bool, context: Context) -> None:
     context.enter(None)
     type_ = infer(constant.value, context)
-    is_known = isinstance(type_, Unknown) or require_constant(constant.value, "a constant", context)
+    kind = "a constant" if constant.parameter is None else "the value of a parameter"
+    is_known = isinstance(type_, Unknown) or require_constant(constant.value, kind, context)
+    is_known = is_known and fits_parameter(constant, type_, context)
     if is_first:
         context.constants[constant.name.text] = type_ if is_known else Unknown()
 
@@ -279,6 +288,8 @@ def _program(
         doing=context.doing,
         regions=context.regions,
         motions=context.motions,
+        frames=context.frames,
+        frame_inputs=context.frame_inputs,
         tests=tests,
         priorities=found.priorities,
     )

@@ -7,8 +7,9 @@ from rossmarie.check.actions import errors as action_errors
 from rossmarie.check.actions import retrace_errors, tree_errors
 from rossmarie.check.expressions import errors as expression_errors
 from rossmarie.check.foresight import errors as foresight_errors
+from rossmarie.check.instances import errors as instance_errors
 from rossmarie.check.names import errors as name_errors
-from rossmarie.check.names import region_errors
+from rossmarie.check.names import frame_errors, region_errors
 from rossmarie.check.operations import errors as operation_errors
 from rossmarie.check.operations import function_errors, list_errors, range_errors, sector_errors
 from rossmarie.check.rules import errors as rule_errors
@@ -21,10 +22,12 @@ from rossmarie.check.zones import errors as zone_errors
 
 _DECLARED: tuple[type[Template], ...] = (
     *scope_errors.ALL,
+    *instance_errors.ALL,
     *skill_errors.ALL,
     *unit_errors.ALL,
     *name_errors.ALL,
     *region_errors.ALL,
+    *frame_errors.ALL,
     *operation_errors.ALL,
     *function_errors.ALL,
     *list_errors.ALL,

@@ -11,6 +11,7 @@ from dslkit.source import Span
 from dslkit.writing import write_whole
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.witness import Witness
+from rossmarie.check.instances.telling import told
 from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_checked
 from rossmarie.ir import Category, Machine
 
@@ -87,10 +88,11 @@ def analyzed(
             proved.add(finding.diagnostic.primary.span)
             if not thorough:
                 continue
-        collector.add(finding.diagnostic)
+        (diagnostic,) = told((finding.diagnostic,), compiled.instances)
+        collector.add(diagnostic)
         if finding.witness is not None:
-            shown[id(finding.diagnostic)] = within(compiled.machine, finding.witness)
-            code = finding.diagnostic.code
+            shown[id(diagnostic)] = within(compiled.machine, finding.witness)
+            code = diagnostic.code
             count = sum(code in name for name in witnesses) + 1
             name = f"{rules.stem}_{code}_{count}.csv"
             witnesses[name] = as_csv(asked, finding.witness)

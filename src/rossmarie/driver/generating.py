@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.source import SourceFile
+from rossmarie.check.instances.telling import spelled
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.pipeline import Compiled, compile_file
 from rossmarie.driver.testing import tests_beside
@@ -61,7 +62,8 @@ def generate_tests(
         expectations = tuple(expectations_of(read.machine, script, proposal.rule, script.end_ns))
         expecting = dataclasses.replace(proposal.script, expectations=expectations)
         tests.append(write_script(compiled.machine, expecting, compiled.bases))
-    text = format_text("\n\n".join([_HEAD.format(rules=rules.name), *tests]))
+    written = spelled("\n\n".join(tests), compiled.instances)
+    text = format_text(f"{_HEAD.format(rules=rules.name)}\n\n{written}")
     return Written(path, text, len(tests))
 
 

@@ -7,18 +7,21 @@ last one that runs.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.source import SourceFile
 from rossmarie.check import CheckedProgram, CheckOptions, check, select
+from rossmarie.check.instances.instantiate import instantiate
+from rossmarie.check.instances.spaces import Imported, Instances
+from rossmarie.check.instances.telling import told
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
 from rossmarie.ir import Category, Machine, Requirement, verify, without_margins
 from rossmarie.ir import Path as FieldPath
 from rossmarie.ir.script import Script
-from rossmarie.lowering import lower, lower_requirements
+from rossmarie.lowering import lower, lower_requirements, misdirected
 from rossmarie.syntax import ast, parse
 from rossmarie.targets.unsupported import unsupported
 
@@ -30,6 +33,7 @@ class CheckResult:
     modules: Sequence[ast.Module]
     program: CheckedProgram | None
     diagnostics: tuple[Diagnostic, ...]
+    instances: Instances = field(default_factory=Instances)
 
 
 class RulesError(Exception):
@@ -58,20 +62,26 @@ def check_file(
     Of the rules `only` those with these categories are kept (all if it is empty).
     """
     collector = Collector()
-    modules = load_modules(rules, systems, collector)
-    modules += [] if tests is None else [parse(tests, collector)]
+    files = load_modules(rules, systems, collector)
+    files += [] if tests is None else [Imported(parse(tests, collector), ())]
+    modules, instances = instantiate(files, collector)
     options = CheckOptions(message_folders=tuple(message_folders))
     program = check(modules, options, collector)
     if program is not None:
         program = select(program, modules, only, collector)
-    return CheckResult(modules, program, shortened(collector.sorted()))
+    if program is not None and any(each.setting is not None for each in _inputs(modules)):
+        collector.extend(misdirected(lower(program)))
+        program = None if collector.has_errors else program
+    found = shortened(told(collector.sorted(), instances))
+    return CheckResult(modules, program, found, instances)
 
 
 @dataclass(frozen=True)
 class Compiled:
     """A rules file without errors: its machine, the warnings on it, and where the definitions of
     its messages may lie, the tests in it, and of each input the path that its declaration chooses.
-    `sources` are all files that the machine rests on, as they were read, the main one last.
+    `sources` are all files that the machine rests on, each once, as they were read, the main one
+    last.
     `with_margins` is the machine for those that learn: with the margins that rules declare;
     `requirements` are what rules keep.
     """
@@ -84,6 +94,7 @@ class Compiled:
     bases: Mapping[str, FieldPath]
     sources: tuple[SourceFile, ...]
     requirements: tuple[Requirement, ...]
+    instances: Instances = field(default_factory=Instances)
 
 
 def compile_file(
@@ -110,10 +121,11 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     machine = lower(result.program)
     verify(machine)
     if refused := tuple(unsupported(machine)):
-        raise RulesError((*result.diagnostics, *refused))
+        raise RulesError((*result.diagnostics, *told(refused, result.instances)))
     folders = (*message_folders, *_declared_folders(result.modules))
-    bases = {name: used.base for name, used in result.program.symbols.inputs.items()}
-    files = (module.file for module in result.modules)
+    frames = {each.declaration.name.text: () for each in result.program.frame_inputs.values()}
+    bases = frames | {name: used.base for name, used in result.program.symbols.inputs.items()}
+    files = {module.file.path: module.file for module in reversed(result.modules)}
     return Compiled(
         machine=without_margins(machine),
         with_margins=machine,
@@ -121,9 +133,14 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
         message_folders=folders,
         tests=result.program.tests,
         bases=bases,
-        sources=(*result.program.read_files, *files),
+        sources=(*result.program.read_files, *reversed(files.values())),
         requirements=lower_requirements(result.program),
+        instances=result.instances,
     )
+
+
+def _inputs(modules: Sequence[ast.Module]) -> Iterator[ast.Input]:
+    return (item for each in modules for item in each.items if isinstance(item, ast.Input))
 
 
 def _declared_folders(modules: Sequence[ast.Module]) -> Iterator[Path]:

@@ -8,11 +8,14 @@ from __future__ import annotations
 import difflib
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass, field, replace
+from pathlib import Path, PurePosixPath
+from typing import NamedTuple
 
 from dslkit.diagnostics import Collector, Diagnostic, DidYouMean
 from dslkit.source import SourceFile, Span, ending, is_file, is_folder
+from rossmarie.check.instances.errors import EndlessImport, ValuesTwice
+from rossmarie.check.instances.spaces import Imported
 from rossmarie.driver.errors import (
     FileUnreadable,
     ForeignFile,
@@ -26,18 +29,24 @@ from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
 SYSTEM_MODEL = "system.ross"
 """The system model that is used without being imported: a file of this name beside the rules."""
 
+MOST_INSTANCES = 256
+"""The files that are imported under names, or with values."""
+
 _RULES = ".ross"
 
 LIBRARY = Path(__file__).parents[1] / "library"
-"""The files that come with this program, to be imported as `rossmarie/NAME.ross`; such a file
-beside the one that imports takes their place.
+"""The files that come with this program, to be imported as `rossmarie/NAME.ross` or as
+`rossmarie/FOLDER/NAME.ross`; such a file beside the one that imports takes their place.
 """
 
+_SHIPPED = "rossmarie"
 
-def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> list[ast.Module]:
+
+def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> list[Imported]:
     """The trees of `systems`, of the folder's system model and of all imports, `main` last.
 
-    Each file is read once, whatever imports it: `main` too, if a system model does.
+    Each file is read once, whatever imports it: `main` too, if a system model does. It is there
+    once for each name that it is imported under.
     """
     loader = _Loader(collector, main)
     beside = main.parent / SYSTEM_MODEL
@@ -46,56 +55,109 @@ def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> l
     return loader.with_last(main)
 
 
+class _Wanted(NamedTuple):
+    """A file to open, for an import in another one; `importer` is None for those of the command."""
+
+    path: Path
+    written: ast.Import | None = None
+    importer: Imported | None = None
+
+    @property
+    def space(self) -> tuple[str, ...]:
+        """The space of the file: that of the whole program, unless the import says another."""
+        if self.written is None or self.importer is None or not _is_instance(self.written):
+            return ()
+        alias = self.written.alias
+        return (*self.importer.space, *(() if alias is None else (alias.text,)))
+
+
 @dataclass
 class _Loader:
     collector: Collector
     main: Path
-    modules: list[ast.Module] = field(default_factory=list)
-    visited: dict[Path, ast.Module] = field(default_factory=dict)
+    loaded: list[Imported] = field(default_factory=list)
+    visited: dict[tuple[Path, tuple[str, ...]], Imported] = field(default_factory=dict)
+    parsed: dict[Path, ast.Module] = field(default_factory=dict)
 
-    def with_last(self, path: Path) -> list[ast.Module]:
-        """All modules, that of `path` at the end."""
-        last = self.visited[_identity(path)]
-        return [module for module in self.modules if module is not last] + [last]
+    def with_last(self, path: Path) -> list[Imported]:
+        """All files, that of `path` at the end."""
+        last = self.visited[_identity(path), ()]
+        return [each for each in self.loaded if each is not last] + [last]
 
-    def load(self, path: Path, imported_at: Span | None = None) -> None:
-        """Add the module at `path` after everything it imports (an explicit stack, so that a
-        long chain of imports cannot exhaust Python's).
+    def load(self, path: Path) -> None:
+        """Add the file at `path` after everything it imports (an explicit stack, so that a long
+        chain of imports cannot exhaust Python's).
         """
-        stack: list[tuple[ast.Module, list[tuple[Path, Span]]]] = []
-        self._open(path, imported_at, stack)
+        stack: list[tuple[Imported, list[_Wanted]]] = []
+        self._open(_Wanted(path), stack)
         while stack:
-            module, imports = stack[-1]
+            imported, imports = stack[-1]
             if imports:
-                target, span = imports.pop(0)
-                self._open(target, span, stack)
+                self._open(imports.pop(0), stack)
             else:
-                self.modules.append(module)
+                self.loaded.append(imported)
                 stack.pop()
 
-    def _open(
-        self,
-        path: Path,
-        imported_at: Span | None,
-        stack: list[tuple[ast.Module, list[tuple[Path, Span]]]],
-    ) -> None:
-        if imported_at is not None and not is_file(path):
-            self.collector.add(_import_not_found(path, imported_at))
-            self.modules.append(_unread(path))
+    def _open(self, wanted: _Wanted, stack: list[tuple[Imported, list[_Wanted]]]) -> None:
+        path, written = wanted.path, wanted.written
+        if written is not None and not is_file(path):
+            self.collector.add(_import_not_found(path, written.path.span))
+            self.loaded.append(Imported(_unread(path), ()))
             return
-        key = _identity(path)
+        identity = _identity(path)
+        key = identity, wanted.space
         if key in self.visited:
+            self._again(self.visited[key], wanted)
             return
-        if not self._is_rules_file(path):
-            place = imported_at or Span(SourceFile(str(path), ""), 0, 0)
+        if self._is_endless(wanted, identity):
+            return
+        is_new = identity not in self.parsed
+        if is_new and not self._is_rules_file(path):
+            place = Span(SourceFile(str(path), ""), 0, 0) if written is None else written.path.span
             self.collector.add(NotARulesFile(path=str(path)).at(place))
-            self.visited[key] = _unread(path)
-            self.modules.append(self.visited[key])
+            self.parsed[identity] = _unread(path)
+        elif is_new:
+            source = read_source(path, self.collector)
+            module = _unread(path) if source is None else parse(source, self.collector)
+            self.parsed[identity] = module
+        imported = Imported(self.parsed[identity], wanted.space)
+        if written is not None and _is_instance(written):
+            imported = replace(imported, written=written, importer=wanted.importer)
+        self.visited[key] = imported
+        stack.append((imported, _imports(imported, path.parent, self.main)))
+
+    def _again(self, known: Imported, wanted: _Wanted) -> None:
+        """An import of a file that is there: its values count if there are none so far."""
+        written = wanted.written
+        if written is None or not written.given or written.alias is not None:
             return
-        source = read_source(path, self.collector)
-        module = _unread(path) if source is None else parse(source, self.collector)
-        self.visited[key] = module
-        stack.append((module, _imports(module, path.parent)))
+        if known.written is None:
+            known.written, known.importer = written, wanted.importer
+            return
+        subject = f"a value for `{written.path.value}`"
+        advice = "import it `as` another name, or give the values once"
+        finding = ValuesTwice(subject=subject, advice=advice)
+        place = finding.First().at(known.written.path.span)
+        self.collector.add(finding.at(written.path.span, place))
+
+    def _is_endless(self, wanted: _Wanted, identity: Path) -> bool:
+        """Say whether an import would go on for ever, or makes too many instances; report it."""
+        written, importer = wanted.written, wanted.importer
+        if written is None or importer is None or written.alias is None:
+            return False
+        module = self.parsed.get(identity)
+        around = (importer, *(each for each, _ in importer.chain()))
+        if module is not None and any(each.module is module for each in around):
+            problem = f"`{written.path.value}` imports itself under a name"
+            reason = f"`{written.alias.text}` would have a `{written.alias.text}` of its own"
+        elif sum(each.written is not None for each in self.visited.values()) >= MOST_INSTANCES:
+            problem = f"more than {MOST_INSTANCES} files are imported under a name"
+            reason = "this import is one too many"
+        else:
+            return False
+        finding = EndlessImport(problem=problem, reason=reason)
+        self.collector.add(finding.at(written.alias.span))
+        return True
 
     def _is_rules_file(self, path: Path) -> bool:
         """Say whether a file may be read as rules. `main` may be called as its user likes, but must
@@ -162,26 +224,45 @@ def _foreign(source: SourceFile, kind: str) -> Diagnostic:
     return finding.at(span, help=finding.Download() if is_page else finding.NameRules())
 
 
-def _imports(module: ast.Module, folder: Path) -> list[tuple[Path, Span]]:
+def _imports(importer: Imported, folder: Path, main: Path) -> list[_Wanted]:
     return [
-        (_imported(item.path.value, folder), item.path.span)
-        for item in module.items
+        _Wanted(_imported(item.path.value, folder, main), item, importer)
+        for item in importer.module.items
         if isinstance(item, ast.Import)
     ]
 
 
-def _imported(written: str, folder: Path) -> Path:
-    """The file that an import in a file of a folder means."""
-    path = folder / written
-    shipped = LIBRARY / path.name
-    is_shipped = written == f"rossmarie/{path.name}" and is_file(shipped) and not is_file(path)
-    return shipped if is_shipped else path
+def _is_instance(written: ast.Import) -> bool:
+    """Say whether an import is more than a plain one."""
+    return bool(written.given) or written.alias is not None
+
+
+def _imported(written: str, folder: Path, main: Path) -> Path:
+    """The file that an import in a file of a folder means. A file of the library means what the
+    main file would mean: so a copy beside that file counts for all.
+    """
+    shipped = _shipped(written)
+    if shipped is None:
+        return folder / written
+    path = (main.parent if LIBRARY in folder.parents or folder == LIBRARY else folder) / written
+    return path if is_file(path) else shipped
+
+
+def _shipped(written: str) -> Path | None:
+    """The file of the library that is called so, if there is one."""
+    first, *others = PurePosixPath(written).parts or ("",)
+    if first != _SHIPPED or not others or ".." in others:
+        return None
+    path = LIBRARY.joinpath(*others)
+    return path if is_file(path) else None
 
 
 def _import_not_found(path: Path, span: Span) -> Diagnostic:
     folder = path.parent
-    if folder.name == "rossmarie" and not is_folder(folder):
-        folder = LIBRARY
+    if _SHIPPED in folder.parts and not is_folder(folder):
+        parts = folder.parts
+        last = len(parts) - 1 - parts[::-1].index(_SHIPPED)
+        folder = LIBRARY.joinpath(*parts[last + 1 :])
     present = [found.stem for found in folder.glob("*.ross")] if is_folder(folder) else []
     near = difflib.get_close_matches(path.stem, present, n=1)
     finding = ImportNotFound(path=span.text.strip('"'), looked_for=f"`{path}`")

@@ -40,6 +40,7 @@ from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues, known_count
 from rossmarie.ir.model import (
     FLAG_LIMITS,
+    TRANSFORMS,
     AgeReaches,
     And,
     Apply,
@@ -49,6 +50,7 @@ from rossmarie.ir.model import (
     Compare,
     Constant,
     Count,
+    Edge,
     Element,
     Flag,
     Fold,
@@ -74,8 +76,16 @@ from rossmarie.ir.model import (
     Slot,
     Truth,
     TruthNode,
+    bare_frame,
 )
-from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
+from rossmarie.ir.naming import (
+    ScanFields,
+    arrival_names,
+    field_names,
+    list_names,
+    near_name,
+    scan_names,
+)
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
 from rossmarie.ir.path import (
     AXES,
@@ -100,6 +110,7 @@ from rossmarie.ir.path import (
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
+from rossmarie.ir.settings import farthest, is_setting, setting_numbers, settings_of
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -141,6 +152,7 @@ __all__ = [
     "RETURNS",
     "SUBJECTS",
     "TASKS",
+    "TRANSFORMS",
     "AgeReaches",
     "And",
     "AnyFunction",
@@ -163,6 +175,7 @@ __all__ = [
     "Count",
     "Doing",
     "Each",
+    "Edge",
     "Element",
     "ElementArrays",
     "Elements",
@@ -211,6 +224,7 @@ __all__ = [
     "Rule",
     "Sampled",
     "Sampling",
+    "ScanFields",
     "Sector",
     "Signal",
     "SignalNode",
@@ -234,6 +248,7 @@ __all__ = [
     "all_channels",
     "arrays_of",
     "arrival_names",
+    "bare_frame",
     "below_margins",
     "beside",
     "columns_of",
@@ -245,12 +260,14 @@ __all__ = [
     "event_line",
     "exemption_words",
     "explain",
+    "farthest",
     "field_names",
     "functions",
     "held_of",
     "is_leaf",
     "is_of_list",
     "is_selected",
+    "is_setting",
     "kind_of",
     "known_count",
     "leaf_truths",
@@ -270,6 +287,9 @@ __all__ = [
     "rule_signals",
     "rule_terms",
     "samplings",
+    "scan_names",
+    "setting_numbers",
+    "settings_of",
     "signal_operands",
     "stand_beside",
     "supports",

@@ -8,6 +8,8 @@ of that is trusted: of a scan that contradicts itself nothing is known (S70).
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeGuard
 
@@ -15,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.core.angles import HALF_TURN, RIGHT_ANGLE
-from rossmarie.ir.model import Array
+from rossmarie.ir.model import Array, Machine
 from rossmarie.ir.path import INVALID, RETURNS, Beams, Path, Sector
 
 TURN = 2.0 * HALF_TURN
@@ -25,6 +27,10 @@ SLACK = 0.01
 
 _MISCOUNT = 1.5
 """The increments by which `angle_max` may be off: drivers disagree by one beam on what it is."""
+
+
+USUAL_DISTANCES = (0.05, 30.0)
+"""The distances in m between which a scan of a test measures, if the test does not say another."""
 
 
 class Scan(Protocol):
@@ -96,6 +102,19 @@ def taken(scan: Scan, array: Array, most: int) -> NDArray[np.float64]:
     raise AssertionError(f"{array.path} is of no scan")
 
 
+def all_taken(machine: Machine, scan: Scan, arrays: Sequence[int]) -> dict[int, list[float]]:
+    """The numbers of these arrays of a machine, which are of this scan; those of which nothing is
+    known are left out.
+    """
+    found: dict[int, list[float]] = {}
+    for index in arrays:
+        array = machine.arrays[index]
+        most = 0 if array.list is None else machine.lists[array.list].most
+        with suppress(UnreadableScanError):
+            found[index] = list(map(float, taken(scan, array, most)))
+    return found
+
+
 def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
     """The readings of a sector that tell something; +inf where nothing is in reach.
 
@@ -104,14 +123,17 @@ def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
     measured = _measured(scan)
     if not _reaches_over(measured, wanted):
         raise UnreadableScanError(f"it does not reach over {wanted}")
-    slack = SLACK * measured.step
-    ahead = measured.angles - wanted.first
-    ahead = ahead - np.floor(ahead / TURN) * TURN
-    is_inside = (ahead <= wanted.width + slack) | (ahead >= TURN - slack)
-    found = np.where(measured.sees_nothing, math.inf, measured.ranges)[is_inside & measured.tells]
+    is_inside = _inside(measured.angles, measured.step, wanted) & measured.tells
+    found = np.where(measured.sees_nothing, math.inf, measured.ranges)[is_inside]
     if not len(found):
         raise UnreadableScanError(f"no beam tells anything in {wanted}")
     return found
+
+
+def beams_inside(scan: Scan, wanted: Sector) -> NDArray[np.bool_]:
+    """The beams of a scan that are in a sector, whatever they tell."""
+    angles = _angles(float(scan.angle_min), float(scan.angle_increment), len(scan.ranges))
+    return _inside(angles, abs(float(scan.angle_increment)), wanted)
 
 
 def beams(scan: Scan, kind: Beams, field: str, most: int) -> NDArray[np.float64]:
@@ -157,13 +179,24 @@ def _measured(scan: Scan) -> _Measured:
     sees_nothing = (ranges > high) | (ranges == math.inf)
     return _Measured(
         ranges,
-        first + np.arange(count, dtype=np.float64) * step,
+        _angles(first, step, count),
         size,
         min(first, first + (count - 1) * step),
         (ranges >= low) & (ranges <= high) & ~sees_nothing,
         ranges == -math.inf,
         sees_nothing,
     )
+
+
+def _angles(first: float, step: float, count: int) -> NDArray[np.float64]:
+    return first + np.arange(count, dtype=np.float64) * step
+
+
+def _inside(angles: NDArray[np.float64], step: float, wanted: Sector) -> NDArray[np.bool_]:
+    slack = SLACK * step
+    ahead = angles - wanted.first
+    ahead = ahead - np.floor(ahead / TURN) * TURN
+    return (ahead <= wanted.width + slack) | (ahead >= TURN - slack)
 
 
 def _reaches_over(measured: _Measured, wanted: Sector) -> bool:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Sequence
 
-from rossmarie.core import RegionFunction, row, sampling_row
+from rossmarie.core import Function, RegionFunction, row, sampling_row
 from rossmarie.ir import model as ir
 from rossmarie.ir.beside import stand_beside
 from rossmarie.ir.feedback import Margin
@@ -23,6 +23,7 @@ from rossmarie.ir.malformed import (
     require_index,
 )
 from rossmarie.ir.path import EACH, Doing, Path, Quantity
+from rossmarie.ir.settings import setting_numbers
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -169,6 +170,9 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Apply(function=function, operands=operands):
                 is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
+                if function in (Function.RAISED, Function.LOWERED):
+                    is_setting = setting_numbers(machine, signal.node) is not None
+                    require(is_setting, where, "a parameter of the node that is none")
             case ir.Sampled(function=function, window_ns=window_ns):
                 if sampling_row(function).takes_time:
                     require_duration(window_ns, where)
@@ -291,7 +295,7 @@ def _require_element_truths(
 
 def _verify_kinds(machine: ir.Machine) -> None:
     """Flags are only tested, or compared with flags, and texts only compared with literals, for
-    equality; a function of a region compares its frames.
+    equality; a function of a region compares its frames, and so does one that asks for a frame.
     """
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
@@ -316,13 +320,19 @@ def _verify_kinds(machine: ir.Machine) -> None:
 
 def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[int, ...]:
     """The operands that are texts: the frame of a point, and that of a region."""
-    if not (isinstance(node, ir.Apply) and isinstance(node.function, RegionFunction)):
-        return ()
-    _, _, seen, wanted = node.operands
+    match node:
+        case ir.Apply(function=RegionFunction(), operands=(_, _, seen, wanted)):
+            pass
+        case ir.Apply(function=Function.SEEN, operands=(_, seen, wanted)) if (
+            kind_of(machine, seen) is ir.Kind.TEXT
+        ):
+            pass
+        case _:  # open: no other function compares texts
+            return ()
     literal = machine.signals[wanted].node
     require(kind_of(machine, seen) is ir.Kind.TEXT, where, "a frame that is no text")
     is_text = isinstance(literal, ir.Constant) and literal.value in range(len(machine.texts))
-    require(is_text, where, "the frame of a region is no text")
+    require(is_text, where, "the wanted frame is no text")
     return (seen, wanted)
 
 

@@ -90,7 +90,7 @@ class Inputs:
         index = self._by_topic.setdefault(used.topic, len(self.channels))
         if index == len(self.channels):
             gaps = self.gaps.get(used.topic)
-            self.channels.append(ir.Channel(used.topic, used.message_type, gaps))
+            self.channels.append(ir.Channel(used.topic, used.message_type, gaps, used.edge))
         return index
 
     def input(self, used: CheckedInput) -> int:

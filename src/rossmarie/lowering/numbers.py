@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import TypeGuard
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedMotion, CheckedProgram, Value
@@ -21,9 +22,10 @@ from rossmarie.core import Measure, RegionFunction, sampling_row
 from rossmarie.lowering.beams import ANGLE, coordinate, is_of_point
 from rossmarie.lowering.braking import way_to_stop
 from rossmarie.lowering.durations import duration_ns
+from rossmarie.lowering.frames import Axis, Frames, is_in_frame
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
-from rossmarie.lowering.wording import shown_unit, words
+from rossmarie.lowering.wording import unit_of, words
 from rossmarie.syntax import ast
 from rossmarie.types import (
     Array,
@@ -86,6 +88,7 @@ class Numbers:
         self._inputs = inputs
         self._nodes = nodes
         self._truth = truth
+        self._frames = Frames(program, inputs, nodes)
         self._elements: dict[str, Place] = {}
 
     def scalar(self, node: ast.Expression) -> int:
@@ -99,8 +102,12 @@ class Numbers:
         if constant is not None:
             return self.constant(constant, constant.numbers, self.shown(node))
         place = self.place(node)
+        if place is not None and self._is_component(node, place):
+            return (self._component(node),)
         if place is not None:
-            return self._read(place, self.type_of(node), self.shown(node))
+            found = self._read(place, self.type_of(node), self.shown(node))
+            setting = place.input.declaration.setting
+            return found if setting is None else self._setting(found, setting, self.shown(node))
         match node:
             case ast.Parenthesized(inner=inner):
                 return self.components(inner)
@@ -121,6 +128,16 @@ class Numbers:
                 | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
             ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
+
+    def _setting(self, given: Components, setting: ast.Constant, shown: Shown) -> Components:
+        """A parameter of the node: what it was given, if that is tighter (S87)."""
+        assert setting.parameter is not None
+        is_up = setting.parameter.tightens is not None and setting.parameter.tightens.text == "up"
+        (usual,) = self._program.values[setting.value].numbers
+        far = ir.farthest(usual, is_up=is_up)
+        operands = *given, self._nodes.constant(usual, shown), self._nodes.constant(far, shown)
+        function = ir.Function.RAISED if is_up else ir.Function.LOWERED
+        return (self._nodes.apply(function, operands, shown),)
 
     def constant(self, value: Value, numbers: tuple[float, ...], shown: Shown) -> Components:
         """The signals of a constant: of its numbers, or of the index of its text."""
@@ -185,12 +202,10 @@ class Numbers:
                 # A std_msgs message stands for its data.
                 data = fields["data"]
                 return self._read(
-                    place.field("data", data), data, replace(shown, unit=shown_unit(data))
+                    place.field("data", data), data, replace(shown, unit=unit_of(data))
                 )
-            case Vector(element=element):
-                return tuple(self._read_part(place, axis, element, shown) for axis in "xyz")
-            case Quaternion():
-                return tuple(self._read_part(place, axis, Quantity(None), shown) for axis in "xyzw")
+            case Vector() | Quaternion():
+                return self._read_vector(place, type_, shown)
             case Array():
                 array = self._inputs.array(place, type_)
                 return (self._nodes.signal(ir.Element(array), shown),)
@@ -199,6 +214,34 @@ class Numbers:
                 | Entry() | Unsupported() | Unknown()
             ):  # fmt: skip
                 return (self._read_scalar(place, type_, shown),)
+
+    def _is_component(self, node: ast.Expression, place: Place) -> TypeGuard[ast.Member]:
+        """Say whether a part of a message is a component of what is seen from a known frame: all of
+        it is needed, then.
+        """
+        if not isinstance(node, ast.Member) or not is_in_frame(place):
+            return False
+        return isinstance(self.type_of(node.value), Vector | Quaternion)
+
+    def _component(self, node: ast.Member) -> int:
+        place, type_ = self.place(node.value), self.type_of(node.value)
+        assert place is not None, "a component is of a part of a message"
+        assert isinstance(type_, Vector | Quaternion), "checked: it has components"
+        parts = self._seen(place, type_, self.shown(node.value))
+        return parts("xyzw".index(node.member.text))
+
+    def _read_vector(self, place: Place, type_: Vector | Quaternion, shown: Shown) -> Components:
+        parts = self._seen(place, type_, shown)
+        return tuple(map(parts, range(3 if isinstance(type_, Vector) else 4)))
+
+    def _seen(self, place: Place, type_: Vector | Quaternion, shown: Shown) -> Axis:
+        """The components of a vector or an orientation, in the frame that the rules want."""
+        element = type_.element if isinstance(type_, Vector) else Quantity(None)
+
+        def arrived(number: int) -> int:
+            return self._read_part(place, "xyzw"[number], element, shown)
+
+        return self._frames.seen(place, type_, arrived, shown) if is_in_frame(place) else arrived
 
     def _read_part(self, place: Place, axis: str, element: Quantity, shown: Shown) -> int:
         part = Shown(f"{shown.text}.{axis}", shown.span, element.unit)
@@ -234,8 +277,8 @@ class Numbers:
         return self._nodes.signal(folded, self.shown(node))
 
     def _is_there(self, node: ast.ListFold) -> int:
-        """The truth that is true of each beam of a scan, and of each point of a cloud: none is without
-        its place.
+        """The truth that is true of each beam of a scan, and of each point of a cloud: without its
+        place there is none.
         """
         points = self.type_of(node.list)
         assert isinstance(points, List), "checked: it is the points of a cloud, or beams"
@@ -346,9 +389,14 @@ class Numbers:
             place = place.field("position", seen)
         assert isinstance(seen, Vector), "checked: it is a position"
         words_of_it = self.shown(position)
-        x, y = (self._read_part(place, axis, seen.element, words_of_it) for axis in "xy")
-        header = Place(place.input, Part(FRAME_OF_HEADER))
-        frame = self._read_scalar(header, Text(), replace(words_of_it, text="frame", unit=None))
+        if is_in_frame(place):
+            parts = self._seen(place, seen, words_of_it)
+            x, y = parts(0), parts(1)
+            frame = self._frames.frame(place, words_of_it)
+        else:
+            x, y = (self._read_part(place, axis, seen.element, words_of_it) for axis in "xy")
+            header = Place(place.input, Part(FRAME_OF_HEADER))
+            frame = self._read_scalar(header, Text(), replace(words_of_it, text="frame", unit=None))
         text = self._nodes.constant(float(self._inputs.text(wanted.text)), wanted)
         return self._nodes.apply(function, (x, y, frame, text), shown)
 
@@ -376,7 +424,7 @@ class Numbers:
 
     def shown(self, node: ast.Expression) -> Shown:
         """The words, the place and the unit of an expression."""
-        return Shown(words(node.span), node.span, shown_unit(self._program.types[node]))
+        return Shown(words(node.span), node.span, unit_of(self._program.types[node]))
 
 
 def _spread(left: Components, right: Components) -> tuple[Components, Components]:

@@ -1,4 +1,4 @@
-"""The user's own words, on one line: what verdicts and generated comments show."""
+"""The user's own words, on one line: what verdicts and generated comments show; and units."""
 
 from __future__ import annotations
 
@@ -38,8 +38,8 @@ def words(span: Span) -> str:
     return _PIECE.sub(lambda piece: piece["literal"] or " ", span.text).strip()
 
 
-def shown_unit(type_: Type) -> Unit | None:
-    """The unit in which numbers of a type are shown."""
+def unit_of(type_: Type) -> Unit | None:
+    """The unit in which a number, or what is made of numbers, is shown."""
     match type_:
         case Quantity(unit=unit):
             return unit

@@ -64,7 +64,7 @@ from rossmarie.recordings.matching import (
     listed,
     with_reasons,
 )
-from rossmarie.recordings.model import Topic, Update
+from rossmarie.recordings.model import FramesFound, Topic, Update
 
 _DELIMITERS = ",;\t"
 _SHOWN = 200
@@ -108,6 +108,10 @@ class CsvRecording:
             raise self._nothing_to_replay(machine, collector)
         readers = [self._reader(*pair, machine) for pair in found if pair[1].used()]
         return batched(machine, self._read(readers, machine, collector))
+
+    def frames(self) -> FramesFound:
+        """None: texts that say a frame are columns as any others."""
+        return FramesFound()
 
     def close(self) -> None:
         """Nothing is held open."""

@@ -6,7 +6,7 @@ those that are not as it expects; where it cannot do it either, it says why.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -61,8 +61,7 @@ class Decoder:
         self, connection: Connection, store: Typestore, wanted: Wanted, texts: Sequence[str]
     ) -> None:
         self._name = full_type(connection.message_type)
-        is_ros1 = connection.encoding == "ros1"
-        self._decode = store.deserialize_ros1 if is_ros1 else store.deserialize_cdr
+        self._message = decoding_of(connection, store)
         self._most = Sizes(store.fielddefs).largest_message(self._name)
         extractor = compile_extractor(store, connection.message_type, wanted, texts)
         self._read, self._found = extractor.read, extractor.found
@@ -124,7 +123,19 @@ class Decoder:
                 found.arrays[array][row] = elements
         return reason
 
-    def _message(self, content: bytes) -> Message:
-        if self._most is not None and len(content) > self._most:
-            raise LimitError(f"it is larger than {self._most >> 20} MiB, and its parts are small")
-        return self._decode(content, self._name)
+
+def decoding_of(connection: Connection, store: Typestore) -> Callable[[bytes], Message]:
+    """The way in which rosbags decodes a message that came by a connection, or by others on its
+    topic. It raises one of `DECODE_FAILURES`, also for a message that is too large.
+    """
+    name = full_type(connection.message_type)
+    is_ros1 = connection.encoding == "ros1"
+    decode = store.deserialize_ros1 if is_ros1 else store.deserialize_cdr
+    most = Sizes(store.fielddefs).largest_message(name)
+
+    def decoded(content: bytes) -> Message:
+        if most is not None and len(content) > most:
+            raise LimitError(f"it is larger than {most >> 20} MiB, and its parts are small")
+        return decode(content, name)
+
+    return decoded

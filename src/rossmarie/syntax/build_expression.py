@@ -329,9 +329,13 @@ class ExpressionBuilder:
         self._report(finding.at(self._at(token)))
         return None
 
-    def name(self, token: Token) -> ast.Name:
-        """A token as a name."""
-        return ast.Name(token.text, self._at(token))
+    def name(self, token: Token | ast.Name) -> ast.Name:
+        """A token as a name; a qualified name is one already."""
+        return token if isinstance(token, ast.Name) else ast.Name(token.text, self._at(token))
+
+    def qualified(self, parts: list[Any]) -> ast.Name:
+        """`NAME`, `NAME.WORD`."""
+        return ast.Name("".join(part.text for part in parts), self._span(parts))
 
     def _unit(self, token: Token) -> ast.Unit:
         return ast.Unit(token.text, self._at(token))

@@ -38,11 +38,15 @@ class TestBuilder(EffectBuilder):
         `expect TOPIC.WORD in RANGE at INSTANT`.
         """
         words = [part.text if isinstance(part, Token) else "" for part in parts]
-        if words[2] not in ("active", "inactive"):
+        behind = 2
+        while words[behind] == ".":
+            behind += 2
+        if words[behind] not in ("active", "inactive"):
             return self._command_expectation(parts, words.index("in", 2))
-        at, stretch = _when(parts[3:])
-        is_active = words[2] == "active"
-        return ast.Expectation(self.name(parts[1]), is_active, at, stretch, self._span(parts))
+        at, stretch = _when(parts[behind + 1 :])
+        is_active = words[behind] == "active"
+        rule = self.qualified(parts[1:behind])
+        return ast.Expectation(rule, is_active, at, stretch, self._span(parts))
 
     def _command_expectation(self, parts: list[Any], middle: int) -> ast.CommandExpectation:
         """A field may be called as any word is, `in` as well."""

@@ -25,11 +25,13 @@ from rossmarie.syntax.words import (
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
     {"when", "until", "timeout", "then", "clear", "latched", "unless", "while", "always"}
-    | {"keeps", "category", "task", "feedback", "mitigates"}
+    | {"keeps", "category", "task", "feedback", "mitigates", "with", "as", "tightens"}
 )
+_CONTINUED = frozenset({"rule", "input", "import_item", "parameter"})
 _JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
+_BEHIND_NAME_OF = {"motion": ("{",), "zone": ("in", "{"), "parameter": ("=", "in")}
 # Words that do not make a declaration of the unknown word in front of them, as `imu` does in
 # `entitty imu`: behind a name they carry on, or begin, something else.
 _NEVER_DECLARED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
@@ -115,17 +117,16 @@ class _Cutter:
         before = self._tokens[index - 1]
         if token.text == "hazard":
             return self._is_word(index + 1) and self._is_kind(index + 2, "text")
-        if token.text == "motion":
-            return self._is_word(index + 1) and self._text(index + 2) == "{"
-        if token.text == "zone":
-            return self._is_word(index + 1) and self._text(index + 2) in ("in", "{")
+        if token.text in _BEHIND_NAME_OF:
+            is_named = self._is_word(index + 1)
+            return is_named and self._text(index + 2) in _BEHIND_NAME_OF[token.text]
         if token.text == "always":
             return self._text(index + 1) == "if" and before.text != ":"
         if token.text in CONTEXTUAL_ITEM_WORDS:
             if token.text in ("test", "skills"):
                 is_apart = depth == 0 or self._source.begins_line(index)
                 return is_apart and self._is_kind(index + 1, "text")
-            return self._is_word(index + 1) and self._text(index + 2) == "over"
+            return self._is_word(index + 1) and self._text(self._behind_name(index + 1)) == "over"
         if token.text not in ITEM_WORDS:
             return False
         if before.text == "." and not self._is_word(index + 1):
@@ -139,6 +140,13 @@ class _Cutter:
         is_head = before.text in ITEM_WORDS and before.text != "if"
         is_name = is_head and not self._is_field(index - 1)
         return self._source.begins_line(index) or (self._ends_item(index - 1) and not is_name)
+
+    def _behind_name(self, index: int) -> int:
+        """The token behind a name and the dots and words that follow it."""
+        index += 1
+        while self._text(index) == ".":
+            index += 2
+        return index
 
     def _is_exempting(self, index: int) -> bool:
         """Say whether the `then` in front of a token belongs to an `unless doing SKILL`."""
@@ -157,7 +165,7 @@ class _Cutter:
         is_joined = not _JOINING.isdisjoint((token.text, before.text))
         if is_unfinished or is_joined or not self._ends_item(index - 1):
             return False
-        if kind in ("rule", "input") and {token.text, before.text} & _CONTINUATIONS:
+        if kind in _CONTINUED and {token.text, before.text} & _CONTINUATIONS:
             is_stray = token.text == "when" and before.text not in _CONTINUATIONS
             return is_stray and self._names_something(index + 1)
         if token.text == "topic":

@@ -189,11 +189,11 @@ class _Formatter:
             case ast.Rule():
                 return _Entry(self._lines(start, end, ";", indent), start, end, group, True)
             case (
-                ast.Import() | ast.Skills() | ast.Action() | ast.Constant() | ast.Input()
-                | ast.Priority() | ast.Hazard() | ast.Condition() | ast.Shape()
+                ast.Import() | ast.Skills() | ast.Parameter() | ast.Action() | ast.Constant()
+                | ast.Input() | ast.Priority() | ast.Hazard() | ast.Condition() | ast.Shape()
                 | ast.TopicDeclaration()
                 | ast.ServiceDeclaration() | ast.ServerDeclaration() | ast.ResourceDeclaration()
-                | ast.UnitDeclaration() | ast.MessagesDeclaration()
+                | ast.UnitDeclaration() | ast.MessagesDeclaration() | ast.FrameDeclaration()
             ):  # fmt: skip
                 return _Entry(self._lines(start, end, ";", indent), start, end, group)
 

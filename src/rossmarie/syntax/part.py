@@ -21,10 +21,12 @@ from rossmarie.syntax.walk import depth, expressions
 _ITEMS = (
     ast.Action,
     ast.Constant,
+    ast.Import,
     ast.Input,
     ast.Entity,
     ast.Condition,
     ast.Motion,
+    ast.Parameter,
     ast.Shape,
     ast.Zone,
     ast.Rule,

@@ -72,6 +72,9 @@ def _recover_simple(part: PartParser, item: Stretch) -> ast.Item | None:
     if item.kind == "constant":
         value = part.broken(item.first + 3, item.last, name.span)
         return ast.Constant(name, value, documentation, span)
+    if item.kind == "parameter":
+        value = part.broken(item.first + 3, item.last, name.span)
+        return ast.Parameter(name, value, None, documentation, span)
     if item.kind == "hazard":
         return ast.Hazard(name, ast.Text("", name.span), documentation, span)
     unreadable = ast.Name("", name.span)

@@ -53,9 +53,8 @@ class Style:
         match item:
             case ast.Input():
                 self._input(item)
-            case ast.System(members=members):
-                for member in members:
-                    self._member(member)
+            case ast.System() | ast.Action() | ast.Test():
+                self._inside(item)
             case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
                 for condition in conditions:
                     self._operators(condition.expression)
@@ -63,18 +62,37 @@ class Style:
                 self._zone(item)
             case ast.Rule():
                 self._rule(item)
+            case ast.Import() | ast.Parameter():
+                self._parameters(item)
+            case ast.Skills() | ast.Constant() | ast.Priority() | ast.Hazard():
+                pass
+
+    def _inside(self, item: ast.System | ast.Action | ast.Test) -> None:
+        """The parts of an item with braces, one by one."""
+        match item:
+            case ast.System(members=members):
+                for member in members:
+                    self._member(member)
             case ast.Action(effects=effects):
                 self._effects(effects)
             case ast.Test(statements=statements):
                 for statement in statements:
                     self._statement(statement)
-            case (
-                ast.Import() | ast.Skills() | ast.Constant() | ast.Priority() | ast.Hazard()
-            ):  # fmt: skip
-                pass
 
     def _word(self, *words: ast.Name | ast.Unit | None) -> None:
         self.words.update((word.span.start, word.span.end) for word in words if word is not None)
+
+    def _parameters(self, item: ast.Import | ast.Parameter) -> None:
+        """Break an import in front of `with`, each value and `as`."""
+        if isinstance(item, ast.Parameter):
+            self._word(item.unit, item.default if isinstance(item.default, ast.Name) else None)
+            return
+        self._word(*(each.value for each in item.given if isinstance(each.value, ast.Name)))
+        for each in item.given[1:]:
+            self.breaks[each.span.start] = _OPERATOR
+        for name in (*item.given[:1], *(() if item.alias is None else (item.alias,))):
+            word = self.source.tokens[self.index(name.span.start) - 1]
+            self.breaks[word.start] = _PART
 
     def _input(self, item: ast.Input) -> None:
         self._word(item.topic, item.message_type, item.unit)
@@ -107,7 +125,7 @@ class Style:
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
-            case ast.MessagesDeclaration():
+            case ast.MessagesDeclaration() | ast.FrameDeclaration():
                 pass
 
     def _effects(self, effects: Sequence[ast.Effect]) -> None:

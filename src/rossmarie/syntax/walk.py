@@ -77,39 +77,62 @@ def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Express
     match item:
         case ast.Constant(value=value):
             yield value
-        case ast.Input(timeout=timeout) if timeout is not None:
+        case ast.Parameter() | ast.Import():
+            yield from _of_parameters(item)
+        case ast.Input(timeout=timeout) | ast.Skills(timeout=timeout) if timeout is not None:
             yield timeout
         case ast.Condition(expression=expression):
             yield expression
         case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
             yield from (condition.expression for condition in conditions)
         case ast.Shape() | ast.Zone():
-            yield from _of_zone(item)
-        case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
-            yield condition
-            yield from item.scope
-            yield from chain.from_iterable(map(_of_exemption, item.exemptions))
-            yield from chain.from_iterable(map(_of_contract, contracts))
-            yield from () if item.keeps is None else (item.keeps.speed,)
-            yield from (each.amount for each in feedback if isinstance(each, ast.Feedback))
+            shapes = item.shapes if isinstance(item, ast.Zone) else (item,)
+            yield from chain.from_iterable(map(_of_shape, shapes))
+        case ast.Rule():
+            yield from _of_rule(item)
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))
         case ast.System(members=members):
-            declared = (each for each in members if isinstance(each, ast.TopicDeclaration))
-            yield from (each.rate for each in declared if each.rate is not None)
+            yield from chain.from_iterable(map(_of_member, members))
         case ast.Test(statements=statements):
             yield from chain.from_iterable(map(_of_statement, statements))
-        case ast.Skills(timeout=timeout) if timeout is not None:
-            yield timeout
-        case ast.Import() | ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
+        case ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
             pass
 
 
-def _of_zone(item: ast.Shape | ast.Zone) -> Iterator[ast.Expression]:
-    for shape in item.shapes if isinstance(item, ast.Zone) else (item,):
-        yield from shape.brackets
-        if shape.radius is not None:
-            yield shape.radius
+def _of_shape(shape: ast.Shape) -> Iterator[ast.Expression]:
+    yield from shape.brackets
+    if shape.radius is not None:
+        yield shape.radius
+
+
+def _of_rule(rule: ast.Rule) -> Iterator[ast.Expression]:
+    yield rule.condition
+    yield from rule.scope
+    yield from chain.from_iterable(map(_of_exemption, rule.exemptions))
+    yield from chain.from_iterable(map(_of_contract, rule.contracts))
+    yield from () if rule.keeps is None else (rule.keeps.speed,)
+    yield from (each.amount for each in rule.feedback if isinstance(each, ast.Feedback))
+
+
+def _of_parameters(item: ast.Parameter | ast.Import) -> Iterator[ast.Expression]:
+    """The default of a parameter, or the values that an import gives; topics are none."""
+    values: tuple[ast.Expression | ast.Name | None, ...]
+    match item:
+        case ast.Import(given=given):
+            values = tuple(each.value for each in given)
+        case ast.Parameter(default=default):
+            values = (default,)
+    yield from (each for each in values if each is not None and not isinstance(each, ast.Name))
+
+
+def _of_member(member: ast.SystemMember) -> Iterator[ast.Expression]:
+    found: tuple[ast.Expression | None, ...] = ()
+    if isinstance(member, ast.TopicDeclaration):
+        found = (member.rate,)
+    elif isinstance(member, ast.FrameDeclaration):
+        found = (member.at, member.turned, member.timeout)
+    yield from (expression for expression in found if expression is not None)
 
 
 def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:

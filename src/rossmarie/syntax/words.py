@@ -26,6 +26,7 @@ CONTEXTUAL_ITEM_WORDS = {
     "zone": "zone",
     "test": "test",
     "skills": "skills",
+    "parameter": "parameter",
     "always": "rule",
 }
 """Likewise, but free as names elsewhere."""
@@ -59,19 +60,21 @@ MEMBER_WORDS = {
     "resource": "resource_declaration",
     "unit": "unit_declaration",
     "messages": "messages_declaration",
+    "frame": "frame_declaration",
     "node": "node",
 }
 """The words that begin a declaration inside a system."""
 
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
-    | {"names"}
+    | {"names", "from", "turned"}
     | {"unless", "category", "task", "feedback", "per", "activation", "margin", "mitigates"}
     | {"keeps", "below"}
     | {"box", "circle", "polygon", "radius"}
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
     | {"doing", "ahead", "while", "always"}
+    | {"with", "as", "tightens"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -114,7 +117,10 @@ FORMS = {
     "module": "a file consists of imports, systems, actions, constants, inputs, entities and rules",
     "actions": "actions are written `{ ACTION; ACTION; }`",
     "step": "actions are written `{ ACTION; also ACTION else ACTION; }`",
-    "import_item": 'an import is written `import "FILE.ross";`',
+    "import_item": 'an import is written `import "FILE.ross";` or '
+    '`import "FILE.ross" with PARAMETER = VALUE, PARAMETER = VALUE as NAME;`',
+    "parameter": "a parameter is written `parameter NAME = 0.5 m;`, `parameter NAME in m;`, "
+    "`parameter NAME = topic /TOPIC;` or `parameter NAME = 0.5 m tightens up;`",
     "system": "a system is written `system NAME { topic /TOPIC : PACKAGE/TYPE; }`",
     "action": "an action is written `action NAME;` or `action NAME { EFFECT; EFFECT; }`",
     "skills": 'the skills are named by `skills "skills.json";`',
@@ -150,6 +156,8 @@ FORMS = {
     "resource_declaration": "a resource is declared as `resource NAME : /TOPIC, /SERVER;`",
     "unit_declaration": "the unit of a field is declared as `unit PACKAGE/TYPE.FIELD = rad/s;`",
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
+    "frame_declaration": "a frame is declared as `frame NAME in PARENT timeout 0.2 sec;`, or as "
+    "`frame NAME in PARENT at [0.3, 0, 0.5] m turned [0, 20, 180] deg;` where it stays",
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
     "motion": "a motion is written "

@@ -38,9 +38,12 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Vector:
-    """Three numbers x, y, z of one unit (geometry_msgs Vector3, Point, Point32)."""
+    """Three numbers x, y, z of one unit (geometry_msgs Vector3, Point, Point32). A position is a
+    place in its frame; any other one is only a direction and a length.
+    """
 
     element: Quantity
+    is_position: bool = field(default=False, compare=False)
 
 
 @dataclass(frozen=True)

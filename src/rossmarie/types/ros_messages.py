@@ -44,7 +44,10 @@ UnitOverrides = Mapping[tuple[str, FieldPath], Unit]
 Level = tuple[str, FieldPath]
 """A message that encloses a field, and the path to the field from there."""
 
-VECTORS = frozenset(("geometry_msgs/Vector3", "geometry_msgs/Point", "geometry_msgs/Point32"))
+POSITIONS = frozenset(("geometry_msgs/Point", "geometry_msgs/Point32"))
+VECTORS = POSITIONS | {"geometry_msgs/Vector3"}
+_TRANSLATION = ("geometry_msgs/Transform", ("translation",))
+"""A vector that is a position all the same."""
 QUATERNION = "geometry_msgs/Quaternion"
 INSTANTS = frozenset(("builtin_interfaces/Time", "builtin_interfaces/Duration"))
 _MOST_FIELDS = 20_000
@@ -252,7 +255,7 @@ class MessageCatalog:
             for (name, (*before, field)), unit in self._overrides.items():
                 if (name, tuple(before)) == (outer, path) and field not in AXES:
                     known.setdefault(field, Quantity(unit))
-        return Point(Quantity(self._unit(levels)), known)
+        return Point(Quantity(self._unit(levels)), is_position=True, fields=known)
 
     def _type(self, field: Field, levels: tuple[Level, ...], is_element: bool) -> Type:
         base = field.base
@@ -267,7 +270,8 @@ class MessageCatalog:
         if base == QUATERNION:
             return Quaternion()
         if base in VECTORS:
-            return Vector(Quantity(self._unit((*levels, (base, ())))))
+            is_position = base in POSITIONS or _TRANSLATION in levels
+            return Vector(Quantity(self._unit((*levels, (base, ())))), is_position)
         if "/" not in base:
             return Quantity(self._unit(levels), _LIMITS.get(base))
         return self._nested(base, levels, is_element)
@@ -288,7 +292,8 @@ class MessageCatalog:
         if base == QUATERNION:
             return List(Quaternion())
         if base in VECTORS:
-            return List(Vector(Quantity(self._unit((*levels, (base, ()))))))
+            quantity = Quantity(self._unit((*levels, (base, ()))))
+            return List(Vector(quantity, base in POSITIONS))
         element = self._nested(base, levels, is_element=True)
         return List(element) if isinstance(element, Message) else element
 
@@ -341,7 +346,8 @@ def message_value(message: Message) -> Type:
     """The value of a whole message: a vector, a quaternion, else the message itself."""
     if message.name in VECTORS:
         element = message.fields["x"]
-        return Vector(element) if isinstance(element, Quantity) else message
+        is_position = message.name in POSITIONS
+        return Vector(element, is_position) if isinstance(element, Quantity) else message
     return Quaternion() if message.name == QUATERNION else message
 
 

@@ -59,7 +59,7 @@ def near_right_angles(chance: random.Random, most: float) -> float:
 
 
 @pytest.mark.parametrize(("most", "bound"), [(1e3, BOUND), (sines.LARGEST, FAR_BOUND)])
-def test_both_are_near_the_exact_ones(most: float, bound: float) -> None:
+def test_s69_both_are_near_the_exact_ones(most: float, bound: float) -> None:
     assert 0.5 < max(map(error, angles(random.Random(1), most))) < bound
 
 
@@ -81,7 +81,7 @@ def test_numbers_that_everybody_knows(
 
 
 @pytest.mark.parametrize("angle", [sines.LARGEST, -1e7, math.inf, -math.inf, math.nan])
-def test_of_an_angle_that_is_too_large_both_are_unknown(angle: float) -> None:
+def test_s69_of_an_angle_that_is_too_large_both_are_unknown(angle: float) -> None:
     assert math.isnan(sine(angle))
     assert math.isnan(cosine(angle))
 

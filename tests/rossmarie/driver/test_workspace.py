@@ -209,6 +209,40 @@ def test_nothing_beside_the_library_is_found_by_its_name(tmp_path: Path) -> None
     assert result.diagnostics[1].help == "did you mean `deros.ross`?"
 
 
-@pytest.mark.parametrize("path", sorted(LIBRARY.glob("*.ross")), ids=lambda path: path.name)
+def test_folders_of_the_library_are_found(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_text('import "rossmarie/base/tilt.ross";\n')
+    result = check_file(main)
+    assert codes(result) == []
+    assert [Path(module.file.path) for module in result.modules[:-1]] == [
+        LIBRARY / "deros.ross",
+        LIBRARY / "base" / "tilt.ross",
+    ]
+
+
+def test_a_name_beside_one_in_a_folder_of_the_library_is_proposed(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_text('import "rossmarie/base/tlit.ross";\nimport "rossmarie/base/../tilt.ross";\n')
+    result = check_file(main)
+    assert codes(result) == ["ROSS803", "ROSS803"]
+    assert result.diagnostics[0].help == "did you mean `tilt.ross`?"
+
+
+def test_the_library_uses_a_copy_of_its_own_files_beside_the_rules(tmp_path: Path) -> None:
+    (tmp_path / "rossmarie").mkdir()
+    own = tmp_path / "rossmarie" / "deros.ross"
+    own.write_text((LIBRARY / "deros.ross").read_text().replace("/cmd_vel", "/robot/cmd_vel"))
+    main = tmp_path / "main.ross"
+    main.write_text('import "rossmarie/base/tilt.ross";\n')
+    result = check_file(main)
+    assert codes(result) == []
+    assert Path(result.modules[0].file.path) == own
+
+
+@pytest.mark.parametrize(
+    "path",
+    sorted(LIBRARY.rglob("*.ross")),
+    ids=lambda path: path.relative_to(LIBRARY).as_posix(),
+)
 def test_the_library_is_in_the_one_layout(path: Path) -> None:
     assert format_module(check_file(path).modules[-1]) == path.read_text(encoding="utf-8")

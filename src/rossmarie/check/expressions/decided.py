@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rossmarie.check.expressions.errors import ConstantCondition, NeverCleared
+from rossmarie.check.expressions.parameters import rests_on_parameter
 from rossmarie.check.operations.elements import Temporal
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, stripped
@@ -33,6 +34,8 @@ def warn_of_decided(expression: ast.Expression, context: Context) -> None:
     while pending:
         node, is_whole = pending.pop()
         outcome = outcomes.get(node)
+        if outcome is not None and rests_on_parameter(node, context):
+            continue  # with another value of the parameter it may come out otherwise
         if outcome is not None and (is_whole or not _is_switch(node, context)):
             _report(node, "true" if outcome else "false", context)
         elif is_whole and _is_apart(node, context):

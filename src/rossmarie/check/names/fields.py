@@ -91,7 +91,7 @@ def with_unit(type_: Type, unit: Unit) -> Type | None:
     if isinstance(type_, Quantity):
         return replace(type_, unit=unit)
     if isinstance(type_, Vector):
-        return Vector(Quantity(unit))
+        return replace(type_, element=Quantity(unit))
     if isinstance(type_, Array) and isinstance(type_.element, Quantity):
         return replace(type_, element=replace(type_.element, unit=unit))
     return None

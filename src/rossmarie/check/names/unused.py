@@ -13,6 +13,7 @@ from rossmarie.syntax import ast
 
 _REASONS: Mapping[str, str] = {
     "constant": "nothing is compared with it",
+    "parameter": "nothing is compared with it",
     "input": "no condition reads it",
     "action": "no rule starts it",
     "entity": "no rule rests on it",

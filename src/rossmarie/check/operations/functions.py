@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
-from rossmarie.check.names.regions import check_frame
+from rossmarie.check.names.frames import check_one_frame
+from rossmarie.check.names.regions import check_frame_of_region
 from rossmarie.check.operations.amounts import AMOUNTS, type_of_amount
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
-from rossmarie.check.operations.elements import check_elements
+from rossmarie.check.operations.elements import check_elements, warn_of_raw_readings
 from rossmarie.check.operations.errors import DurationOutOfRange, NotAnArray
 from rossmarie.check.operations.function_errors import (
     OscillationCount,
@@ -107,6 +108,7 @@ _TIMES: Mapping[Operator, str] = {
 }
 """The functions that take a constant time, and what it is to them."""
 _MOST_FIELDS = 4
+_OF_ONE_FRAME = frozenset({Operator.DISTANCE, Operator.HYPOT, Operator.MIN, Operator.MAX})
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
 _EXTREMES = frozenset({Operator.MIN, Operator.MAX})
 
@@ -193,6 +195,7 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
     outcome = apply(operator, type_)
     if not outcome.faults:
         check_elements(node, context)
+        warn_of_raw_readings(node, context)
     elif operator in _QUANTIFIERS and isinstance(type_, Array):
         _report_argument(node, argument, "a condition on the elements", context)
     elif operator in _EXTREMES and isinstance(type_, Array):
@@ -250,7 +253,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
         if operator is Operator.STOPPING:
             return _stopping(node, outcome.type, context)
         if operator is Operator.DISTANCE and isinstance(types[1], Region):
-            return outcome.type if check_frame(node.arguments[0], context) else Unknown()
+            is_known = check_frame_of_region(node.arguments[0], node.arguments[1], context)
+            return outcome.type if is_known else Unknown()
     elif operator is not Operator.ABS:
         arrays = [
             argument
@@ -261,7 +265,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
             report_array(argument, context)
         if arrays:
             return Unknown()
-    return applied(operator, node.arguments, context)
+    is_mixed = operator in _OF_ONE_FRAME and not check_one_frame(node.arguments, context)
+    return Unknown() if is_mixed else applied(operator, node.arguments, context)
 
 
 def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:

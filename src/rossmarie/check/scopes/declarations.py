@@ -27,6 +27,7 @@ KINDS: Mapping[type[object], str] = {
 ARTICLES: Mapping[str, str] = {
     "action": "an action",
     "constant": "a constant",
+    "parameter": "a parameter",
     "input": "an input",
     "entity": "an entity",
     "motion": "a motion",
@@ -36,7 +37,9 @@ ARTICLES: Mapping[str, str] = {
 
 def kind_of(item: Named) -> str:
     """`constant` for a constant."""
-    return KINDS[type(item)]
+    constant = item.setting if isinstance(item, ast.Input) else item
+    is_parameter = isinstance(constant, ast.Constant) and constant.parameter is not None
+    return "parameter" if is_parameter else KINDS[type(item)]
 
 
 @dataclass(frozen=True)

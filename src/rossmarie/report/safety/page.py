@@ -84,17 +84,17 @@ class _Lines:
     """Where a span is in the page: the anchor of its line, and what a link to it says."""
 
     def __init__(self, content: SafetyFile) -> None:
-        self._places = {source.file: place for place, source in enumerate(content.sources)}
+        self._places = {source.file.path: place for place, source in enumerate(content.sources)}
         self._names = [source.name for source in content.sources]
 
     def anchor(self, span: Span) -> str | None:
         """The identifier of the line; None if its file is not in the page."""
-        place = self._places.get(span.file)
+        place = self._places.get(span.file.path)
         return None if place is None else f"file-{place}-line-{span.begin.line}"
 
     def words(self, span: Span) -> str:
         """`line 27`, with the file if it is not the main one, which is the last."""
-        place = self._places.get(span.file)
+        place = self._places.get(span.file.path)
         if place is None or place == len(self._names) - 1:
             return f"line {span.begin.line}"
         return f"{self._names[place]}, line {span.begin.line}"

@@ -62,6 +62,7 @@ from rossmarie.syntax.ast.expressions import (
     UnaryOperator,
     Unit,
 )
+from rossmarie.syntax.ast.imports import Given, Import, Parameter
 from rossmarie.syntax.ast.items import (
     Action,
     ClearFor,
@@ -72,8 +73,8 @@ from rossmarie.syntax.ast.items import (
     Entity,
     Exemption,
     Feedback,
+    FrameDeclaration,
     Hazard,
-    Import,
     Input,
     Item,
     Keeps,
@@ -144,6 +145,8 @@ __all__ = [
     "FieldAssignment",
     "FieldBound",
     "FieldPath",
+    "FrameDeclaration",
+    "Given",
     "Hazard",
     "Held",
     "Hook",
@@ -168,6 +171,7 @@ __all__ = [
     "Once",
     "OperatorReset",
     "Oscillates",
+    "Parameter",
     "Parenthesized",
     "Passed",
     "Position",

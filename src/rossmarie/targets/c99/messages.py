@@ -85,9 +85,15 @@ class Messages:
         return "\n".join(parts)
 
     def _constants(self) -> str:
-        """Compute, once, what rests on constants only."""
+        """Compute, once, what rests on constants only, or on a parameter that has its default."""
         pieces = (*self.expressions.signals(), *self.expressions.tests())
-        lines = [line for piece in pieces if not piece.channels for line in piece.lines]
+        given = {each.channel for each in ir.settings_of(self._layout.machine)}
+        lines = [
+            line
+            for piece in pieces
+            if not piece.channels or piece.channels & given
+            for line in piece.lines
+        ]
         if not lines:
             return "static void set_constants(monitor *m) { (void)m; }\n"
         return f"static void set_constants(monitor *m)\n{{\n{indented(lines)}\n}}\n"

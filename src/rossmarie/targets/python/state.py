@@ -11,6 +11,7 @@ from rossmarie import ir
 from rossmarie.core import sampling_row
 from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.elements import inputs_of, results
+from rossmarie.targets.python.expressions import applied
 from rossmarie.targets.python.function import Function
 from rossmarie.targets.python.layout import Group, Layout
 
@@ -23,9 +24,7 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     yield from ((f"calm_{channel}", "EARLIEST") for channel in calm_channels(layout))
     yield from ((f"stamp_{channel}", "0") for channel in sorted(layout.stamped))
     yield from ((f"x{slot}", "NAN") for slot in range(len(layout.machine.slots)))
-    for index in layout.signals:
-        if not isinstance(layout.machine.signals[index].node, ir.Constant | ir.Read):
-            yield f"s{index}", "NAN"
+    yield from _signals(layout)
     for array in range(len(layout.machine.arrays)):
         yield from (pair for pair in results(layout, array).items() if pair[0].startswith("q"))
         if layout.is_kept(array):
@@ -46,6 +45,19 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     yield from ((f"t{index}", "-1") for index in layout.kept)
     yield from ((f"d{index}", "0") for index in sorted(layout.terms))
     yield from ((f"active_{rule}", "False") for rule in range(len(layout.machine.rules)))
+
+
+def _signals(layout: Layout) -> Iterator[tuple[str, str]]:
+    """They are unknown, but for what a parameter of the node alone decides (S87)."""
+    given = {each.channel for each in ir.settings_of(layout.machine)}
+    for index in layout.signals:
+        node = layout.machine.signals[index].node
+        if isinstance(node, ir.Constant | ir.Read):
+            continue
+        if isinstance(node, ir.Apply) and layout.supports.signals[index].channels & given:
+            yield f"s{index}", applied(layout, node, layout.value)
+        else:
+            yield f"s{index}", "NAN"
 
 
 # --- inputs that grow old --------------------------------------------------------------------

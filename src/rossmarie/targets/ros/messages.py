@@ -17,7 +17,7 @@ from rossmarie.targets.ros.dialect import Dialect, Interface
 
 def types_of(machine: ir.Machine) -> list[str]:
     """The types of all messages that come in or go through the filter, sorted."""
-    used = {channel.message_type for channel in machine.channels}
+    used = {channel.source_type for channel in machine.channels}
     return sorted(used | {command.message_type for command in machine.reactions.commands})
 
 
@@ -54,18 +54,40 @@ def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
     lines += [line for field in fields for line in _points(layout, name, field, fields)]
     lines += [line for field in fields for line in _beams(layout, name, field, fields)]
     has_array = any(field.array is not None for field in fields)
-    message = f"const Message &{'message' if fields else ''}"
+    edge = topic.edge
+    message = "const Message &"
+    if fields:
+        message += "message" if edge is None else "all"
+    if edge is not None and fields:
+        lines.insert(0, f"const auto &message = *{_transform(edge)};")
     timeout = types.duration(_timeout(layout, channel))
     arrays = "Arrays &arrays" if has_array else "Arrays &"
     return (
         f"// {topic.topic}: {topic.message_type}\n"
         f"struct {word} {{\n"
-        f"    using Message = {dialect.cpp_type(topic.message_type, Interface.MESSAGE)};\n"
-        f"    static constexpr const char *topic = {names.relative(topic.topic)};\n"
+        f"    using Message = {dialect.cpp_type(topic.source_type, Interface.MESSAGE)};\n"
+        f"    static constexpr const char *topic = {names.heard(topic)};\n"
         f"    static constexpr int64_t timeout_ns = {timeout};\n\n"
         f"    static void fill({layout.name}_values &values, {arrays}, {message})\n"
-        f"    {{\n{indented([f'values.has_{name} = true;', *lines], 2)}\n    }}\n}};\n\n"
+        f"    {{\n{indented([f'values.has_{name} = true;', *lines], 2)}\n    }}\n"
+        f"{_has(edge)}}};\n\n"
     )
+
+
+def _has(edge: ir.Edge | None) -> str:
+    """The function that says whether a message has the transform of a channel."""
+    if edge is None:
+        return ""
+    return (
+        "\n    static bool has(const Message &all)\n"
+        f"    {{\n        return {_transform(edge)} != nullptr;\n    }}\n"
+    )
+
+
+def _transform(edge: ir.Edge) -> str:
+    """The transform in the message `all`, as C++."""
+    frames = c99_names.string(edge.parent), c99_names.string(edge.child)
+    return f"transform_in(all, {', '.join(frames)})"
 
 
 def _timeout(layout: Layout, channel: int) -> int:

@@ -165,6 +165,7 @@ class PackageWriter:
         used += ["clouds.h"] if any(ir.POINTS in each.path for each in self._machine.lists) else []
         used += ["scans.h"] if any(is_of_scan(each) for each in self._machine.arrays) else []
         used += ["skills.h"] if self._asks_skills() else []
+        used += ["transforms.h"] if any(each.edge for each in self._machine.channels) else []
         used += [part.header for part in self._parts()]
         return sorted(["hooks.h", *(f"{runtime.FOLDER}/{header}" for header in used)])
 

@@ -1,0 +1,111 @@
+"""Mistakes in parameters, and in imports that give them values."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class ImportedAs(Remark):
+    """The label of an import that leads to the place of a finding."""
+
+    says = "imported here as `{name}`"
+    name: str
+
+
+class ImportedWith(Remark):
+    """Likewise, without a name."""
+
+    says = "imported here with these values"
+
+
+class UnknownParameter(Error, code="ROSS153", name="unknown-parameter"):
+    """A value for a parameter that the imported file does not have."""
+
+    title = "`{path}` has no parameter `{identifier}`"
+    label = "nothing takes this value"
+    path: str
+    identifier: str
+
+    class Known(Remark):
+        says = "its parameters are {known}"
+        known: str
+
+    class NoneThere(Remark):
+        says = "it has no parameters; names are given to numbers there by `parameter NAME = 1 m;`"
+
+
+class MissingParameter(Error, code="ROSS154", name="missing-parameter"):
+    """A parameter without a value."""
+
+    title = "parameter `{identifier}` has no value"
+    label = "{reason}"
+    note = "no number is right for every robot, so this parameter has no default"
+    help = "{place}: `with {identifier} = {example}`"
+    identifier: str
+    reason: str
+    place: str
+    example: str
+
+    class Declared(Remark):
+        says = "declared here, without a default"
+
+
+class ParameterMismatch(Error, code="ROSS155", name="parameter-mismatch"):
+    """A value of another kind or unit than the parameter has."""
+
+    title = "parameter `{identifier}` is {expected}, not {found}"
+    label = "this is {found}"
+    identifier: str
+    expected: str
+    found: str
+
+    class Declared(Remark):
+        says = "declared here as {expected}"
+        expected: str
+
+
+class ValuesTwice(Error, code="ROSS156", name="values-twice"):
+    """Two values for one parameter of one file."""
+
+    title = "{subject} is given twice"
+    label = "given again here"
+    help = "{advice}"
+    subject: str
+    advice: str
+
+    class First(Remark):
+        says = "first given here"
+
+
+class EndlessImport(Error, code="ROSS157", name="endless-import"):
+    """Imports under names that lead back to themselves, or to more files than a robot has rules."""
+
+    title = "{problem}"
+    label = "{reason}"
+    note = "each import under a name adds the names of its file once more"
+    help = "import the file without `as`, or move what is needed into a file of its own"
+    problem: str
+    reason: str
+
+
+class CannotTighten(Error, code="ROSS158", name="cannot-tighten"):
+    """A parameter of the running node, with which a rule could be less strict."""
+
+    title = "a parameter that tightens could loosen this"
+    label = "{reason}"
+    note = (
+        "the running node may set such a parameter, so a rule with a tighter value must be active "
+        "whenever it is active with the default, and must not clear earlier"
+    )
+    help = "turn the comparison, or the word behind `tightens`; or leave out `tightens`"
+    reason: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownParameter,
+    MissingParameter,
+    ParameterMismatch,
+    ValuesTwice,
+    EndlessImport,
+    CannotTighten,
+)

@@ -1,0 +1,253 @@
+"""The files of a program, as they were parsed -> its modules, in which each name stands for one
+thing: files that are imported under a name have their names in a space of their own, and each
+parameter is a constant, or the topic that it stands for.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from dslkit.diagnostics import Collector, DidYouMean, listed
+from dslkit.source import SourceFile
+from rossmarie.check.instances.errors import (
+    MissingParameter,
+    ParameterMismatch,
+    UnknownParameter,
+    ValuesTwice,
+)
+from rossmarie.check.instances.rewrite import Rewriter
+from rossmarie.check.instances.spaces import Imported, Instances, Path, Space
+from rossmarie.check.scopes.declarations import report_second
+from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.wording.suggestions import MOST_COMPARISONS, near_name, rename
+from rossmarie.syntax import ast
+
+TOPIC, VALUE = "a topic", "a value"
+
+
+def instantiate(
+    files: Sequence[Imported], collector: Collector
+) -> tuple[list[ast.Module], Instances]:
+    """The modules of `files`, in their order; the main one is the last."""
+    if not any(_concerns(item) for each in files for item in each.module.items):
+        return [each.module for each in files], Instances()
+    return _Program(files, collector).modules()
+
+
+def _concerns(item: ast.Item) -> bool:
+    if isinstance(item, ast.Import):
+        return bool(item.given) or item.alias is not None
+    return isinstance(item, ast.Parameter)
+
+
+class _Program:
+    def __init__(self, files: Sequence[Imported], collector: Collector) -> None:
+        self._files = files
+        self._collector = collector
+        self._instances = Instances()
+        self._spaces: dict[Path, Space] = {(): Space(())}
+        self._rewriters: dict[Imported, Rewriter] = {}
+        self._hazards: dict[tuple[SourceFile, str], Imported] = {}
+
+    def modules(self) -> tuple[list[ast.Module], Instances]:
+        for each in self._files:
+            space = self._spaces.setdefault(each.space, Space(each.space))
+            for item in each.module.items:
+                space.take(item)
+                if isinstance(item, ast.Skills):
+                    self._instances.guesses.take(MOST_COMPARISONS + 1)
+        self._open_rewriters()
+        for each in self._files:
+            self._take_imports(each)
+        parameters = {each: dict(self._parameters(each)) for each in self._importers_first()}
+        modules = []
+        for each in self._files:
+            items = tuple(self._items(each, parameters[each]))
+            source = self._rewriters[each].file
+            modules.append(ast.Module(source, items, each.module.is_whole))
+        return modules, self._instances
+
+    def _open_rewriters(self) -> None:
+        """Each file of an instance has a source of its own: its places tell which one it is."""
+        seen: set[SourceFile] = set()
+        for each in self._files:
+            source = each.module.file
+            if source in seen:
+                source = SourceFile(source.path, source.text, source.mark)
+            seen.add(source)
+            space = self._spaces[each.space]
+            self._rewriters[each] = Rewriter(source, space, self._spaces, self._instances)
+        for each, rewriter in self._rewriters.items():
+            imports = tuple(
+                self._rewriters[importer].node(written) for importer, written in each.chain()
+            )
+            self._instances.files[rewriter.file] = each.space, imports
+
+    def _take_imports(self, imported: Imported) -> None:
+        """Note the names behind `as`; a second one, or one that stands for something else, is
+        reported.
+        """
+        space, rewriter = self._spaces[imported.space], self._rewriters[imported]
+        for item in imported.module.items:
+            if not isinstance(item, ast.Import) or item.alias is None:
+                continue
+            alias = rewriter.node(item.alias)
+            first = space.inner.setdefault(alias.text, alias)
+            if first is not alias:
+                reason = "each name behind `as` stands for one file"
+                report_second(alias, first, "import", reason, self._collector)
+            declared = space.names.get(alias.text)
+            if declared is not None:
+                reason = f"`{alias.text}.NAME` could mean either"
+                finding = DuplicateName(
+                    identifier=alias.text, kind="import", other="something else", reason=reason
+                )
+                place = finding.First().at(declared.span)
+                self._collector.add(finding.at(alias.span, place))
+
+    def _importers_first(self) -> list[Imported]:
+        """The files in an order in which topics are known before they are handed on."""
+        return sorted(self._files, key=lambda each: sum(1 for _ in each.chain()))
+
+    # --- parameters --------------------------------------------------------------------------
+
+    def _parameters(self, imported: Imported) -> Iterator[tuple[str, ast.Constant]]:
+        """The constants that stand for the parameters of a file, by their names; what topics stand
+        for is noted.
+        """
+        declared = self._declared(imported)
+        given = self._given(imported, declared)
+        rewriter, space = self._rewriters[imported], self._spaces[imported.space]
+        for name, parameter in declared.items():
+            value = given.get(name)
+            if isinstance(parameter.default, ast.Name):
+                topic = rewriter.topic(parameter.default) if value is None else value
+                space.topics[name] = topic if isinstance(topic, ast.Name) else parameter.default
+                continue
+            if value is None and parameter.default is None:
+                self._report_missing(imported, parameter)
+            kept = rewriter.node(parameter)
+            chosen = value or kept.default or ast.Broken(kept.name.span)
+            assert not isinstance(chosen, ast.Name)
+            behind = kept.documentation, kept.span, kept
+            yield name, ast.Constant(kept.name, chosen, *behind)
+
+    def _declared(self, imported: Imported) -> dict[str, ast.Parameter]:
+        found: dict[str, ast.Parameter] = {}
+        for item in imported.module.items:
+            if isinstance(item, ast.Parameter):
+                first = found.setdefault(item.name.text, item)
+                if first is not item:
+                    reason = "an import could not tell them apart"
+                    report_second(item.name, first.name, "parameter", reason, self._collector)
+        return found
+
+    def _given(
+        self, imported: Imported, declared: dict[str, ast.Parameter]
+    ) -> dict[str, ast.Expression | ast.Name]:
+        """The values of an import by the names of their parameters, as they are in the program."""
+        found: dict[str, ast.Expression | ast.Name] = {}
+        first: dict[str, ast.Given] = {}
+        if imported.written is None or imported.importer is None:
+            return found
+        importing = self._rewriters[imported.importer]
+        for written in imported.written.given:
+            name = importing.node(written.name)
+            earlier = first.setdefault(name.text, written)
+            parameter = declared.get(name.text)
+            if earlier is not written:
+                subject = f"parameter `{name.text}`"
+                twice = ValuesTwice(subject=subject, advice="remove one of the two")
+                place = twice.First().at(importing.span(earlier.span))
+                self._collector.add(twice.at(importing.span(written.span), place))
+            elif parameter is not None:
+                value = self._fitting(imported, parameter, written, importing)
+                found.update({} if value is None else {name.text: value})
+            elif imported.module.is_whole:
+                self._report_unknown(imported, name, declared)
+        return found
+
+    def _fitting(
+        self,
+        imported: Imported,
+        parameter: ast.Parameter,
+        written: ast.Given,
+        importing: Rewriter,
+    ) -> ast.Expression | ast.Name | None:
+        """A value that is of the kind of its parameter; None after reporting another one."""
+        value = written.value
+        takes_topic = isinstance(parameter.default, ast.Name)
+        if takes_topic and isinstance(value, ast.Reference | ast.Name):
+            return importing.topic(value.name if isinstance(value, ast.Reference) else value)
+        if not takes_topic and not isinstance(value, ast.Name):
+            return importing.node(value)
+        expected, found = (TOPIC, VALUE) if takes_topic else (VALUE, TOPIC)
+        name = parameter.name
+        mismatch = ParameterMismatch(identifier=name.text, expected=expected, found=found)
+        place = mismatch.Declared(expected=expected).at(self._rewriters[imported].span(name.span))
+        self._collector.add(mismatch.at(importing.span(value.span), place))
+        return None if takes_topic else ast.Broken(importing.span(value.span))
+
+    def _report_unknown(
+        self, imported: Imported, name: ast.Name, declared: dict[str, ast.Parameter]
+    ) -> None:
+        assert imported.written is not None
+        finding = UnknownParameter(path=imported.written.path.value, identifier=name.text)
+        near = near_name(name.text, declared)
+        if near is not None:
+            help = DidYouMean(near=near)
+            self._collector.add(finding.at(name.span, help=help, fix=rename(name, near)))
+            return
+        known = finding.Known(known=listed(tuple(declared))) if declared else finding.NoneThere()
+        self._collector.add(finding.at(name.span, help=known))
+
+    def _report_missing(self, imported: Imported, parameter: ast.Parameter) -> None:
+        name, unit = parameter.name, parameter.unit
+        example = "1" if unit is None else f"1 {unit.text}"
+        declared = self._rewriters[imported].span(name.span)
+        if imported.written is None or imported.importer is None:
+            finding = MissingParameter(
+                identifier=name.text,
+                reason="declared without a default",
+                place="write a default here, or import this file with a value",
+                example=example,
+            )
+            self._collector.add(finding.at(declared))
+            return
+        finding = MissingParameter(
+            identifier=name.text,
+            reason="this import gives it none",
+            place="write a value behind the path",
+            example=example,
+        )
+        path = self._rewriters[imported.importer].span(imported.written.path.span)
+        self._collector.add(finding.at(path, finding.Declared().at(declared)))
+
+    # --- items -------------------------------------------------------------------------------
+
+    def _items(self, imported: Imported, constants: dict[str, ast.Constant]) -> Iterator[ast.Item]:
+        """The items of a module. Tests of a file are about its defaults: they stay with the file
+        where it is imported with other values, or under a name. Hazards are of the whole program:
+        those of a file that is there several times count once.
+        """
+        rewriter = self._rewriters[imported]
+        for item in imported.module.items:
+            if isinstance(item, ast.Parameter):
+                constant = constants.pop(item.name.text, None)
+                if constant is not None:
+                    yield constant if item.tightens is None else _setting(constant)
+            elif not self._is_left_out(imported, item):
+                yield rewriter.node(item)
+
+    def _is_left_out(self, imported: Imported, item: ast.Item) -> bool:
+        if isinstance(item, ast.Hazard):
+            key = imported.module.file, item.name.text
+            return self._hazards.setdefault(key, imported) is not imported
+        return isinstance(item, ast.Test) and imported.written is not None
+
+
+def _setting(constant: ast.Constant) -> ast.Input:
+    """A parameter that the running node may set: a number that comes in."""
+    name, documentation, span = constant.name, constant.documentation, constant.span
+    behind = None, None, None, documentation, span
+    return ast.Input(name, name, None, (), *behind, setting=constant)

@@ -1,0 +1,93 @@
+"""Spaces of names: one for the whole program, and one for each name behind `as`.
+
+A file that is imported as `front` has its names in the space `front`: outside, `front.near` is the
+name that it calls `near`. After this stage such a name is `front_near`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+from dslkit.source import SourceFile
+from rossmarie.check.wording.suggestions import Suggestions
+from rossmarie.syntax import ast
+
+Path = tuple[str, ...]
+"""The names behind `as` that lead to a space; none to that of the whole program."""
+
+_DECLARING = (
+    ast.Action | ast.Constant | ast.Parameter | ast.Input | ast.Entity | ast.Motion | ast.Zone
+)
+
+
+@dataclass(eq=False)
+class Imported:
+    """One file as one import brings it. `written` is the import in the file of `importer`; both are
+    None for a file that is imported as it is, which may be done in several places.
+    """
+
+    module: ast.Module
+    space: Path
+    written: ast.Import | None = None
+    importer: Imported | None = None
+
+    def chain(self) -> Iterator[tuple[Imported, ast.Import]]:
+        """The importing files with their imports, the nearest first."""
+        at, seen = self, {self}
+        while at.importer is not None and at.written is not None:
+            yield at.importer, at.written
+            at = at.importer
+            if at in seen:
+                return
+            seen.add(at)
+
+
+@dataclass
+class Space:
+    """The names that the files of a space declare: `names` of constants, inputs, entities, motions,
+    zones and actions (`values` are those of the first two), `rules`, `aliases` and parameters
+    (`topics`) of topics. `inner` are the spaces in it, by the names behind `as`.
+    """
+
+    path: Path
+    names: dict[str, ast.Name] = field(default_factory=dict)
+    values: set[str] = field(default_factory=set)
+    rules: set[str] = field(default_factory=set)
+    aliases: set[str] = field(default_factory=set)
+    topics: dict[str, ast.Name] = field(default_factory=dict)
+    inner: dict[str, ast.Name] = field(default_factory=dict)
+
+    def take(self, item: ast.Item) -> None:
+        """Note what an item declares."""
+        if isinstance(item, ast.Parameter) and isinstance(item.default, ast.Name):
+            return
+        if isinstance(item, _DECLARING):
+            self.names.setdefault(item.name.text, item.name)
+            if isinstance(item, ast.Constant | ast.Parameter | ast.Input):
+                self.values.add(item.name.text)
+        elif isinstance(item, ast.Rule) and item.name is not None:
+            self.rules.add(item.name.text)
+        elif isinstance(item, ast.System):
+            declared = (each for each in item.members if isinstance(each, ast.TopicDeclaration))
+            self.aliases.update(each.alias.text for each in declared if each.alias is not None)
+
+
+Spaces = Mapping[Path, Space]
+
+
+def flat(path: Path, name: str) -> str:
+    """The name behind this stage of a name in a space."""
+    return "_".join((*path, name))
+
+
+@dataclass
+class Instances:
+    """All that messages need: the `names` that this stage made, each with its space and the name
+    there; and of each file of an instance its space, and the imports that lead to it. `guesses` is
+    the effort that is left to find out which names are misspelt.
+    """
+
+    names: dict[str, tuple[Path, str]] = field(default_factory=dict)
+    files: dict[SourceFile, tuple[Path, tuple[ast.Import, ...]]] = field(default_factory=dict)
+    guesses: Suggestions = field(default_factory=Suggestions)

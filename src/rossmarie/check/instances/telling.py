@@ -1,0 +1,97 @@
+"""Findings on a program of instances -> the same findings in the words of the files that they are
+about: `near` inside of the file, `front.near` outside of it, and the imports that lead to it.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from collections.abc import Iterable, Iterator
+
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
+from rossmarie.check.instances.errors import ImportedAs, ImportedWith
+from rossmarie.check.instances.spaces import Instances, Path
+from rossmarie.syntax import ast
+
+_MOST_IMPORTS = 4
+
+
+def told(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic, ...]:
+    """Findings as their reader knows the names in them; one that several instances have in common
+    stands there once.
+    """
+    if not instances.files:
+        return tuple(found)
+    pattern = _pattern(instances)
+    merged: dict[tuple[object, ...], Diagnostic] = {}
+    for number, each in enumerate(found):
+        space, imports = instances.files.get(each.primary.span.file, ((), ()))
+        finding = each if pattern is None else _Wording(instances, pattern, space).of(each)
+        key = _likeness(finding) if imports else (number,)
+        known = merged.get(key, finding)
+        labels = dict.fromkeys((*known.labels, *_imported(imports)))
+        most = len(finding.labels) + _MOST_IMPORTS
+        merged[key] = dataclasses.replace(known, labels=tuple(labels)[:most])
+    return tuple(merged.values())
+
+
+def spelled(text: str, instances: Instances) -> str:
+    """A text that names things of a program, as its main file would write it."""
+    pattern = _pattern(instances)
+    return text if pattern is None else _Wording(instances, pattern, ()).text(text)
+
+
+def _pattern(instances: Instances) -> re.Pattern[str] | None:
+    """A pattern of all names that were made; None if there are none."""
+    names = sorted(instances.names, key=len, reverse=True)
+    return re.compile(rf"\b(?:{'|'.join(map(re.escape, names))})\b") if names else None
+
+
+def _likeness(found: Diagnostic) -> tuple[object, ...]:
+    """Equal for findings that say the same of the same text."""
+    span = found.primary.span
+    return (found.code, span.file.path, span.start, span.end, found.title, found.primary.text)
+
+
+def _imported(imports: tuple[ast.Import, ...]) -> Iterator[Label]:
+    for each in imports:
+        if each.alias is not None:
+            yield ImportedAs(name=each.alias.text).at(each.path.span)
+        else:
+            yield ImportedWith().at(each.path.span)
+
+
+class _Wording:
+    """The names of a program, as a file of one space writes them."""
+
+    def __init__(self, instances: Instances, pattern: re.Pattern[str], space: Path) -> None:
+        self._instances = instances
+        self._pattern = pattern
+        self._space = space
+
+    def of(self, found: Diagnostic) -> Diagnostic:
+        """A finding with its names."""
+        label = dataclasses.replace(found.primary, text=self.text(found.primary.text))
+        labels = tuple(
+            dataclasses.replace(each, text=self.text(each.text)) for each in found.labels
+        )
+        texts = {
+            "title": self.text(found.title),
+            "notes": tuple(map(self.text, found.notes)),
+            "help": None if found.help is None else self.text(found.help),
+            "fix": None if found.fix is None else self._fix(found.fix),
+        }
+        return dataclasses.replace(found, primary=label, labels=labels, **texts)
+
+    def _fix(self, fix: Fix) -> Fix:
+        edits = tuple(Edit(each.span, self.text(each.replacement)) for each in fix.edits)
+        return Fix(self.text(fix.title), edits)
+
+    def text(self, text: str) -> str:
+        """A text with its names."""
+        return self._pattern.sub(self._name, text)
+
+    def _name(self, match: re.Match[str]) -> str:
+        path, name = self._instances.names[match.group()]
+        shared = len(self._space) if path[: len(self._space)] == self._space else 0
+        return ".".join((*path[shared:], name))
