@@ -1,5 +1,5 @@
-"""Measure conditions about places of a scene, with few and with many polygons; write the table as a
-page.
+"""Measure conditions about places of a scene, with few and with many polygons, and about points in
+a zone; write the tables as a page.
 """
 
 from __future__ import annotations
@@ -142,10 +142,105 @@ def rows(folder: Path) -> Iterator[str]:
             yield f"| `{condition}` | {count} | {ours:.1f} | {ours / yardstick:.1f} | {peer:.0f} |"
 
 
+# --- zones -----------------------------------------------------------------------------------
+
+EDGES = 100
+POINTS = 720
+LISTS = 500
+_POINTS = f"input points = topic /points : geometry_msgs/PoseArray .poses up to {POINTS};"
+IN_ZONE = {
+    "in": "count(p in points: p in zoned) > 3",
+    "distance": f"min(p in points: distance(p, zoned)) < {NEAR_M} m",
+}
+OUTLINES = {"circle": 1.0, "star": 2.0}
+"""Polygons: how much farther from the middle every other corner is."""
+_LIST_HARNESS = """
+#include <stdlib.h>
+#include "{name}_monitor.h"
+
+void lists(size_t n, const double *x, const double *y, uint64_t *active)
+{{
+    static {name}_monitor m;
+    if ({name}_init(&m, NULL, NULL))
+        abort();
+    *active = 0;
+    for (size_t i = 0; i < n; i++) {{
+        {name}_update_points(&m, (int64_t)i, 0, x + {points} * i, y + {points} * i, {points});
+        *active += {name}_is_active(&m, 0);
+    }}
+}}
+"""
+
+
+def outline(share: float) -> Polygon:
+    """The corners of a polygon around the middle, every other one farther out."""
+    turns = [2 * math.pi * number / EDGES for number in range(EDGES)]
+    radii = [share if number % 2 else 1.0 for number in range(EDGES)]
+    return [(r * math.cos(turn), r * math.sin(turn)) for r, turn in zip(radii, turns, strict=True)]
+
+
+def points(share: float) -> np.ndarray:
+    """Points in the square around a polygon: all edges at their height are looked at."""
+    return np.random.default_rng(1).uniform(-share, share, (2, LISTS * POINTS))
+
+
+def list_in_c(folder: Path, code: str, condition: str, share: float) -> Round:
+    """The generated update, with a list of points."""
+    corners = ", ".join(f"[{x!r}, {y!r}]" for x, y in outline(share))
+    zoned = f"zone zoned in base_link {{ polygon {corners} m; }}"
+    rule = f"rule r: if {condition} then {{ react; }};"
+    compiled = machine(folder, code, "\n".join(["action react;", _POINTS, zoned, rule, ""]))
+    harness = _LIST_HARNESS.format(name=compiled.name, points=POINTS)
+    declaration = "void lists(size_t, double *, double *, uint64_t *);"
+    library, ffi = built(folder, compiled, harness, declaration)
+    pointers = [ffi.from_buffer("double[]", each.copy()) for each in points(share)]
+    active = ffi.new("uint64_t *")
+
+    def run() -> tuple[float, list[int]]:
+        start = time.process_time()
+        library.lists(LISTS, *pointers, active)
+        return time.process_time() - start, [active[0]]
+
+    return run
+
+
+def list_by_shapely(code: str, share: float) -> Round:
+    """Shapely with a prepared polygon, asked for all points of a list at once."""
+    polygon = shapely.Polygon(outline(share))
+    shapely.prepare(polygon)
+    lists = [shapely.points(each.T) for each in np.split(points(share), LISTS, axis=1)]
+
+    def run() -> tuple[float, list[int]]:
+        start = time.process_time()
+        if code == "in":
+            found = [np.count_nonzero(shapely.intersects(polygon, each)) > 3 for each in lists]
+        else:
+            found = [shapely.distance(polygon, each).min() < NEAR_M for each in lists]
+        return time.process_time() - start, [sum(found)]
+
+    return run
+
+
+def zone_rows(folder: Path) -> Iterator[str]:
+    """A row for each condition and polygon."""
+    contenders: dict[str, Round] = {}
+    for outlined, share in OUTLINES.items():
+        for code, condition in IN_ZONE.items():
+            ours = list_in_c(folder, f"{outlined}_{code}", condition, share)
+            peer = list_by_shapely(code, share)
+            assert ours()[1] == peer()[1], "both say the same"
+            contenders |= {f"{outlined} {code}": ours, f"{outlined} {code} shapely": peer}
+    found = nanoseconds({name: (run, LISTS) for name, run in contenders.items()})
+    for outlined in OUTLINES:
+        for code, condition in IN_ZONE.items():
+            ours, peer = found[f"{outlined} {code}"], found[f"{outlined} {code} shapely"]
+            yield f"| `{condition}` | {outlined} | {ours / 1e3:.1f} | {peer / 1e3:.0f} |"
+
+
 def page() -> str:
     """The table, and how it came about."""
     with tempfile.TemporaryDirectory() as folder:
-        found = list(rows(Path(folder)))
+        found, zoned = list(rows(Path(folder))), list(zone_rows(Path(folder)))
     day = datetime.now(timezone.utc).date()
     return "\n".join(
         [
@@ -163,6 +258,17 @@ def page() -> str:
             "| condition | polygons | C99: ns a sample | to a comparison | Shapely: ns a place |",
             "|---|---|---|---|---|",
             *found,
+            "",
+            "## Zones",
+            "",
+            f"A list of {POINTS} points, as many as a scan has, and a zone that is a polygon of",
+            f"{EDGES} edges: once around a circle, once a star, of which every other corner is",
+            "twice as far out. All points lie in the square around it. Time of one message, and",
+            "of Shapely with a prepared polygon for all points in one call.",
+            "",
+            "| condition | polygon | C99: µs a list | Shapely: µs a list |",
+            "|---|---|---|---|",
+            *zoned,
             "",
         ]
     )
