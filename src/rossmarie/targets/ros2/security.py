@@ -95,7 +95,7 @@ def _of_node(machine: ir.Machine) -> Iterator[_Grant]:
     sent = [
         each.topic for each in effects if isinstance(each, reactions.Publish | reactions.Retrace)
     ]
-    inputs = [each.topic for each in machine.channels]
+    inputs = [each.topic for each in machine.channels if not ir.is_setting(each)]
     relayed = relayed_servers(machine)
     goals = reactions.SendGoal | reactions.CancelGoal
     servers = [each.server for each in effects if isinstance(each, goals)]
