@@ -56,6 +56,7 @@ action creep { set /planner.double_ to 0.1; }
 action name { set /planner.double_ to "slow"; }
 action exceed { set /planner.int_ to 100; }
 action soften { switch /controller_manager { stop position; start effort, gravity; } else cry; }
+parameter heaviest = 30 Nm tightens down;
 input moving = topic /arm/moving : std_msgs/Bool .data;
 input orientation = topic /imu/data : sensor_msgs/Imu .orientation timeout 3 sec;
 input ranges = topic /scan : sensor_msgs/LaserScan .ranges;
@@ -71,7 +72,7 @@ input place = topic /place : geometry_msgs/PoseStamped .pose;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
 rule fallen: if abs(orientation.pitch()) > 30 deg then { halt; } latched until reset;
 rule passed_by: if bypassed then { alarm; };
-rule heavy: if effort["elbow"] > 30 Nm then { alarm; };
+rule heavy: if effort["elbow"] > heaviest then { alarm; };
 rule driven: if torques["elbow"] > 30 Nm then { alarm; };
 rule failing: if any(part in parts: part.level >= DiagnosticStatus.ERROR and part.name == "motor")
     then { alarm; };

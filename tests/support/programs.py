@@ -7,6 +7,8 @@ from pathlib import Path
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.source import SourceFile
 from rossmarie.check import CheckedProgram, CheckOptions, check
+from rossmarie.check.instances.instantiate import instantiate
+from rossmarie.check.instances.spaces import Imported
 from rossmarie.syntax import ast, parse
 
 
@@ -16,7 +18,8 @@ def check_text(
     """The checked program of one file of rules, and all findings on it."""
     collector = Collector()
     module = parse(SourceFile("rules.ross", text), collector)
-    program = check([module], CheckOptions(message_folders), collector)
+    modules, _ = instantiate([Imported(module, ())], collector)
+    program = check(modules, CheckOptions(message_folders), collector)
     return program, collector.sorted()
 
 

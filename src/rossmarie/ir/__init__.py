@@ -110,7 +110,7 @@ from rossmarie.ir.path import (
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
-from rossmarie.ir.settings import farthest, is_setting, setting_numbers, settings_of
+from rossmarie.ir.settings import Setting, farthest, is_setting, setting_numbers, settings_of
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -226,6 +226,7 @@ __all__ = [
     "Sampling",
     "ScanFields",
     "Sector",
+    "Setting",
     "Signal",
     "SignalNode",
     "Since",

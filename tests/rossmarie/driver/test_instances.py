@@ -216,3 +216,41 @@ def test_long_imports_are_broken_in_front_of_their_parts() -> None:
         f"    with gap = 1 m,\n        scan = {long},\n        more = 2 m/s\n"
         "    as front;\n"
     )
+
+
+def test_parameters_of_the_node_are_the_same_in_c(tmp_path: Path) -> None:
+    main = tmp_path / "main.ross"
+    main.write_text("""
+        parameter gap = 50 cm tightens up;
+        parameter braking = 1.2 m/s^2 tightens down;
+        action stop;
+        input distance = topic /sonar : sensor_msgs/Range .range timeout 0.3 sec;
+        input speed = topic /speed : std_msgs/Float64 in m/s timeout 0.3 sec;
+        rule near: if distance < gap then { stop; } clear when distance > 2 * gap;
+        rule late: if distance < gap + speed * speed / (2 * braking) for 0.2 sec then { stop; };
+        test "none" {
+            every 0.1 s from 0 s to 1 s distance = 0.7 m, speed = 0 m/s;
+            expect near inactive at 1 s;
+            expect late inactive at 1 s;
+        }
+        test "tighter" {
+            at 0 s gap = 80 cm, braking = 0.6 m/s^2;
+            every 0.1 s from 0 s to 1 s distance = 0.7 m, speed = 0 m/s;
+            every 0.1 s from 1.1 s to 2 s distance = 1.5 m, speed = 1 m/s;
+            expect near active from 0 s to 2 s;
+            expect late active at 2 s;
+        }
+        test "looser" {
+            at 0 s gap = 20 cm, braking = 5 m/s^2;
+            every 0.1 s from 0 s to 1 s distance = 0.4 m, speed = 0 m/s;
+            expect near active from 0 s to 1 s;
+        }
+    """)
+    compiled = compile_file(main)
+    outcome = run_tests(compiled, compiled.tests)
+    assert outcome.has_c
+    assert [each.found for each in outcome.ran] == [(), (), ()]
+    generated = generate_tests(main)
+    generated.path.write_text(generated.text)
+    again = compile_file(generated.path)
+    assert not any(ran.found for ran in run_tests(again, again.tests).ran)

@@ -1,18 +1,23 @@
-"""Files with parameters, and under names, mean what they mean when written out: S85 and S86."""
+"""Files with parameters, and under names, mean what they mean when written out: S85 to S87."""
 
 from __future__ import annotations
 
 import json
+import math
 import re
+from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+import pytest
 from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
 
 from rossmarie.driver import check_file
 from rossmarie.driver.pipeline import compile_file
-from rossmarie.ir import Constant, Machine, machine_to_json
+from rossmarie.interpreter import Interpreter
+from rossmarie.ir import ChannelValues, Constant, Machine, machine_to_json
 from support.depth import examples
 from support.rule_texts import NAMED, rules
 from support.testing import INPUTS
@@ -190,3 +195,98 @@ def test_s86_tests_of_a_file_are_about_its_defaults(tmp_path: Path) -> None:
         assert program is not None
         counts[name] = len(program.tests)
     assert counts == {"separation": 1, "main": 0, "plain": 1}
+
+
+# --- parameters of the node ------------------------------------------------------------------
+
+NODE = """\
+parameter gap = 0.5 m tightens up;
+parameter braking = 2 m/s^2 tightens down;
+action stop;
+input distance = topic /sonar : sensor_msgs/Range .range timeout 1 sec;
+input speed = topic /speed : std_msgs/Float64 in m/s timeout 1 sec;
+input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 1 sec;
+"""
+_TIGHT = (
+    "distance < gap",
+    "not (distance >= 2 * gap)",
+    "min(ranges) < gap + 0.2 m",
+    "distance - gap < 0.1 m",
+    "speed > braking * 0.5 sec",
+    "distance < speed * speed / (2 * braking) + gap",
+    "abs(speed) * 1 sec < max(gap, 0.3 m) or distance < -(0.1 m - gap)",
+    "distance < gap for 0.2 sec",
+    "distance < gap since speed > braking * 1 sec",
+    "once distance < gap within 0.3 sec",
+)
+_LOOSE = (
+    "distance > gap",
+    "distance == gap",
+    "speed < braking * 1 sec",
+    "distance < speed * gap / (1 m/s)",
+    "distance < abs(gap - 1 m)",
+    "rate(gap) > 1 m/s",
+    "count(edges of distance < gap within 1 sec) > 2",
+    "after distance < gap, speed < 1 m/s within 1 sec",
+    "oscillates(gap - distance, 3 times, within 1 sec)",
+)
+_TIGHT_VALUES = st.tuples(st.floats(0.5, 3), st.floats(0.1, 2))
+_SEEN = st.lists(st.tuples(st.floats(0, 3), st.floats(-3, 3)), min_size=1, max_size=12)
+
+
+def active_after(
+    machine: Machine, given: dict[str, float], seen: Sequence[tuple[float, float]]
+) -> list[bool]:
+    """Whether the rule is active after each message, every 100 ms, of distance and speed."""
+    monitor, found = Interpreter(machine), []
+    topics = [channel.topic for channel in machine.channels]
+    for index, (distance, speed) in enumerate(seen):
+        values = {"/sonar": distance, "/speed": speed, **(given if index == 0 else {})}
+        messages = {
+            number: ChannelValues(
+                {
+                    slot: values[topic]
+                    for slot, each in enumerate(machine.slots)
+                    if machine.inputs[each.input].channel == number
+                },
+                {0: (distance, distance + 1)} if topic == "/scan" else {},
+            )
+            for number, topic in enumerate(topics)
+            if topic in values or topic == "/scan"
+        }
+        monitor.update(index * 100_000_000, messages)
+        found.append(monitor.active[0])
+    return found
+
+
+def node_machine(condition: str, folder: Path) -> Machine:
+    return machine_of(folder, main=f"{NODE}rule it: if {condition} then {{ stop; }};")
+
+
+@pytest.mark.parametrize(
+    ("given", "gap"), [(0.8, 0.8), (0.3, 0.5), (math.nan, 0.5), (1e9, 0.5), (500.0, 500.0)]
+)
+def test_s87_only_a_tighter_value_counts(tmp_path: Path, given: float, gap: float) -> None:
+    machine = node_machine("distance < gap", tmp_path)
+    seen = [(gap - 0.01, 0.0), (gap + 0.01, 0.0)]
+    assert active_after(machine, {"~gap": given}, seen) == [True, False]
+    assert active_after(machine, {}, [(0.49, 0.0), (0.51, 0.0)]) == [True, False]
+
+
+@settings(max_examples=examples(1), deadline=None)
+@given(st.sampled_from(_TIGHT), _TIGHT_VALUES, _SEEN)
+def test_s87_a_rule_is_active_whenever_it_was(
+    condition: str, values: tuple[float, float], seen: list[tuple[float, float]]
+) -> None:
+    with TemporaryDirectory() as folder:
+        machine = node_machine(condition, Path(folder))
+    before = active_after(machine, {}, seen)
+    after = active_after(machine, {"~gap": values[0], "~braking": values[1]}, seen)
+    assert all(tight or not was for was, tight in zip(before, after, strict=True))
+
+
+@pytest.mark.parametrize("condition", _LOOSE)
+def test_s87_where_the_direction_is_not_known(tmp_path: Path, condition: str) -> None:
+    main = tmp_path / "main.ross"
+    main.write_text(f"{NODE}rule it: if {condition} then {{ stop; }};")
+    assert "ROSS158" in {each.code for each in check_file(main).diagnostics}

@@ -7,6 +7,7 @@ from __future__ import annotations
 import dataclasses
 import re
 from collections.abc import Iterable, Iterator
+from typing import Any
 
 from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
 from rossmarie.check.instances.errors import ImportedAs, ImportedWith
@@ -75,7 +76,7 @@ class _Wording:
         labels = tuple(
             dataclasses.replace(each, text=self.text(each.text)) for each in found.labels
         )
-        texts = {
+        texts: dict[str, Any] = {
             "title": self.text(found.title),
             "notes": tuple(map(self.text, found.notes)),
             "help": None if found.help is None else self.text(found.help),

@@ -147,6 +147,8 @@ def _inputs(machine: ir.Machine) -> Iterator[Input]:
         {*rule.inputs, *_confirming(machine, index)} for index, rule in enumerate(machine.rules)
     ]
     for index, channel in enumerate(machine.channels):
+        if ir.is_setting(channel):
+            continue
         used = {place for place, each in enumerate(machine.inputs) if each.channel == index}
         timeouts = (machine.inputs[place].timeout_ns for place in used)
         yield Input(

@@ -56,6 +56,15 @@ struct ChannelText {
 };
 extern const std::vector<ChannelText> CHANNELS;
 
+// A parameter of the rules, in SI units: from what the rules say to the last value that counts.
+struct RuleParameter {
+    const char *name;
+    double usual;
+    double farthest;
+    const char *about;
+};
+extern const std::vector<RuleParameter> RULE_PARAMETERS;
+
 // Where commands come from.
 extern const std::vector<std::string> SOURCES;
 

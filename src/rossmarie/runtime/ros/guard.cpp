@@ -41,6 +41,8 @@ Guard::Guard(Middleware &middleware, const Settings &settings)
     bypassed_.publish(Bool());
     performers_ = make_performers(
         *this, {clock_, reactor_, settings_, [this](int64_t now_ns) { catch_up(now_ns); }});
+    give(given_, settings_.given);
+    values_ = given_;
     subscribe();
     serve();
 }
@@ -117,7 +119,11 @@ void Guard::catch_up(int64_t at_ns)
 
 void Guard::pass_time(int64_t at_ns)
 {
-    core::advance(&monitor_, at_ns);
+    if (is_given_ || RULE_PARAMETERS.empty())
+        core::advance(&monitor_, at_ns);
+    else
+        core::step(&monitor_, at_ns, &given_);
+    is_given_ = true;
     for (const auto &task : performers_.tasks)
         task->tick(at_ns);
     follow(at_ns);
@@ -129,7 +135,8 @@ void Guard::take(int64_t at_ns)
     if (!begin_when_ready(at_ns))
         return;
     core::step(&monitor_, at_ns, &values_);
-    values_ = {};
+    is_given_ = true;
+    values_ = given_;
     follow(at_ns);
 }
 
@@ -151,7 +158,7 @@ bool Guard::begin_when_ready(int64_t at_ns)
     }
     const bool is_over = at_ns != 0 && at_ns - started_ns_ >= settings_.patience_ns;
     if (!is_ready && is_over)
-        values_ = {};
+        values_ = given_;
     return has_begun_ = is_ready || is_over;
 }
 

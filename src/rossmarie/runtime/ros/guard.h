@@ -99,7 +99,8 @@ private:
     const Settings settings_;
     Clock clock_{middleware_, clock_timeout()};
     core::Monitor monitor_;
-    core::Values values_{}; // of the messages that the monitor takes next
+    core::Values given_{};  // the parameters of the rules
+    core::Values values_{}; // of the messages that the monitor takes next, and these
     Arrays arrays_;
     core::Reactor reactor_;
     LatchedRules latched_{settings_.state_file, middleware_.name()};
@@ -124,6 +125,7 @@ private:
     int64_t started_ns_ = 0;
     std::vector<int64_t> arrived_ns_ = std::vector<int64_t>(CHANNELS.size(), 0);
     bool has_begun_ = false;
+    bool is_given_ = false; // the monitor has the parameters of the rules
     bool is_open_ = false;
     bool is_in_grace_ = false;
     bool is_reset_wanted_ = false;

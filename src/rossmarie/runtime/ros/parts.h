@@ -39,6 +39,9 @@ struct Listener {
 // An input for each channel.
 Inputs make_inputs(const Listener &listener);
 
+// What the parameters of the rules are, for the monitor.
+void give(core::Values &values, const std::vector<double> &given);
+
 // What filters need.
 struct Filtering {
     Clock &clock;

@@ -1,10 +1,12 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 #include "settings.h"
 
+#include "descriptions.h"
+
 #include <algorithm>
 #include <string>
 
-const std::vector<ParameterText> PARAMETERS = {
+static const std::vector<ParameterText> OF_ALL_RULES = {
     {"command_timeout", ParameterText::NUMBER, 0.5, 0.0, 1e6,
      "A command older than this (s) is not sent again when its bounds change."},
     {"filter_rate", ParameterText::NUMBER, 20.0, 0.1, 1000.0,
@@ -28,14 +30,31 @@ const std::vector<ParameterText> PARAMETERS = {
      "refused."},
 };
 
+// Those of these rules: from what they say to what is tightest, whichever of the two is greater.
+static std::vector<ParameterText> with_own()
+{
+    std::vector<ParameterText> all = OF_ALL_RULES;
+    for (const RuleParameter &each : RULE_PARAMETERS)
+        all.push_back({each.name, ParameterText::NUMBER, each.usual,
+                       std::min(each.usual, each.farthest), std::max(each.usual, each.farthest),
+                       each.about});
+    return all;
+}
+
+const std::vector<ParameterText> &parameter_texts()
+{
+    static const std::vector<ParameterText> all = with_own();
+    return all;
+}
+
 static int64_t nanoseconds(double seconds) { return static_cast<int64_t>(seconds * 1e9); }
 
 static const ParameterText *parameter_called(const std::string &name)
 {
-    const auto found =
-        std::find_if(PARAMETERS.begin(), PARAMETERS.end(),
-                     [&name](const ParameterText &each) { return each.name == name; });
-    return found == PARAMETERS.end() ? nullptr : &*found;
+    const std::vector<ParameterText> &all = parameter_texts();
+    const auto found = std::find_if(
+        all.begin(), all.end(), [&name](const ParameterText &each) { return each.name == name; });
+    return found == all.end() ? nullptr : &*found;
 }
 
 // A number that lies where its parameter says; NaN does not.
@@ -57,7 +76,7 @@ static void refuse_unknown(const ParameterSource &source)
     for (const std::string &name : source.names())
         if (parameter_called(name) == nullptr) {
             std::string known;
-            for (const ParameterText &each : PARAMETERS)
+            for (const ParameterText &each : parameter_texts())
                 known += std::string(known.empty() ? "" : ", ") + each.name;
             throw BadParameter(name, "there is no such parameter; there are " + known);
         }
@@ -74,5 +93,7 @@ Settings settings(const ParameterSource &source)
     settings.clock_timeout_ns = nanoseconds(number(source, "clock_timeout"));
     source.read("state_file", settings.state_file);
     source.read("header_stamps", settings.header_stamps);
+    for (const RuleParameter &each : RULE_PARAMETERS)
+        settings.given.push_back(number(source, each.name));
     return settings;
 }

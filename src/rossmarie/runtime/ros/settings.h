@@ -26,7 +26,7 @@ struct ParameterText {
     double high;
     const char *about;
 };
-extern const std::vector<ParameterText> PARAMETERS;
+const std::vector<ParameterText> &parameter_texts();
 
 // Where parameters come from. `read` is false, and leaves the value, if a parameter is not given;
 // it throws BadParameter if it is of another kind. `names` are those that are given, or more.
@@ -47,6 +47,7 @@ struct Settings {
     int64_t clock_timeout_ns; // 0: the shortest timeout of an input
     std::string state_file;   // empty: the usual one
     std::vector<std::string> header_stamps;
+    std::vector<double> given; // for each parameter of the rules
 };
 
 // Throws BadParameter for what is given and cannot be meant.

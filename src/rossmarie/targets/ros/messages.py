@@ -17,14 +17,25 @@ from rossmarie.targets.ros.dialect import Dialect, Interface
 
 def types_of(machine: ir.Machine) -> list[str]:
     """The types of all messages that come in or go through the filter, sorted."""
-    used = {channel.source_type for channel in machine.channels}
+    topics = (each for each in machine.channels if not ir.is_setting(each))
+    used = {channel.source_type for channel in topics}
     return sorted(used | {command.message_type for command in machine.reactions.commands})
 
 
 def channels(layout: Layout, dialect: Dialect) -> str:
     """A struct for each input topic, with a function that takes the fields of a message over."""
-    classes = enumerate(names.channel_classes(layout))
+    classes = names.channel_classes(layout).items()
     return "".join(_channel(layout, dialect, channel, word) for channel, word in classes)
+
+
+def given(layout: Layout) -> str:
+    """The lines that tell the monitor what the parameters of the rules are."""
+    lines = []
+    for index, each in enumerate(ir.settings_of(layout.machine)):
+        name = layout.channel_names[each.channel]
+        (field,) = types.fields_of(layout.machine, each.channel)
+        lines += [f"values.has_{name} = true;", f"values.{name}.{field.name} = given[{index}];"]
+    return block(lines)
 
 
 def arrays(layout: Layout) -> str:

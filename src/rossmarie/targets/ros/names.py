@@ -29,9 +29,14 @@ def heard(channel: ir.Channel) -> str:
     return relative(channel.topic) if channel.edge is None else names.string(channel.source)
 
 
-def channel_classes(layout: Layout) -> tuple[str, ...]:
-    """For each input topic the struct that describes it: `ImuDataChannel`."""
-    return tuple(f"{_capitalized(name)}Channel" for name in layout.channel_names)
+def channel_classes(layout: Layout) -> dict[int, str]:
+    """For each channel that is a topic the struct that describes it: `ImuDataChannel`."""
+    channels = zip(layout.machine.channels, layout.channel_names, strict=True)
+    return {
+        index: f"{_capitalized(name)}Channel"
+        for index, (channel, name) in enumerate(channels)
+        if not ir.is_setting(channel)
+    }
 
 
 def command_members(machine: ir.Machine) -> tuple[str, ...]:

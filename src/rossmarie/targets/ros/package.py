@@ -78,7 +78,8 @@ class PackageWriter:
     def shared_files(self) -> dict[str, str]:
         """All files but those that say how to build and to start the node."""
         core = {f"src/{name}": text for name, text in c99.generate(self._machine).items()}
-        fixed = {path: self.fill(path) for path in _FIXED}
+        settings = [(each.name, *tables.words_of(each)) for each in ir.settings_of(self._machine)]
+        fixed = {path: self.fill(path, own_parameters=settings) for path in _FIXED}
         return fixed | self._source_files() | core | runtime.files(self._dialect.folder)
 
     def packages(self) -> set[str]:
@@ -134,7 +135,8 @@ class PackageWriter:
             "includes": "\n".join(f"#include <{header}>" for header in self._message_headers()),
             "headers": "\n".join(f'#include "{header}"' for header in self._headers()),
             "channels": messages.channels(self._layout, dialect),
-            "channel_types": ", ".join(names.channel_classes(self._layout)),
+            "channel_types": ", ".join(names.channel_classes(self._layout).values()),
+            "given": messages.given(self._layout),
             "commands": messages.commands(machine, dialect),
             "sources": messages.sources(machine),
             **actions.TasksText(machine, dialect).blanks(),

@@ -29,7 +29,22 @@ def blanks(machine: ir.Machine, dialect: Dialect, name: str) -> dict[str, object
         "task_texts": block(_task(machine, task) for task in range(len(machine.reactions.tasks))),
         "others": block(map(_other, needs.others(machine, dialect))),
         "latched_rules_key": _latched_rules_key(machine),
+        "own_parameters": block(map(_parameter, ir.settings_of(machine))),
     }
+
+
+def words_of(setting: ir.Setting) -> tuple[str, str]:
+    """The default of a parameter of the rules, and what may be given instead."""
+    unit = f" in {setting.unit}" if setting.unit else ""
+    direction = "greater" if setting.is_up else "smaller"
+    about = f"A number{unit} of the rules, or a {direction} one, which is stricter."
+    return repr(setting.usual), about
+
+
+def _parameter(setting: ir.Setting) -> str:
+    usual, about = words_of(setting)
+    row = string(setting.name), usual, number(setting.farthest), string(about)
+    return f"{{{', '.join(row)}}},"
 
 
 def rule_of_task(machine: ir.Machine) -> dict[int, int]:

@@ -95,8 +95,9 @@ def _of_node(machine: ir.Machine) -> Iterator[_Grant]:
     sent = [
         each.topic for each in effects if isinstance(each, reactions.Publish | reactions.Retrace)
     ]
-    inputs = [each.topic for each in machine.channels if each.edge is None]
-    frames = dict.fromkeys(each.source for each in machine.channels if each.edge is not None)
+    topics = [each for each in machine.channels if not ir.is_setting(each)]
+    inputs = [each.topic for each in topics if each.edge is None]
+    frames = dict.fromkeys(each.source for each in topics if each.edge is not None)
     relayed = relayed_servers(machine)
     goals = reactions.SendGoal | reactions.CancelGoal
     servers = [each.server for each in effects if isinstance(each, goals)]

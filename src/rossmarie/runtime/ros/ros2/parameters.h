@@ -22,7 +22,7 @@ public:
         declare(
             AUTOSTART, rclcpp::ParameterValue(true),
             described("Whether the node configures and activates itself; else a manager does."));
-        for (const ParameterText &each : PARAMETERS)
+        for (const ParameterText &each : parameter_texts())
             declare(each.name, usual(each), described(each));
         fixed_ = node_.add_on_set_parameters_callback(
             [this](const std::vector<rclcpp::Parameter> &wanted) { return allowed(wanted); });
@@ -169,8 +169,10 @@ private:
 
     static bool is_own(const std::string &name)
     {
-        return name == AUTOSTART || std::any_of(PARAMETERS.begin(), PARAMETERS.end(),
-                                                [&name](auto &each) { return each.name == name; });
+        const std::vector<ParameterText> &all = parameter_texts();
+        return name == AUTOSTART || std::any_of(all.begin(), all.end(), [&name](auto &each) {
+                   return each.name == name;
+               });
     }
 
     static bool is_quality(const std::string &name) { return name.rfind(QUALITY, 0) == 0; }
