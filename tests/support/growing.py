@@ -142,7 +142,7 @@ class Growing:
         if self.element_numbers:
             grow += [self._fold, self._fold, self._count]
         if self._slots_of(ir.Kind.TEXT):
-            grow += [self._distance]
+            grow += [self._distance, self._seen]
         self.numbers.append(self.draw(st.sampled_from(grow))())
 
     def _constant(self) -> int:
@@ -159,6 +159,13 @@ class Growing:
 
     def _distance(self) -> int:
         return self._of_region(Measure.DISTANCE)
+
+    def _seen(self) -> int:
+        """Any number, where a text says a frame (S77)."""
+        slot = self.draw(st.sampled_from(self._slots_of(ir.Kind.TEXT)))
+        seen = self.draft.signal(ir.Read(slot))
+        wanted = self.draft.constant(float(self.draw(st.integers(0, 1))))
+        return self.draft.apply(ir.Function.SEEN, self.one_of(self.numbers), seen, wanted)
 
     def _of_region(self, measure: Measure, x: int | None = None) -> int:
         """A function of a region, of any two numbers, with a text for their frame; with `x`, of the

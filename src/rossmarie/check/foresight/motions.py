@@ -11,7 +11,8 @@ from rossmarie.check.foresight.errors import (
     UnknownMotionPart,
     UnlimitedReaction,
 )
-from rossmarie.check.model import CheckedMotion
+from rossmarie.check.frames import CheckedFrame
+from rossmarie.check.model import CheckedInput, CheckedMotion
 from rossmarie.check.names.regions import check_frame
 from rossmarie.check.operations.function_errors import UnfitMotionPart
 from rossmarie.check.operations.operands import scalar_operand
@@ -66,7 +67,8 @@ def _checked(motion: ast.Motion, context: Context) -> CheckedMotion | None:
     if not is_right or not _is_limited(motion, uses, context):
         return None
     used = [context.inputs[name] for name in sorted(uses.inputs)]
-    longest_ns = max((each.timeout_ns or 0 for each in used), default=0)
+    moving = [each for one in used for each in _moving_frames(one, context)]
+    longest_ns = max((each.timeout_ns or 0 for each in (*used, *moving)), default=0)
     return CheckedMotion(
         declaration=motion,
         position=parts["position"].expression,
@@ -76,9 +78,17 @@ def _checked(motion: ast.Motion, context: Context) -> CheckedMotion | None:
         fastest=numbers["fastest"],
         latency_s=numbers["latency"],
         timeout_s=longest_ns * _NS,
-        is_of_one_message=len({each.topic for each in used}) == 1,
+        is_of_one_message=len({each.topic for each in used}) == 1 and not moving,
         inputs=tuple(sorted(uses.inputs)),
     )
+
+
+def _moving_frames(used: CheckedInput, context: Context) -> list[CheckedFrame]:
+    """The moving frames on the way of an input: each may be elsewhere until its timeout."""
+    if used.source is None or used.target is None:
+        return []
+    legs = context.frames.way(used.source, used.target) or ()
+    return [leg.frame for leg in legs if leg.frame.timeout_ns is not None]
 
 
 def _parts(motion: ast.Motion, context: Context) -> dict[str, ast.Condition]:

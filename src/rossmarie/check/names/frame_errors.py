@@ -94,6 +94,10 @@ class NothingToTransform(Error, code="ROSS276", name="nothing-to-transform"):
         says = "make an input of its own for `.{field}`, with `from` the frame that it is in"
         field: str
 
+    class Untransformed(Remark):
+        says = "make an input of its own for `.{field}`, without `in` a frame"
+        field: str
+
 
 class UnknownSource(Error, code="ROSS277", name="unknown-source"):
     """`in FRAME` at an input of which nobody says the frame that it comes in."""

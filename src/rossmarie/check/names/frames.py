@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from rossmarie.check.model import CheckedInput
-from rossmarie.check.names.frame_errors import MixedFrames, Seen
+from rossmarie.check.names.frame_errors import MixedFrames, NothingToTransform, Seen
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import path_of, root_of, stripped, text_of
 from rossmarie.syntax import ast
-from rossmarie.types import List, Message, Quaternion, Text, Type, Vector
+from rossmarie.types import Array, List, Message, Quaternion, Text, Type, Vector
 
 HEADER = ("header", "frame_id")
 CHILD = "child_frame_id"
@@ -127,6 +127,23 @@ def _of_part(node: ast.Reference | ast.Member | ast.Index, context: Context) -> 
     if used is None or used.frame is None or not is_told(used, (*used.path, *path)):
         return None
     return Framed(used.frame, used)
+
+
+def is_left_in_its_frame(node: ast.Member, type_: Type, context: Context) -> bool:
+    """Say whether a field goes by the axes of its message, and is asked for in another frame: the
+    covariance of a pose or a twist. It is reported.
+    """
+    root = root_of(node)
+    used = None if root is None else context.inputs.get(root.name.text)
+    if used is None or used.target is None or not isinstance(type_, Array):
+        return False
+    is_covariance = node.member.text.endswith("covariance")
+    if is_covariance:
+        reason = "it goes by the axes of its message"
+        finding = NothingToTransform(field=text_of(node), frame=used.target, reason=reason)
+        field = ".".join((*used.path, *path_of(node)))
+        context.collector.add(finding.at(node.member.span, help=finding.Untransformed(field=field)))
+    return is_covariance
 
 
 def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> bool:

@@ -19,6 +19,7 @@ from rossmarie.check.names.errors import (
     WrongKindOfName,
 )
 from rossmarie.check.names.fields import select
+from rossmarie.check.names.frames import is_left_in_its_frame
 from rossmarie.check.names.message_constants import names_a_message, type_of_message_constant
 from rossmarie.check.names.regions import classes_for, type_of_class
 from rossmarie.check.scopes.context import Context
@@ -89,7 +90,8 @@ def type_of_member(node: ast.Member, context: Context) -> Type:
     """The type of a condition of an entity, or of a field."""
     if is_value(node, context):
         type_, text, place = context.type_of(node.value), text_of(node.value), node.value.span
-        return select(type_, node.member, text, place, context.collector)
+        found = select(type_, node.member, text, place, context.collector)
+        return Unknown() if is_left_in_its_frame(node, found, context) else found
     name = node.value.name if isinstance(node.value, ast.Reference) else node.member
     declared = context.declarations.names.get(name.text)
     if isinstance(declared, ast.Entity):
