@@ -47,6 +47,23 @@ def test_each_rule_says_its_hazard_its_limit_and_how_the_number_is_derived(path:
         assert all(parts), rule.name.text
 
 
+@pytest.mark.parametrize("folders", [("base", "scan"), ("arm", "gripper", "people")], ids="-".join)
+def test_files_of_a_robot_go_together(folders: tuple[str, ...], tmp_path: Path) -> None:
+    shared = ("health", "power")
+    commands = "" if "base" in folders else " with commands = /servo_node/delta_twist_cmds"
+    imports = [
+        f'import "rossmarie/{name_of(path)}"{commands if path.parent.name in shared else ""} '
+        f"as {path.parent.name}_{path.stem};\n"
+        for path in WITH_RULES
+        if path.parent.name in (*folders, *shared)
+    ]
+    main = tmp_path / "robot.ross"
+    odometry = "system robot { topic /odom : nav_msgs/Odometry; }\n"
+    main.write_text(odometry + "".join(imports), encoding="utf-8")
+    found = run("rossmarie", "check", main, is_merged=True)
+    assert found.stdout == "no errors in 1 file\n"
+
+
 def test_there_are_forty_rules() -> None:
     names = [rule.name.text for path in WITH_RULES for rule in rules_of(path) if rule.name]
     assert len(names) >= 40

@@ -167,8 +167,8 @@ def _section(file: _File) -> Iterator[str]:
     yield ""
     yield "| Parameter | As it comes | |"
     yield "|---|---|---|"
-    for name, item in file.parameters.items():
-        yield f"| `{name}` | {_default(item)} | {_comment(item)} |"
+    for name, parameter in file.parameters.items():
+        yield f"| `{name}` | {_default(parameter)} | {_comment(parameter)} |"
     yield ""
     yield "| Input | Topic | Silent for at most |"
     yield "|---|---|---|"

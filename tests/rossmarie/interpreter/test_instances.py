@@ -159,6 +159,33 @@ def test_s85_what_a_file_does_not_declare_is_of_the_whole_program(tmp_path: Path
     assert [each.name for each in machine.inputs] == ["speed"]
 
 
+def test_s85_what_a_file_declares_comes_before_names_of_other_files(tmp_path: Path) -> None:
+    library = """
+        input battery = topic /battery : sensor_msgs/BatteryState timeout 5 sec;
+        entity cells { weak : battery.voltage < 20 V; }
+        rule tell: if cells.weak then { };
+    """
+    other = "const voltage = 3 V;"
+    main = 'import "library.ross" as cells;\nimport "other.ross" as battery;'
+    machine = machine_of(tmp_path, library=library, other=other, main=main)
+    assert [rule.name for rule in machine.rules] == ["cells_tell"]
+    assert [each.name for each in machine.inputs] == ["cells_battery"]
+
+
+def test_s85_hazards_of_a_file_are_there_once(tmp_path: Path) -> None:
+    library = """
+        parameter gap in m;
+        input distance = topic /sonar : sensor_msgs/Range .range timeout 1 sec;
+        hazard collision "it hits something";
+        rule near: if distance < gap then { } mitigates collision;
+    """
+    imports = ("", " as front", " as rear")
+    main = "\n".join(f'import "library.ross" with gap = 1 m{each};' for each in imports)
+    machine = machine_of(tmp_path, library=library, main=main)
+    assert [rule.name for rule in machine.rules] == ["near", "front_near", "rear_near"]
+    assert [each.name for each in machine.hazards] == ["collision"]
+
+
 def test_s86_values_are_of_the_importing_file(tmp_path: Path) -> None:
     library = """
         const a = 3 m;
