@@ -273,6 +273,7 @@ COMMANDS = {
         "build drive.ross --target ros2",
         "coverage drive.ross drive.csv",
         "dump drive.ross --after generate",
+        "example husky",
         "explain unit-mismatch",
         "export drive.ross --out rules.json",
         "failures drive.ross",

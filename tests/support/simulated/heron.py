@@ -28,7 +28,9 @@ TOUCHING = (25.0, 26.0)
 OVERLOAD = (28.0, 29.0)
 PERSON = (30.0, 38.0)  # comes near, stands beside the arm, and goes
 
-LIDAR = Lidar(angles=-math.pi + math.radians(0.5) * np.arange(720), least=0.1, most=30.0, steps=32)
+LIDAR = Lidar(
+    angles=np.linspace(-math.pi, math.pi, 720, endpoint=False), least=0.1, most=30.0, steps=32
+)
 PERIOD = 0.08
 BASE = Base(
     legs=(
