@@ -77,7 +77,8 @@ def test_elements_out_of_reach_leave_the_margin_to_others(
 ) -> None:
     machine = machine_of(tmp_path, f"if {condition} then {{ stop; }} feedback margin in m;")
     interpreter = Interpreter(machine)
-    wall, scan = (machine.inputs[each.input].channel for each in (*machine.slots, *machine.arrays))
+    inputs = (machine.slots[0].input, machine.arrays[0].input)
+    wall, scan = (machine.inputs[each].channel for each in inputs)
     interpreter.update(0, {wall: ir.ChannelValues(slots={0: 1.0})})
     interpreter.update(1, {scan: ir.ChannelValues(arrays={0: elements})})
     (asked,) = ir.margins_of(machine)

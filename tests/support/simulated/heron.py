@@ -29,7 +29,10 @@ OVERLOAD = (28.0, 29.0)
 PERSON = (30.0, 38.0)  # comes near, stands beside the arm, and goes
 
 LIDAR = Lidar(
-    angles=np.linspace(-math.pi, math.pi, 720, endpoint=False), least=0.1, most=30.0, steps=32
+    angles=np.linspace(-math.pi, math.pi, 720, endpoint=False, dtype=np.float64),
+    least=0.1,
+    most=30.0,
+    steps=32,
 )
 PERIOD = 0.08
 BASE = Base(
