@@ -4,24 +4,30 @@ from __future__ import annotations
 
 import math
 import statistics
-from collections.abc import Iterator, Mapping, Sequence
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, nullcontext
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import chain
 from pathlib import Path
 
 import nav2_node
+import numpy as np
 import rules_node
 from course import (
     BEAMS,
     COMMAND_TICKS,
     DELAY_TICKS,
     NEAR_M,
+    NS,
     SCAN_TICKS,
     SILENCE_S,
     TICK_S,
+    Command,
     Contender,
     Outcome,
+    Scan,
     outcomes,
     unguarded,
 )
@@ -33,7 +39,7 @@ from nav2_settings import ALL, LATENCY_S, STOP_M, Settings
 from written_page import written_page
 
 RUNS = 10
-COST_SCENES = ("wall ahead", "someone behind")
+PERIOD_S, COST_S, FAR_M = SCAN_TICKS * TICK_S, 10.0, 5.0
 FOLDER = Path(__file__).parents[1] / "build" / "bench" / "course"
 
 PREFACE = """\
@@ -65,6 +71,13 @@ approach (with the outline of this base), or zones: one as long as the way of br
 {latency:g} s, {stop:.2f} m, in which it stops, and one twice as long in which it is slow. Rules
 stop and slow down at the same distances ahead, by the least of all readings: `min(ranges)`."""
 
+COST = """\
+CPU time of the process of a node of ROS 2 in {period:g} s of the world, all transport included:
+while it hears nothing; with the clock and commands, where Nav2's node logs each time that it lacks
+a scan; and with a scan as well, of which each reading is {far:g} m. The mean of {seconds:g} s,
+on {machine}.
+"""
+
 HEAD = "| guard | hits | reaction, s | gap, m | stops | false | slow, s | way, m | goal |"
 
 
@@ -82,12 +95,12 @@ def modelled(settings: Settings) -> Contender:
 
 
 @contextmanager
-def nav2_nodes(folder: Path, *, is_checked: bool) -> Iterator[list[Contender]]:
+def nav2_nodes(folder: Path) -> Iterator[list[Contender]]:
     """The node itself, with each of the settings."""
     with ExitStack() as stack:
         found = []
         for number, settings in enumerate(ALL):
-            node = nav2_node.Node(settings, folder / f"nav2_{number}", is_checked=is_checked)
+            node = nav2_node.Node(settings, folder / f"nav2_{number}")
             stack.callback(node.end)
             found.append(node.contender)
         yield found
@@ -172,22 +185,40 @@ def cost_lines(folder: Path) -> Iterator[str]:
         yield f"Not measured: {lacking}."
         yield ""
         return
-    yield "CPU time of the process of a node of ROS 2 for a scan and the two commands that come"
-    yield "with it, transport included, at the pace of the world: the mean of the scenes"
-    yield f"{' and '.join(COST_SCENES)}, on {processor()}."
+    yield COST.format(period=PERIOD_S, far=FAR_M, seconds=COST_S, machine=processor())
+    yield "| node | nothing | clock, commands | and a scan |"
+    yield "|---|---|---|---|"
+    makers: list[Callable[[], rules_node.Node | nav2_node.Node]] = [
+        partial(nav2_node.Node, each, folder / "nav2_cost", is_checked=False) for each in ALL
+    ]
+    for make in (*makers, partial(rules_node.Node, RANGES, folder / "rules")):
+        node = make()
+        try:
+            with node.contender.start():
+                loads = ((False, False), (True, False), (True, True))
+                spent = [spent_s(node, *load) for load in loads]
+        finally:
+            node.end()
+        cells = (f"{1e6 * each:.0f} µs" for each in spent)
+        yield f"| {' | '.join((node.contender.name, *cells))} |"
     yield ""
-    yield "| node | of a scan |"
-    yield "|---|---|"
-    node = rules_node.Node(RANGES, folder / "rules")
-    try:
-        with nav2_nodes(folder, is_checked=False) as contenders:
-            for each in (*contenders, node.contender):
-                runs = [run for scene in COST_SCENES for run in outcomes(each, scene, 1)]
-                spent = statistics.mean(run.cpu_ns_of_scan for run in runs)
-                yield f"| {each.name} | {spent / 1e3:.0f} µs |"
-    finally:
-        node.end()
-    yield ""
+
+
+def spent_s(node: rules_node.Node | nav2_node.Node, has_commands: bool, has_scans: bool) -> float:
+    """The CPU time of a node in the period of a scan."""
+    far = np.full(BEAMS, FAR_M, dtype=np.float32)
+    node.lockstep.begin()
+    begin_s, begin_ns = time.monotonic(), node.cpu_ns()
+    for number in range(round(COST_S / PERIOD_S * SCAN_TICKS / COMMAND_TICKS)):
+        at_s = number * COMMAND_TICKS * TICK_S
+        time.sleep(max(0.0, begin_s + at_s - time.monotonic()))
+        if has_commands:
+            is_due = has_scans and number * COMMAND_TICKS % SCAN_TICKS == 0
+            at_ns = round(at_s * NS)
+            node.lockstep.tell(at_ns, Scan(at_ns, far) if is_due else None, None)
+            node.lockstep.ask(Command(SPEED, 0.0))
+    time.sleep(max(0.0, begin_s + COST_S - time.monotonic()))
+    return (node.cpu_ns() - begin_ns) / NS * PERIOD_S / COST_S
 
 
 def model_lines(lacking: str | None, found: Sequence[Comparison]) -> Iterator[str]:
@@ -228,7 +259,7 @@ def lines(folder: Path) -> Iterator[str]:
     if lacking:
         found, comparisons = drive([nobody, *models, ours]), []
     else:
-        with nav2_nodes(folder, is_checked=True) as nodes:
+        with nav2_nodes(folder) as nodes:
             found = drive([nobody, *nodes, ours])
         twins = drive(models)
         comparisons = [compared(found[place], runs) for place, runs in twins.items()]

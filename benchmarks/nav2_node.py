@@ -71,7 +71,7 @@ class Node:
         if is_checked:
             shown[POINTS] = course_node.kinds("visualization_msgs").MarkerArray
             shown[ZONE] = course_node.kinds("geometry_msgs").PolygonStamped
-        self._lockstep = Lockstep(
+        self.lockstep = Lockstep(
             self._domain.number, "/cmd_vel_smoothed", shown, is_paced=not is_checked
         )
         self._last: Scan | None = None
@@ -112,9 +112,9 @@ class Node:
         """The answer of the node."""
         new = scan if scan is not self._last else None
         for attempt in range(ATTEMPTS):
-            self._lockstep.tell(at_ns, new, None)
+            self.lockstep.tell(at_ns, new, None)
             time.sleep(0.001 * (1 + attempt))
-            answer = self._lockstep.ask(command)
+            answer = self.lockstep.ask(command)
             if self._is_by(scan, at_ns):
                 self._last = scan
                 return answer
@@ -124,11 +124,11 @@ class Node:
         """Say whether it went by this scan and this instant, as far as it is asked to show it."""
         if not self._is_checked:
             return True
-        heard = self._lockstep.heard
+        heard = self.lockstep.heard
         stamp = heard[ZONE].header.stamp
         shown = [marker.points for marker in heard[POINTS].markers]
         wanted = points_of(scan) if scan and self._model.is_valid(scan, at_ns) else None
-        is_now = stamp.sec * NS + stamp.nanosec == self._lockstep.at(at_ns)
+        is_now = stamp.sec * NS + stamp.nanosec == self.lockstep.at(at_ns)
         if wanted is None or not shown:
             return is_now and wanted is None and not shown
         x = [point.x for point in shown[0]]
@@ -137,7 +137,7 @@ class Node:
     @contextmanager
     def _run(self) -> Iterator[Node]:
         self._last = None
-        self._lockstep.begin()
+        self.lockstep.begin()
         until = time.monotonic() + START_S
         still = Odometry(0, ORIGIN, Command(0.0, 0.0))
         while True:  # until it is active, and has heard the clock of this run
@@ -153,5 +153,5 @@ class Node:
         """No more runs."""
         self._process.terminate()
         self._process.wait(10)
-        self._lockstep.end()
+        self.lockstep.end()
         self._domain.leave()

@@ -28,7 +28,7 @@ class Node:
         self._ros = ros2_live.Ros2(folder, built)
         (program,) = self._ros.prepare([machine])
         domain = int(self._ros.variables["ROS_DOMAIN_ID"])
-        self._lockstep = Lockstep(domain, "/unfil_cmd_vel", {}, is_paced=True)
+        self.lockstep = Lockstep(domain, "/unfil_cmd_vel", {}, is_paced=True)
         self._process = self._ros.begin(program, {}, use_sim_time=True)
         self._last: Scan | None = None
         self.contender = Contender(rules.name, self._run)
@@ -41,20 +41,20 @@ class Node:
         self, scan: Scan | None, odometry: Odometry, command: Command, at_ns: int
     ) -> Command:
         """The answer of the node."""
-        self._lockstep.tell(at_ns, scan if scan is not self._last else None, odometry)
+        self.lockstep.tell(at_ns, scan if scan is not self._last else None, odometry)
         self._last = scan
         time.sleep(0.001)
-        return self._lockstep.ask(command)
+        return self.lockstep.ask(command)
 
     @contextmanager
     def _run(self) -> Iterator[Node]:
         self._last = None
-        self._lockstep.begin()
+        self.lockstep.begin()
         until = time.monotonic() + START_S
         while True:  # until it has started
-            self._lockstep.tell(0, None, None)
+            self.lockstep.tell(0, None, None)
             try:
-                self._lockstep.ask(Command(0.1, 0.0))
+                self.lockstep.ask(Command(0.1, 0.0))
                 break
             except TimeoutError:
                 if time.monotonic() > until:
@@ -64,5 +64,5 @@ class Node:
     def end(self) -> None:
         """No more runs."""
         self._process.end()
-        self._lockstep.end()
+        self.lockstep.end()
         self._ros.end()
