@@ -4,7 +4,7 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import example, given
+from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
 from rossmarie.core import (
@@ -62,6 +62,7 @@ def test_the_phrase_names_each_operand(function: Function) -> None:
 @given(applications(NUMBERS))
 def test_of_what_is_unknown_the_result_is(application: tuple[Function, list[float]]) -> None:
     function, operands = application
+    assume(function not in (Function.RAISED, Function.LOWERED))  # of a default they make that
     operands[0] = math.nan
     assert math.isnan(arithmetic.apply(function, tuple(operands)))
 
