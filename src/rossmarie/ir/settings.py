@@ -16,10 +16,10 @@ PREFIX = "~"
 MESSAGE = "std_msgs/Float64"
 
 FARTHEST = 1000.0
-"""How many times the default a value may be, or which part of it."""
+"""The factor by which a value may be above or below the default."""
 
 AT_ZERO = 1e9
-"""How far a value may be from a default of 0."""
+"""The distance that a value may have from a default of 0."""
 
 
 @dataclass(frozen=True)
