@@ -67,7 +67,7 @@ def frames_in(
 
 @dataclass
 class _Edge:
-    """The times at which one transform came so far."""
+    """The messages so far that had one transform: their count, and the longest gap between two."""
 
     is_static: bool
     count: int = 0
