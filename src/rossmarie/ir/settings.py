@@ -16,10 +16,10 @@ PREFIX = "~"
 MESSAGE = "std_msgs/Float64"
 
 FARTHEST = 1000.0
-"""How many times the default a value may be, or which part of it."""
+"""A value may be this many times the default, or one part in as many."""
 
 AT_ZERO = 1e9
-"""How far a value may be from a default of 0."""
+"""A value may be this far from a default of 0."""
 
 
 @dataclass(frozen=True)
