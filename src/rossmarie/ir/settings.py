@@ -16,10 +16,10 @@ PREFIX = "~"
 MESSAGE = "std_msgs/Float64"
 
 FARTHEST = 1000.0
-"""The factor by which a value may be above or below the default."""
+"""A value may be this many times the default, or one part in as many."""
 
 AT_ZERO = 1e9
-"""The distance that a value may have from a default of 0."""
+"""A value may be this far from a default of 0."""
 
 
 @dataclass(frozen=True)

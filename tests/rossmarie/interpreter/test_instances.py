@@ -264,7 +264,7 @@ _SEEN = st.lists(st.tuples(st.floats(0, 3), st.floats(-3, 3)), min_size=1, max_s
 def active_after(
     machine: Machine, given: dict[str, float], seen: Sequence[tuple[float, float]]
 ) -> list[bool]:
-    """Whether the rule is active after each message, every 100 ms, of distance and speed."""
+    """Say after each message, every 100 ms, if the rule is active."""
     monitor, found = Interpreter(machine), []
     topics = [channel.topic for channel in machine.channels]
     for index, (distance, speed) in enumerate(seen):
