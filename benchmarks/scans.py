@@ -162,7 +162,8 @@ def page() -> str:
             "Written by `benchmarks/scans.py`; do not edit. Each condition is the only one of a",
             "rule. A scan is taken apart by the header that nodes have, and goes into the",
             f"generated monitor: {SCANS:,} scans of random distances, of which every twentieth is",
-            f"0. CPU time of the process, in one run on one machine, medians of {ROUNDS} rounds, on",
+            "0. CPU time of the process, in one run on one machine, medians of "
+            f"{ROUNDS} rounds, on",
             f"{processor()}, {day}. Absolute figures are those of this machine.",
             "",
             f"| condition | {heads} |",
