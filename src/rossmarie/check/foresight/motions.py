@@ -68,7 +68,8 @@ def _checked(motion: ast.Motion, context: Context) -> CheckedMotion | None:
         return None
     used = [context.inputs[name] for name in sorted(uses.inputs)]
     moving = [each for one in used for each in _moving_frames(one, context)]
-    longest_ns = max((each.timeout_ns or 0 for each in (*used, *moving)), default=0)
+    timeouts = [*(each.timeout_ns for each in used), *(each.timeout_ns for each in moving)]
+    longest_ns = max((each or 0 for each in timeouts), default=0)
     return CheckedMotion(
         declaration=motion,
         position=parts["position"].expression,
