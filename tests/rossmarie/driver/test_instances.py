@@ -137,11 +137,12 @@ def test_every_name_of_a_node_is_accounted_for() -> None:
         ast.Diagnose: {"level"},
         ast.Doing: {"skill"},
         ast.FieldPath: {"steps"},
+        ast.FrameDeclaration: {"alias", "frame", "parent"},
         ast.Given: {"name", "value"},
         ast.Hazard: {"name"},
         ast.Hook: {"name"},
         ast.Import: {"alias"},
-        ast.Input: {"message_type", "path"},
+        ast.Input: {"message_type", "path", "source", "frame"},
         ast.Keeps: {"place"},
         ast.ListFold: {"function"},
         ast.Log: {"level"},
@@ -162,9 +163,10 @@ def test_every_name_of_a_node_is_accounted_for() -> None:
         ast.SwitchControllers: {"start", "stop"},
         ast.System: {"name"},
         ast.Target: {"type"},
-        ast.TopicDeclaration: {"message_type"},
+        ast.TopicDeclaration: {"message_type", "source"},
         ast.TreeArgument: {"parameter"},
         ast.UnitDeclaration: {"message_type", "path"},
+        ast.Zone: {"frame"},
     }
     for module in (effects, expressions, imports, items, tests):
         for node in vars(module).values():

@@ -15,6 +15,7 @@ from rossmarie.interpreter import Interpreter, arithmetic
 from rossmarie.ir import ChannelValues, TruthValue
 from support.compiled import machine_of
 from support.frames import Placed, matrix, rotation, turn_of
+from support.programs import program_of
 
 F, T, _, L = TruthValue
 NAN = math.nan
@@ -245,3 +246,20 @@ def test_s80_what_is_mounted_comes_with_no_message() -> None:
     assert [each.topic for each in watched.machine.channels] == ["/hand"]
     watched.hear(1, {"/hand": pose("tool", (1.0, 2.0, 3.0))})
     assert watched.numbers == pytest.approx([float((matrix(TOOL) @ (1.0, 2.0, 3.0, 1.0))[2])])
+
+
+def test_s65_a_frame_that_moves_may_be_as_old_as_its_timeout() -> None:
+    """The reaction of a motion counts with it, and with what it travels fastest meanwhile."""
+    motion = """
+    input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.2 sec;
+    input place = topic /odom : nav_msgs/Odometry .pose.pose from FROM in base timeout 0.2 sec;
+    motion drive {
+        position : place; speed : speed; brake : 1 m/s^2; acceleration : 0 m/s^2;
+        fastest : 2 m/s; latency : 0.1 sec;
+    }
+    rule r: if stopping(drive) > 1 m then { slow; };
+    """
+    for frame, reaction_s, is_of_one in (("tool", 0.3, True), ("head", 1.1, False)):
+        found = program_of(SYSTEM + motion.replace("FROM", frame)).motions["drive"]
+        assert found.reaction_s == pytest.approx(reaction_s)
+        assert found.is_of_one_message == is_of_one

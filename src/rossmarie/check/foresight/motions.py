@@ -68,7 +68,7 @@ def _checked(motion: ast.Motion, context: Context) -> CheckedMotion | None:
         return None
     used = [context.inputs[name] for name in sorted(uses.inputs)]
     moving = [each for one in used for each in _moving_frames(one, context)]
-    timeouts = [each.timeout_ns for each in used] + [each.timeout_ns for each in moving]
+    timeouts = [*(each.timeout_ns for each in used), *(each.timeout_ns for each in moving)]
     longest_ns = max((each or 0 for each in timeouts), default=0)
     return CheckedMotion(
         declaration=motion,

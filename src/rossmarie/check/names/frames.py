@@ -10,7 +10,7 @@ from rossmarie.check.names.frame_errors import MixedFrames, NothingToTransform, 
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import path_of, root_of, stripped, text_of
 from rossmarie.syntax import ast
-from rossmarie.types import Array, List, Message, Quaternion, Text, Type, Vector
+from rossmarie.types import Array, Message, Quaternion, Text, Type, Vector
 
 HEADER = ("header", "frame_id")
 CHILD = "child_frame_id"
@@ -62,14 +62,14 @@ def is_told(used: CheckedInput, path: Sequence[object]) -> bool:
 
 
 def has_frame(type_: Type) -> bool:
-    """Say whether values of a type are seen from a frame, or hold some that are."""
+    """Say whether values of a type are seen from a frame, or hold some that are. Elements of lists
+    do not count: they cannot be transformed.
+    """
     match type_:
         case Vector() | Quaternion():
             return True
         case Message(fields=fields):
             return any(has_frame(part) for name, part in fields.items() if name != HEADER[0])
-        case List(element=element):
-            return has_frame(element)
         case _:  # open: numbers, truths and texts alone have no frame
             return False
 
@@ -144,6 +144,12 @@ def is_left_in_its_frame(node: ast.Member, type_: Type, context: Context) -> boo
         field = ".".join((*used.path, *path_of(node)))
         context.collector.add(finding.at(node.member.span, help=finding.Untransformed(field=field)))
     return is_covariance
+
+
+def report_list(node: ast.Expression, frame: str, context: Context) -> None:
+    """Report a list of things that are wanted in another frame: only single ones can be seen so."""
+    finding = NothingToTransform(field=text_of(node), frame=frame, reason="it is a list")
+    context.collector.add(finding.at(node.span, help=finding.LeaveOut(frame=frame)))
 
 
 def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> bool:

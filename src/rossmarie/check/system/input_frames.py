@@ -114,7 +114,7 @@ def _trouble(used: CheckedInput, frame: str) -> tuple[str | None, Remark | None]
 def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
     """A field of which the frame is told in another place than that of the whole."""
     for name, part in members(type_).items():
-        is_seen = isinstance(type_, Message) and has_frame(part) and not isinstance(part, List)
+        is_seen = isinstance(type_, Message) and has_frame(part)
         if is_seen and not is_told(used, (*used.path, name)):
             return name
     return None
