@@ -68,7 +68,7 @@ class ScriptedArrival:
 
     @property
     def count(self) -> int:
-        """How many messages come on each of the topics."""
+        """The number of messages that come on each of the topics."""
         return 1 if self.period_ns is None else (self.last_ns - self.first_ns) // self.period_ns + 1
 
 
