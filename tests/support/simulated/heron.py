@@ -11,8 +11,9 @@ from typing import Any
 import numpy as np
 
 from rossmarie.driver.robots import robot
-from support.simulated.base import Base, Leg, command, curve, imu, odometry
-from support.simulated.frames import Frame, of_odometry, transforms
+from support.simulated.base import Base, Leg, curve, imu
+from support.simulated.frames import Frame
+from support.simulated.mobile import driving
 from support.simulated.motion import Motion, joint_state
 from support.simulated.recording import Sensor, during, every, rounded, store_of
 from support.simulated.world import Lidar, Pillar, Thing, room
@@ -113,13 +114,7 @@ def joints(t: float) -> dict[str, Any]:
 def sensors() -> Sequence[Sensor]:
     """All topics."""
     return [
-        Sensor("/tf_static", "tf2_msgs/TFMessage", [0.0], lambda t: transforms(STORE, t, *FRAMES)),
-        Sensor(
-            "/tf",
-            "tf2_msgs/TFMessage",
-            every(20, SECONDS),
-            lambda t: transforms(STORE, t, of_odometry(BASE.at(t))),
-        ),
+        *driving(STORE, BASE, FRAMES, 50),
         Sensor(
             "/scan",
             "sensor_msgs/LaserScan",
@@ -135,15 +130,6 @@ def sensors() -> Sequence[Sensor]:
             lambda t: imu(BASE.at(t), *tilt(t), jolt(t)),
             "imu",
         ),
-        Sensor(
-            "/odom", "nav_msgs/Odometry", every(50, SECONDS), lambda t: odometry(BASE.at(t)), "odom"
-        ),
         Sensor("/wrench", "geometry_msgs/WrenchStamped", every(125, SECONDS), wrench, "wrist"),
         Sensor("/joint_states", "sensor_msgs/JointState", every(125, SECONDS), joints, ""),
-        Sensor(
-            "/cmd_vel",
-            "geometry_msgs/Twist",
-            every(20, SECONDS),
-            lambda t: command(BASE.wanted(t)),
-        ),
     ]

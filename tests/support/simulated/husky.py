@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 
 from rossmarie.driver.robots import robot
-from support.simulated.base import Base, Leg, command, curve, imu, odometry
-from support.simulated.frames import Frame, of_odometry, transforms
+from support.simulated.base import Base, Leg, curve, imu
+from support.simulated.frames import Frame
+from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, rounded, store_of
 from support.simulated.world import Lidar, Pillar, Thing, Wall
 
@@ -117,13 +118,7 @@ def sensors() -> Sequence[Sensor]:
     """All topics."""
     controller = "/husky_velocity_controller"
     return [
-        Sensor("/tf_static", "tf2_msgs/TFMessage", [0.0], lambda t: transforms(STORE, t, *FRAMES)),
-        Sensor(
-            "/tf",
-            "tf2_msgs/TFMessage",
-            every(50, SECONDS),
-            lambda t: transforms(STORE, t, of_odometry(BASE.at(t))),
-        ),
+        *driving(STORE, BASE, FRAMES, 50, f"{controller}/odom", f"{controller}/cmd_vel"),
         Sensor(
             "/front/scan",
             "sensor_msgs/LaserScan",
@@ -139,18 +134,5 @@ def sensors() -> Sequence[Sensor]:
             lambda t: imu(BASE.at(t), *tilt(t), jolt(t)),
             "imu_link",
         ),
-        Sensor(
-            f"{controller}/odom",
-            "nav_msgs/Odometry",
-            every(50, SECONDS),
-            lambda t: odometry(BASE.at(t)),
-            "odom",
-        ),
         Sensor("/status", "husky_msgs/HuskyStatus", every(1, SECONDS), status, ""),
-        Sensor(
-            f"{controller}/cmd_vel",
-            "geometry_msgs/Twist",
-            every(20, SECONDS),
-            lambda t: command(BASE.wanted(t)),
-        ),
     ]

@@ -10,8 +10,9 @@ import numpy as np
 
 from rossmarie.driver.robots import robot
 from support.made_messages import made
-from support.simulated.base import Base, Leg, command, curve, imu, odometry
-from support.simulated.frames import Frame, of_odometry, transforms
+from support.simulated.base import Base, Leg, curve, imu
+from support.simulated.frames import Frame
+from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, header, rounded, store_of
 from support.simulated.world import Lidar, Pillar, Thing, Wall, room
 
@@ -148,13 +149,7 @@ def sensors() -> Sequence[Sensor]:
     """All topics."""
     names = "irobot_create_msgs"
     return [
-        Sensor("/tf_static", "tf2_msgs/TFMessage", [0.0], lambda t: transforms(STORE, t, *FRAMES)),
-        Sensor(
-            "/tf",
-            "tf2_msgs/TFMessage",
-            every(20, SECONDS),
-            lambda t: transforms(STORE, t, of_odometry(BASE.at(t))),
-        ),
+        *driving(STORE, BASE, FRAMES, 20),
         Sensor(
             "/scan",
             "sensor_msgs/LaserScan",
@@ -169,13 +164,6 @@ def sensors() -> Sequence[Sensor]:
             every(62.5, SECONDS),
             lambda t: imu(BASE.at(t), *tilt(t)),
             "imu_link",
-        ),
-        Sensor(
-            "/odom",
-            "nav_msgs/Odometry",
-            every(20, SECONDS),
-            lambda t: odometry(BASE.at(t)),
-            "odom",
         ),
         Sensor(
             "/hazard_detection",
@@ -207,10 +195,4 @@ def sensors() -> Sequence[Sensor]:
         ),
         Sensor("/wheel_status", f"{names}/WheelStatus", every(20, SECONDS), wheels, "base_link"),
         Sensor("/battery_state", "sensor_msgs/BatteryState", every(1, SECONDS), battery, "base"),
-        Sensor(
-            "/cmd_vel",
-            "geometry_msgs/Twist",
-            every(20, SECONDS),
-            lambda t: command(BASE.wanted(t)),
-        ),
     ]
