@@ -158,6 +158,8 @@ def test_every_name_of_a_node_is_accounted_for() -> None:
         ast.ServerDeclaration: {"action_type"},
         ast.ServiceDeclaration: {"service_type"},
         ast.SetParameter: {"parameter"},
+        ast.Shape: {"word"},
+        ast.SettingPath: {"steps"},
         ast.SkillArgument: {"parameter", "kind"},
         ast.SkillNumber: {"skill", "steps"},
         ast.SwitchControllers: {"start", "stop"},
