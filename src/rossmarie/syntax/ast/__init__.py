@@ -89,7 +89,6 @@ from rossmarie.syntax.ast.items import (
     Rule,
     ServerDeclaration,
     ServiceDeclaration,
-    Shape,
     SkillNumber,
     Skills,
     Step,
@@ -97,7 +96,6 @@ from rossmarie.syntax.ast.items import (
     SystemMember,
     TopicDeclaration,
     UnitDeclaration,
-    Zone,
 )
 from rossmarie.syntax.ast.tests import (
     Arrival,
@@ -110,6 +108,7 @@ from rossmarie.syntax.ast.tests import (
     Stretch,
     Test,
 )
+from rossmarie.syntax.ast.zones import Shape, Zone
 
 __all__ = [
     "JUNCTIONS",
