@@ -90,7 +90,6 @@ from rossmarie.syntax.ast.items import (
     Rule,
     ServerDeclaration,
     ServiceDeclaration,
-    Shape,
     SkillNumber,
     Skills,
     Step,
@@ -98,7 +97,6 @@ from rossmarie.syntax.ast.items import (
     SystemMember,
     TopicDeclaration,
     UnitDeclaration,
-    Zone,
 )
 from rossmarie.syntax.ast.tests import (
     Arrival,
@@ -111,6 +109,7 @@ from rossmarie.syntax.ast.tests import (
     Stretch,
     Test,
 )
+from rossmarie.syntax.ast.zones import Shape, Zone
 
 __all__ = [
     "JUNCTIONS",

@@ -6,9 +6,10 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax.ast.effects import Effect
-from rossmarie.syntax.ast.expressions import Bracket, Doing, Expression, Name, Number, Text, Unit
+from rossmarie.syntax.ast.expressions import Doing, Expression, Name, Number, Text, Unit
 from rossmarie.syntax.ast.imports import Import, Parameter
 from rossmarie.syntax.ast.tests import Test
+from rossmarie.syntax.ast.zones import Zone
 
 
 @dataclass(frozen=True)
@@ -240,29 +241,6 @@ class Motion:
 
     name: Name
     parts: tuple[Condition, ...]
-    documentation: str | None
-    span: Span
-
-
-@dataclass(frozen=True)
-class Shape:
-    """`box [0.2, 0.9, -0.4, 0.4] m`, `circle [0.9, 0] m radius 0.4 m` or `polygon [0, 1], [1, 1],
-    [1, 2] m`; `word` is the first one, `radius` that of a circle.
-    """
-
-    word: Name
-    brackets: tuple[Bracket, ...]
-    radius: Expression | None
-    span: Span
-
-
-@dataclass(frozen=True)
-class Zone:
-    """`zone stopZone in base_link { ... }`: some shapes in the x-y plane of a frame."""
-
-    name: Name
-    frame: Name
-    shapes: tuple[Shape, ...]
     documentation: str | None
     span: Span
 
