@@ -5,6 +5,7 @@ from rossmarie.ir import reactions
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.calls import SkillCall
+from rossmarie.ir.channels import TRANSFORMS, Channel, Edge, bare_frame
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import (
     Cause,
@@ -38,17 +39,14 @@ from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues, known_count
 from rossmarie.ir.model import (
     FLAG_LIMITS,
-    TRANSFORMS,
     AgeReaches,
     And,
     Apply,
     Array,
     Between,
-    Channel,
     Compare,
     Constant,
     Count,
-    Edge,
     Element,
     Flag,
     Fold,
@@ -74,7 +72,6 @@ from rossmarie.ir.model import (
     Slot,
     Truth,
     TruthNode,
-    bare_frame,
 )
 from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
