@@ -7,6 +7,7 @@ from rossmarie.ir.batch import Batch, Elements, Taken, each_update
 from rossmarie.ir.beside import beside, made_beside, stand_beside
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.calls import SkillCall
+from rossmarie.ir.channels import TRANSFORMS, Channel, Edge, bare_frame
 from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import (
     Cause,
@@ -40,17 +41,14 @@ from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues, known_count
 from rossmarie.ir.model import (
     FLAG_LIMITS,
-    TRANSFORMS,
     AgeReaches,
     And,
     Apply,
     Array,
     Between,
-    Channel,
     Compare,
     Constant,
     Count,
-    Edge,
     Element,
     Flag,
     Fold,
@@ -76,7 +74,6 @@ from rossmarie.ir.model import (
     Slot,
     Truth,
     TruthNode,
-    bare_frame,
 )
 from rossmarie.ir.naming import (
     ScanFields,

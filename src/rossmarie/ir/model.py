@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from dslkit.source import Span
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir.calls import SkillCall
+from rossmarie.ir.channels import Channel
 from rossmarie.ir.feedback import NO_FEEDBACK, Feedback
 from rossmarie.ir.filing import Category, Exemption, Hazard, LeftOut
 from rossmarie.ir.path import Path
@@ -91,58 +92,6 @@ class Array:
     limits: tuple[float, float] | None = None
     kind: Kind = Kind.REAL
     list: int | None = None
-
-
-@dataclass(frozen=True)
-class Edge:
-    """The transform from the frame `child` to the frame `parent` in messages on a `topic`, each of
-    which has any number of transforms.
-    """
-
-    topic: str
-    parent: str
-    child: str
-
-    def __str__(self) -> str:
-        return f"{self.topic} ({self.child} in {self.parent})"
-
-
-TRANSFORMS = "tf2_msgs/TFMessage"
-"""The type of messages with transforms."""
-
-
-def bare_frame(name: str) -> str:
-    """The name of a frame in a transform: older programs write a slash in front, which tf2 leaves
-    out.
-    """
-    return name.removeprefix("/")
-
-
-@dataclass(frozen=True)
-class Channel:
-    """A topic: one message on it is one update of all its inputs.
-
-    With an `edge` it is that transform: `topic` is only a name, `message_type` is that of the
-    transform, and a message on the topic of the edge is a message here if it has the transform.
-
-    `gaps_ns` are the least and the greatest time between two messages, None if nothing is said of
-    them; that is what a system model promises, and no monitor relies on it.
-    """
-
-    topic: str
-    message_type: str
-    gaps_ns: tuple[int, int] | None = None
-    edge: Edge | None = None
-
-    @property
-    def source(self) -> str:
-        """The topic that its messages come on."""
-        return self.topic if self.edge is None else self.edge.topic
-
-    @property
-    def source_type(self) -> str:
-        """The type of the messages on that topic."""
-        return self.message_type if self.edge is None else TRANSFORMS
 
 
 # --- signals: numbers ------------------------------------------------------------------------

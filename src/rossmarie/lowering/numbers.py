@@ -13,8 +13,7 @@ from typing import TypeGuard
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedMotion, CheckedProgram, Value
-from rossmarie.check.names.parts import Part, part_at
-from rossmarie.check.names.regions import FRAME_OF_HEADER
+from rossmarie.check.names.parts import part_at
 from rossmarie.check.operations.lists import counts_all
 from rossmarie.check.operations.sectors import sector_between
 from rossmarie.check.scopes.trees import stripped
@@ -389,14 +388,9 @@ class Numbers:
             place = place.field("position", seen)
         assert isinstance(seen, Vector), "checked: it is a position"
         words_of_it = self.shown(position)
-        if is_in_frame(place):
-            parts = self._seen(place, seen, words_of_it)
-            x, y = parts(0), parts(1)
-            frame = self._frames.frame(place, words_of_it)
-        else:
-            x, y = (self._read_part(place, axis, seen.element, words_of_it) for axis in "xy")
-            header = Place(place.input, Part(FRAME_OF_HEADER))
-            frame = self._read_scalar(header, Text(), replace(words_of_it, text="frame", unit=None))
+        parts = self._seen(place, seen, words_of_it)
+        x, y = parts(0), parts(1)
+        frame = self._frames.frame(place, words_of_it)
         text = self._nodes.constant(float(self._inputs.text(wanted.text)), wanted)
         return self._nodes.apply(function, (x, y, frame, text), shown)
 
