@@ -8,7 +8,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rossmarie.core import Function
-from rossmarie.ir.model import Apply, Channel, Constant, Machine, Read, SignalNode
+from rossmarie.ir.channels import Channel
+from rossmarie.ir.model import Apply, Constant, Machine, Read, SignalNode
 
 PREFIX = "~"
 """The beginning of the names of such channels; no topic of the rules begins like this."""

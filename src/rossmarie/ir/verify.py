@@ -53,8 +53,7 @@ def verify(machine: ir.Machine) -> None:
     _verify_element_use(machine, arrays)
     _verify_kinds(machine)
     _verify_rules(machine, arrays)
-    _verify_watches(machine, arrays)
-    _verify_readings(machine, arrays)
+    _verify_asked(machine, arrays)
     verify_reactions(machine)
 
 
@@ -369,10 +368,9 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
         for truth in rule.roots:
             require_index(truth, len(machine.truths), where, "truth")
             require(arrays.truths[truth] is None, where, f"truth {truth} is elementwise")
-        condition = rule.condition
-        require(rule.terms == rule_terms(machine, condition), where, "wrong terms")
-        require(rule.signals == rule_signals(machine, condition), where, "wrong signals")
-        inputs = tuple(sorted(rests_on[condition].inputs))
+        require(rule.terms == rule_terms(machine, rule.condition), where, "wrong terms")
+        require(rule.signals == rule_signals(machine, rule.condition), where, "wrong signals")
+        inputs = tuple(sorted(rests_on[rule.condition].inputs))
         require(rule.inputs == inputs, where, "wrong inputs")
         if rule.feedback.margin is not None:
             _verify_margin(machine, rule.feedback.margin, arrays, where)
@@ -390,14 +388,12 @@ def _verify_margin(machine: ir.Machine, margin: Margin, arrays: ElementArrays, w
     require(margin.scale > 0.0, where, f"a margin times {margin.scale}")
 
 
-def _verify_readings(machine: ir.Machine, arrays: ElementArrays) -> None:
+def _verify_asked(machine: ir.Machine, arrays: ElementArrays) -> None:
+    """The signals and truths that actions ask are single ones."""
     for index, signal in enumerate(machine.readings):
         where = f"reading {index}"
         require_index(signal, len(machine.signals), where, "signal")
         require(arrays.signals[signal] is None, where, f"signal {signal} is elementwise")
-
-
-def _verify_watches(machine: ir.Machine, arrays: ElementArrays) -> None:
     for index, truth in enumerate(machine.watches):
         where = f"watch {index}"
         require_index(truth, len(machine.truths), where, "truth")

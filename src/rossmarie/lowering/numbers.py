@@ -6,16 +6,14 @@ it only where a fold, a count or a quantifier is around.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from typing import TypeGuard
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedMotion, CheckedProgram, Value
-from rossmarie.check.names.parts import part_at
 from rossmarie.check.operations.lists import counts_all
-from rossmarie.check.operations.sectors import sector_between
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.core import Measure, RegionFunction, sampling_row
 from rossmarie.lowering.beams import ANGLE, coordinate, is_of_point
@@ -24,6 +22,7 @@ from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.frames import Axis, Frames, is_in_frame
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
+from rossmarie.lowering.places import Places
 from rossmarie.lowering.wording import unit_of, words
 from rossmarie.syntax import ast
 from rossmarie.types import (
@@ -88,7 +87,7 @@ class Numbers:
         self._nodes = nodes
         self._truth = truth
         self._frames = Frames(program, inputs, nodes)
-        self._elements: dict[str, Place] = {}
+        self._places = Places(program)
 
     def scalar(self, node: ast.Expression) -> int:
         """The signal of a number, of a text, or of any one element of an array."""
@@ -164,36 +163,11 @@ class Numbers:
 
     def place(self, node: ast.Expression) -> Place | None:
         """The part of a message that an expression names; None if it names something else."""
-        match node:
-            case ast.Parenthesized(inner=inner):
-                return self.place(inner)
-            case ast.Reference(name=name) if name.text in self._elements:
-                return self._elements[name.text]
-            case ast.Reference(name=name):
-                used = self._program.symbols.inputs.get(name.text)
-                return None if used is None else Place(used, part_at(used.base, used.type))
-            case ast.Member(value=value, member=member):
-                place = self.place(value)
-                return None if place is None else place.field(member.text, self.type_of(node))
-            case ast.Index(value=value, index=index):
-                place = self.place(value)
-                return None if place is None else place.element(index, self.type_of(value))
-            case ast.Sector(value=value, arc=arc):
-                place = self.place(value)
-                return None if place is None else place.sector(self._sector(arc))
-            case (
-                ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
-                | ast.Edges() | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary()
-                | ast.Membership() | ast.Held() | ast.Since() | ast.Once() | ast.Response()
-                | ast.Doing() | ast.Broken()
-            ):  # fmt: skip
-                return None
+        return self._places.place(node)
 
-    def _sector(self, arc: ast.Arc) -> ir.Sector:
-        ends = (self._program.values[end].numbers[0] for end in (arc.first, arc.last))
-        sector = sector_between(*ends)
-        assert sector is not None, "checked: it is a sector"
-        return sector
+    def elements_of(self, node: ast.ListFold) -> AbstractContextManager[None]:
+        """Inside, the variable of a fold stands for the element at hand of its list."""
+        return self._places.elements_of(node)
 
     def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
         match type_:
@@ -256,15 +230,6 @@ class Numbers:
 
     # --- elements of lists -------------------------------------------------------------------
 
-    @contextmanager
-    def elements_of(self, node: ast.ListFold) -> Iterator[None]:
-        """Inside, the variable of a fold stands for the element at hand of its list."""
-        place = self.place(node.list)
-        assert place is not None, "checked: it is a list that an input brings"
-        self._elements[node.variable.text] = place.each()
-        yield
-        del self._elements[node.variable.text]
-
     def _folded_list(self, node: ast.ListFold) -> int:
         with self.elements_of(node):
             if counts_all(node, self._program.types, self._program.values):
@@ -284,7 +249,7 @@ class Numbers:
         name = node.variable.text
         shown, element = Shown(name, node.body.span), points.element
         field, type_ = ("x", element.element) if isinstance(element, Point) else ("angle", ANGLE)
-        x = self._read_part(self._elements[name], field, type_, shown)
+        x = self._read_part(self._places.element(name), field, type_, shown)
         is_number = ir.Compare(ir.Comparison.EQUAL, x, x)
         return self._nodes.leaf(is_number, self.shown(node.body))
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from dslkit.source import Span
 from rossmarie.syntax import ast
-from rossmarie.syntax.build_zone import ZoneBuilder
+from rossmarie.syntax.build_system import SystemBuilder, is_token
 from rossmarie.syntax.scan import Token
 
 
@@ -70,7 +70,7 @@ class Mitigates(NamedTuple):
     span: Span
 
 
-class Builder(ZoneBuilder):
+class Builder(SystemBuilder):
     """Builds all nodes of one file."""
 
     # --- items -----------------------------------------------------------------------------------
@@ -78,7 +78,7 @@ class Builder(ZoneBuilder):
     def import_item(self, parts: list[Any]) -> ast.Import:
         """`import "file.ross" with NAME = VALUE, ... as NAME`."""
         given = tuple(part for part in parts if isinstance(part, ast.Given))
-        alias = self.name(parts[-1]) if _is(parts, len(parts) - 2, "as") else None
+        alias = self.name(parts[-1]) if is_token(parts, len(parts) - 2, "as") else None
         return ast.Import(self.text([parts[1]]), self._span(parts), given, alias)
 
     def given(self, parts: list[Any]) -> ast.Given:
@@ -132,22 +132,22 @@ class Builder(ZoneBuilder):
         """
         index = 5
         message_type = names = bound = source = timeout = None
-        if _is(parts, index, ":"):
+        if is_token(parts, index, ":"):
             message_type = self._type(parts[index + 1])
             index += 2
         path, index = self._path(parts, index)
         if index < len(parts) and isinstance(parts[index], ast.ElementNames):
             names = parts[index]
             index += 1
-        if _is(parts, index, "up"):
+        if is_token(parts, index, "up"):
             number = self.number(parts[index + 2 : index + 3])
             bound = number if isinstance(number, ast.Number) else None
             index += 3
-        if _is(parts, index, "from"):
+        if is_token(parts, index, "from"):
             source = self._frame(parts[index + 1])
             index += 2
         unit, frame, index = self._inside(parts, index)
-        if _is(parts, index, "timeout"):
+        if is_token(parts, index, "timeout"):
             timeout = parts[index + 1]
         name, topic = self.name(parts[1]), self.name(parts[4])
         documentation, span = self._documentation(parts), self._span(parts)
@@ -159,7 +159,7 @@ class Builder(ZoneBuilder):
     def _inside(self, parts: list[Any], index: int) -> tuple[ast.Unit | None, ast.Name | None, int]:
         """The unit and the frame behind `in`, and where they end."""
         found: list[Token] = []
-        while _is(parts, index, "in"):
+        while is_token(parts, index, "in"):
             found.append(parts[index + 1])
             index += 2
         frame = None
@@ -167,11 +167,6 @@ class Builder(ZoneBuilder):
             frame = self._frame(found.pop())
         unit = self._unit(found[0]) if found else None
         return unit, frame, index
-
-    def _frame(self, token: Token) -> ast.Name:
-        """A frame, by its bare name or in quotes."""
-        text = token.text[1:-1] if token.kind == "text" else token.text
-        return ast.Name(text, self._at(token))
 
     def element_names(self, parts: list[Any]) -> ast.ElementNames:
         """`names ["NAME", "NAME"]`."""
@@ -183,7 +178,7 @@ class Builder(ZoneBuilder):
         steps, index = self._path(parts, 5)
         skill = self.name(parts[4])
         number = ast.SkillNumber(skill, steps, skill.span.to(steps[-1].span))
-        unit = self._unit(parts[index + 1]) if _is(parts, index, "in") else None
+        unit = self._unit(parts[index + 1]) if is_token(parts, index, "in") else None
         documentation, span = self._documentation(parts), self._span(parts)
         behind = None, unit, None, documentation, span
         topic = ast.Name("", number.span)
@@ -219,9 +214,9 @@ class Builder(ZoneBuilder):
         """`rule NAME: always if CONDITION while SKILLS unless RULES then { STEP; } CONTRACT`; all
         but the condition and the steps may be missing.
         """
-        name = self.name(parts[1]) if _is(parts, 2, ":") else None
+        name = self.name(parts[1]) if is_token(parts, 2, ":") else None
         place = 0 if name is None else 3
-        always = self._at(parts[place]) if _is(parts, place, "always") else None
+        always = self._at(parts[place]) if is_token(parts, place, "always") else None
         condition, *rest = parts[place + (1 if always is None else 2) :]
         scope = rest.pop(0).skills if isinstance(rest[0], Scope) else ()
         unless = rest.pop(0).rules if isinstance(rest[0], Unless) else ()
@@ -332,78 +327,6 @@ class Builder(ZoneBuilder):
         """`latched until reset`."""
         return ast.LatchedUntilReset(self._span(parts))
 
-    # --- system models ---------------------------------------------------------------------------
-
-    def system(self, parts: list[Any]) -> ast.System:
-        """`system NAME { ... }`."""
-        members = tuple(part for part in parts if not isinstance(part, Token))
-        documentation = self._documentation(parts)
-        return ast.System(self.name(parts[1]), members, documentation, self._span(parts))
-
-    def topic_declaration(self, parts: list[Any]) -> ast.TopicDeclaration:
-        """`topic ALIAS = TOPIC : TYPE in UNIT at RATE`."""
-        has_alias = _is(parts, 2, "=")
-        alias = self.name(parts[1]) if has_alias else None
-        rest = parts[3 if has_alias else 1 :]
-        unit = self._unit(rest[4]) if _is(rest, 3, "in") else None
-        rate = rest[-1] if _is(rest, -2, "at") else None
-        place = 3 if unit is None else 5
-        source = self._frame(rest[place + 1]) if _is(rest, place, "from") else None
-        topic, message_type, span = self.name(rest[0]), self._type(rest[2]), self._span(parts)
-        return ast.TopicDeclaration(alias, topic, message_type, unit, rate, span, source)
-
-    def frame_declaration(self, parts: list[Any]) -> ast.FrameDeclaration:
-        """`frame NAME = FRAME in FRAME at PLACE turned ANGLES timeout DURATION`."""
-        has_alias = _is(parts, 2, "=")
-        alias = self.name(parts[1]) if has_alias else None
-        frame, _, parent, *behind = parts[3 if has_alias else 1 :]
-        told = {word.text: value for word, value in zip(behind[::2], behind[1::2], strict=True)}
-        return ast.FrameDeclaration(
-            alias, self._frame(frame), self._frame(parent),
-            told.get("at"), told.get("turned"), told.get("timeout"), self._span(parts),
-        )  # fmt: skip
-
-    def service_declaration(self, parts: list[Any]) -> ast.ServiceDeclaration:
-        """`service SERVICE : TYPE`."""
-        name, kind = self.name(parts[1]), self._type(parts[3])
-        return ast.ServiceDeclaration(name, kind, self._span(parts))
-
-    def server_declaration(self, parts: list[Any]) -> ast.ServerDeclaration:
-        """`server SERVER : TYPE`."""
-        name, kind = self.name(parts[1]), self._type(parts[3])
-        return ast.ServerDeclaration(name, kind, self._span(parts))
-
-    def resource_declaration(self, parts: list[Any]) -> ast.ResourceDeclaration:
-        """`resource NAME : TARGET, TARGET`."""
-        targets = tuple(map(self.name, parts[3::2]))
-        return ast.ResourceDeclaration(self.name(parts[1]), targets, self._span(parts))
-
-    def unit_declaration(self, parts: list[Any]) -> ast.UnitDeclaration:
-        """`unit TYPE.path = UNIT`."""
-        path, index = self._path(parts, 2)
-        unit = self._unit(parts[index + 1])
-        return ast.UnitDeclaration(self._type(parts[1]), path, unit, self._span(parts))
-
-    def messages_declaration(self, parts: list[Any]) -> ast.MessagesDeclaration:
-        """`messages "folder"`."""
-        return ast.MessagesDeclaration(self.text([parts[1]]), self._span(parts))
-
-    def node(self, parts: list[Any]) -> ast.NodeDeclaration:
-        """`node NAME { publishes TOPIC, ...; subscribes TOPIC, ...; }`."""
-        topics = self._listed(parts[3:-1], ("publishes", "subscribes"))
-        publishes, subscribes = topics["publishes"], topics["subscribes"]
-        return ast.NodeDeclaration(self.name(parts[1]), publishes, subscribes, self._span(parts))
-
-    # --- parts -----------------------------------------------------------------------------------
-
-    def _documentation(self, parts: list[Any]) -> str | None:
-        return self._source.documentation.get(parts[0].start)
-
 
 def _word(sorts: list[Categorized], *, is_task: bool) -> ast.Name | None:
     return next((each.word for each in sorts if each.is_task is is_task), None)
-
-
-def _is(parts: list[Any], index: int, text: str) -> bool:
-    """Say whether there is a token of that text at that place."""
-    return index < len(parts) and isinstance(parts[index], Token) and parts[index].text == text

@@ -20,7 +20,7 @@ from rossmarie.driver.rules_file import rules_file
 from rossmarie.driver.testing import run_tests
 from rossmarie.driver.workspace import MOST_INSTANCES
 from rossmarie.syntax import ast
-from rossmarie.syntax.ast import effects, expressions, imports, items, tests
+from rossmarie.syntax.ast import effects, expressions, imports, items, tests, zones
 
 LIBRARY = """\
 parameter gap in m;
@@ -170,7 +170,7 @@ def test_every_name_of_a_node_is_accounted_for() -> None:
         ast.UnitDeclaration: {"message_type", "path"},
         ast.Zone: {"frame"},
     }
-    for module in (effects, expressions, imports, items, tests):
+    for module in (effects, expressions, imports, items, tests, zones):
         for node in vars(module).values():
             if not isinstance(node, type) or node.__module__ != module.__name__:
                 continue

@@ -373,21 +373,9 @@ class Hazard:
 
 
 Item = (
-    Import
-    | System
-    | Action
-    | Skills
-    | Parameter
-    | Constant
-    | Input
-    | Entity
-    | Motion
-    | Zone
-    | Rule
-    | Priority
-    | Hazard
-    | Test
-)
+    Import | System | Action | Skills | Parameter | Constant | Input | Entity | Motion | Zone
+    | Rule | Priority | Hazard | Test
+)  # fmt: skip
 
 
 @dataclass(frozen=True)
