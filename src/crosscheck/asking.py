@@ -88,4 +88,4 @@ def rests_on_skills(machine: ir.Machine, rule: ir.Rule) -> bool:
         if any(isinstance(step, ir.Doing | ir.Quantity) for step in slot.path)
     }
     truths = ir.supports(machine).truths
-    return any(heard & truths[root].channels for root in rule.roots)
+    return any(heard & ir.all_channels(machine, truths[root]) for root in rule.roots)

@@ -43,7 +43,7 @@ def find_types_that_differ(robot: Robot) -> Iterator[Diagnostic]:
 def _told_types(machine: ir.Machine) -> Iterator[tuple[tuple[UseKind, str], Mention]]:
     for used in machine.inputs:
         channel = machine.channels[used.channel]
-        yield (UseKind.TOPIC, channel.topic), Mention(channel.message_type, used.span)
+        yield (UseKind.TOPIC, channel.source), Mention(channel.source_type, used.span)
     for command in machine.reactions.commands:
         yield (UseKind.TOPIC, command.topic), Mention(command.message_type, command.span)
     for task in machine.reactions.tasks:
@@ -66,7 +66,7 @@ def find_unread(robot: Robot) -> Iterator[Diagnostic]:
     readers = dict(_readers(robot))
     if not readers:
         return
-    known = {*readers, *(each.topic for each in robot.machine.channels)}
+    known = {*readers, *(each.source for each in robot.machine.channels)}
     told: set[str] = set()
     for topic, span in _sent(robot):
         if topic not in known and topic not in told:

@@ -64,6 +64,15 @@ def _comparisons(draw: st.DrawFn, name: str) -> Condition:
 
 
 @st.composite
+def _beside(draw: st.DrawFn) -> Condition:
+    """The elements compared with a number of another message."""
+    sign = draw(st.sampled_from(("<", "<=", ">", ">=")))
+    left, right = draw(st.permutations(("scan", draw(st.sampled_from(("x", "y"))))))
+    robust = f"sub({right}, {left})" if sign[0] == "<" else f"sub({left}, {right})"
+    return Condition(f"{left} {sign} {right}", robust)
+
+
+@st.composite
 def _ranges(draw: st.DrawFn, name: str) -> Condition:
     inside = f"least(sub({name}, -1.0), sub(0.5, {name}))"
     if draw(st.booleans()):
@@ -74,7 +83,7 @@ def _ranges(draw: st.DrawFn, name: str) -> Condition:
 
 @st.composite
 def _folded(draw: st.DrawFn) -> Condition:
-    element = draw(_joined(st.one_of(_comparisons("scan"), _ranges("scan")), 1))
+    element = draw(_joined(st.one_of(_comparisons("scan"), _beside(), _ranges("scan")), 1))
     function, fold = draw(st.sampled_from((("any", "greatest"), ("all", "least"))))
     robust = element.robustness.replace("scan", "e")
     return Condition(f"{function}({element.text})", f"{fold}(*[{robust} for e in scan])")

@@ -1,4 +1,4 @@
-"""Arc sine and arc tangent to some hundred bits, in whole numbers, to compare angles with."""
+"""Angles, sines and cosines to some hundred bits, in whole numbers, to compare angles with."""
 
 from __future__ import annotations
 
@@ -68,10 +68,24 @@ def units(found: float, exact: int) -> float:
 
 def cosine(angle: int) -> int:
     """The cosine of an angle."""
-    total, term, count = 0, ONE, 0
+    return _wave(ONE, angle, 0)
+
+
+def sine(angle: int) -> int:
+    """The sine of an angle."""
+    return _wave(angle, angle, 1)
+
+
+def _wave(term: int, angle: int, count: int) -> int:
+    total, square = 0, angle * angle // ONE
     while term:
         total += term
         count += 2
-        size = abs(term) * angle // ONE * angle // ONE // (count * (count - 1))
+        size = abs(term) * square // ONE // (count * (count - 1))
         term = -size if term > 0 else size
     return total
+
+
+def within_a_turn(angle: float) -> int:
+    """The same angle, between a half turn to either side."""
+    return (fixed(angle) + HALF_TURN) % (2 * HALF_TURN) - HALF_TURN

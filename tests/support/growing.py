@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.core import Measure, Polygon, Region, RegionFunction, row, sampling_row
+from rossmarie.core import (
+    Circle,
+    Measure,
+    Polygon,
+    Rectangle,
+    Region,
+    RegionFunction,
+    row,
+    sampling_row,
+)
 from support.drafts import SECOND, Draft
 from support.skill_contexts import QUESTIONS, calls_told
 
@@ -32,11 +42,20 @@ def _polygon(name: str, *corners: tuple[float, float]) -> Polygon:
 
 _L = ((-1.0, -1.0), (2.0, -1.0), (2.0, 0.25), (0.5, 0.25), (0.5, 3.0), (-1.0, 3.0))
 _TRIANGLE = ((0.5, 0.0), (5.0, 1.0), (1.0, 1.5))
+_STAR = tuple(
+    (radius * math.cos(turn), radius * math.sin(turn))
+    for radius, turn in ((1.0 + number % 2, math.pi * number / 15) for number in range(30))
+)
+_BOX = Rectangle("box", "a box", (-1.0, -0.5), (0.25, 1.0))
+_CIRCLE = Circle("circle", "a circle", (1.0, 0.5), 0.5)
 regions = st.sampled_from(
     (
         Region("ell", "an L", (_polygon("l", *_L),)),
         Region("both", "two", (_polygon("l", *_L), _polygon("triangle", *_TRIANGLE))),
         Region("post", "a point", (_polygon("point", (0.25, -0.5)),)),
+        Region("star", "a star", (_polygon("star", *_STAR),)),
+        Region("round", "a circle", (_CIRCLE,)),
+        Region("zone", "a zone", (_BOX, _CIRCLE, _polygon("triangle", *_TRIANGLE))),
     )
 )
 
@@ -141,11 +160,15 @@ class Growing:
     def _distance(self) -> int:
         return self._of_region(Measure.DISTANCE)
 
-    def _of_region(self, measure: Measure) -> int:
-        """A function of a region, of any two numbers, with a text for their frame."""
+    def _of_region(self, measure: Measure, x: int | None = None) -> int:
+        """A function of a region, of any two numbers, with a text for their frame; with `x`, of the
+        element at hand.
+        """
         function = RegionFunction(measure, self.draw(regions))
         slot = self.draw(st.sampled_from(self._slots_of(ir.Kind.TEXT)))
         point = [self.one_of(self.numbers), self.one_of(self.numbers)]
+        if x is not None:
+            point = [x, self._beside()]
         seen = self.draft.signal(ir.Read(slot))
         wanted = self.draft.constant(float(self.draw(st.integers(0, 1))))
         return self.draft.apply(function, *point, seen, wanted)
@@ -174,6 +197,12 @@ class Growing:
 
     # --- elements ---
 
+    def _beside(self) -> int:
+        """A constant, or a number of slots that may stand beside elements."""
+        may_stand = ir.stand_beside(self.draft.machine())
+        numbers = [index for index in self.numbers if may_stand[index]]
+        return self.draw(st.sampled_from((self.one_of(numbers), self._constant())))
+
     def _array(self) -> int:
         return self.draw(st.sampled_from(sorted(self.element_numbers)))
 
@@ -181,8 +210,11 @@ class Growing:
         known = self.element_numbers[array]
         if self.draw(st.booleans()):
             return self.one_of(known)
+        if self._slots_of(ir.Kind.TEXT) and self.draw(st.integers(0, 3)) == 0:
+            known.append(self._of_region(Measure.DISTANCE, self.one_of(known)))
+            return known[-1]
         function = self.draw(st.sampled_from(ir.Function))
-        operands = [self._constant() for _ in range(self._arity(function))]
+        operands = [self._beside() for _ in range(self._arity(function))]
         operands[self.draw(st.integers(0, len(operands) - 1))] = self.one_of(known)
         operands[self.draw(st.integers(0, len(operands) - 1))] = self.one_of(known)
         known.append(self.draft.apply(function, *operands))
@@ -200,6 +232,8 @@ class Growing:
             case "between":
                 ends = sorted((self.draw(finite), self.draw(finite)))
                 low, high = (self.draft.constant(end) for end in ends)
+                if self.draw(st.integers(0, 3)) == 0:
+                    low, high = self._beside(), self._beside()
                 number = self._element_number(array)
                 return self.draft.truth(ir.Between(number, low, high))
             case "flag":
@@ -212,7 +246,7 @@ class Growing:
             case _:
                 comparison = self.draw(st.sampled_from(ir.Comparison))
                 number = self._element_number(array)
-                return self.draft.truth(ir.Compare(comparison, number, self._constant()))
+                return self.draft.truth(ir.Compare(comparison, number, self._beside()))
 
     # --- truths ---
 

@@ -65,6 +65,7 @@ input torques = topic /effort_states : std_msgs/Float64MultiArray .data
     names ["shoulder", "elbow", "wrist"] in Nm;
 input parts = topic /parts : diagnostic_msgs/DiagnosticArray .status up to 3;
 input cloud = topic /cloud : sensor_msgs/PointCloud2 .points up to 9;
+input laser = topic /laser : sensor_msgs/LaserScan up to 360;
 input mode = topic /mode : std_msgs/String;
 input place = topic /place : geometry_msgs/PoseStamped .pose;
 rule tilted: if abs(orientation.pitch()) > 10 deg then { slow; };
@@ -75,6 +76,10 @@ rule driven: if torques["elbow"] > 30 Nm then { alarm; };
 rule failing: if any(part in parts: part.level >= DiagnosticStatus.ERROR and part.name == "motor")
     then { alarm; };
 rule crowded: if any(p in cloud: norm(p) < 1 m and p.intensity > 100) then { alarm; };
+rule ahead: if min(laser.ranges[-30 deg .. 30 deg]) < 0.5 m then { alarm; };
+rule beside_it: if any(p in laser.points: p.x < -0.2 m and p.y > 0.1 m and p.intensity > 5)
+    then { alarm; };
+rule blind: if count(b in laser.invalid: b.angle in [-30, 30] deg) > 20 then { alarm; };
 rule inside: if mode == "placed" and place in SchoolCorridor then { alarm; };
 rule beside: if mode == "placed" and distance(place, SchoolCorridor) < 1 m then { alarm; };
 rule near: if any(ranges < 0.3 m) and mode != "docking" then { back; };

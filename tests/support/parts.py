@@ -143,12 +143,11 @@ def _ament_lint() -> str | None:
     return _program(*(f"ament_{linter}" for linter in linters))
 
 
-def _nav2() -> str | None:
+def _in_ros2(package: str) -> str | None:
     from support.ros2_build import is_installed
     from support.ros2_live import missing
 
-    lacking = "not installed: nav2_lifecycle_manager"
-    return missing() or (None if is_installed("nav2_lifecycle_manager") else lacking)
+    return missing() or (None if is_installed(package) else f"not installed: {package}")
 
 
 def _sros2() -> str | None:
@@ -240,8 +239,13 @@ AMENT_LINT = Part(
 )
 NAV2 = Part(
     "the lifecycle manager of Nav2",
-    _nav2,
+    partial(_in_ros2, "nav2_lifecycle_manager"),
     "apt-get install ros-$ROS_DISTRO-nav2-lifecycle-manager",
+)
+NAV2_MONITOR = Part(
+    "Nav2's collision monitor",
+    partial(_in_ros2, "nav2_collision_monitor"),
+    "apt-get install ros-$ROS_DISTRO-nav2-collision-monitor",
 )
 SROS2 = Part("SROS2", _sros2, "apt-get install ros-$ROS_DISTRO-sros2")
 CHROMIUM = Part("Chromium", _browser, "make browser")
@@ -285,6 +289,7 @@ PARTS = (
         ROS2,
         AMENT_LINT,
         NAV2,
+        NAV2_MONITOR,
         SROS2,
     ),
     *(CHROMIUM, DISPLAY, EGL),

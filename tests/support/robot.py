@@ -42,6 +42,7 @@ class Robot(Ears):
         self.parts = None  # pairs of a part and its level, "OK" or "ERROR"; None: all are silent
         self.place = [27.0, 1.0, "map"]  # x and y in m, outside of all places, and a frame
         self.cloud = None  # the fields of a cloud, its data in hexadecimals; None: it is silent
+        self.laser = None  # the fields of a scan; None: that scanner is silent
         self.mode = "driving"
         self.clock = None  # simulated time in s; None: there is none
         self.moving = False  # whether the arm moves, goal or not
@@ -60,6 +61,7 @@ class Robot(Ears):
         self._torques = None
         self._parts = None
         self._cloud = None
+        self._laser = None
         self._place = self.sensor("/place", PoseStamped)
         self._clock = None
         self._mode = self.publisher("/mode", String)
@@ -109,6 +111,9 @@ class Robot(Ears):
             fields = [PointField(**each) for each in self.cloud["fields"]]
             data = bytes.fromhex(self.cloud["data"])
             self._cloud.publish(PointCloud2(**{**self.cloud, "fields": fields, "data": data}))
+        if self.laser is not None:
+            self._laser = self._laser or self.sensor("/laser", LaserScan)
+            self._laser.publish(LaserScan(**self.laser))
         place = PoseStamped()
         place.pose.position.x, place.pose.position.y, place.header.frame_id = self.place
         self._place.publish(place)

@@ -17,6 +17,7 @@ from rossmarie.guard import Core, Value
 from rossmarie.ir import (
     NEVER_NS,
     Array,
+    Beams,
     ByName,
     Doing,
     Each,
@@ -25,11 +26,14 @@ from rossmarie.ir import (
     Path,
     Points,
     Quantity,
+    Sector,
     Slot,
     Told,
     arrival_names,
     field_names,
+    scan_names,
 )
+from rossmarie.ir.scans import scan_path
 from rossmarie.ir.skills import answer
 
 Watch = Callable[..., "int | None"]
@@ -73,10 +77,15 @@ class Readings:
         fields: dict[str, Path] = {
             max(names, key=len): field.path
             for names, field in named
-            if machine.inputs[field.input].channel == channel
+            if machine.inputs[field.input].channel == channel and scan_path(field.path) is None
+        }
+        scans = {  # sectors are taken of the whole scan
+            name: scan.path
+            for name, scan in scan_names(machine).items()
+            if machine.inputs[scan.input].channel == channel
         }
         ages = arrival_names(machine).items()
-        return fields | {name: () for name, arriving in ages if arriving == channel}
+        return fields | scans | {name: () for name, arriving in ages if arriving == channel}
 
     def _on(self, channel: int, fields: Sequence[Slot] | Sequence[Array]) -> list[Slot | Array]:
         inputs = self._machine.inputs
@@ -182,6 +191,7 @@ def _field(message: Message, path: Path) -> Any:
         if isinstance(part, Doing | Quantity):
             return answer(part, value)
         assert not isinstance(part, Points), "Heron has no sensor that sends clouds"
+        assert not isinstance(part, Sector | Beams), "read from the whole scan"
         place = _place(message, part, len(value))
         if place is None or place >= len(value):
             return math.nan

@@ -94,7 +94,7 @@ class Moment(Encoding):
             if kept is not None:
                 there = z3.If(sends, sent.is_there, kept[i].is_there)
                 value = z3.If(sends, value, kept[i].number.value)
-            found.append(Cell(z3.And(fresh, there), Number(sent.number.known, value)))
+            found.append(Cell(array, z3.And(fresh, there), Number(sent.number.known, value)))
         return found
 
     def apply(self, index: int, function: ir.AnyFunction, numbers: Sequence[Number]) -> Number:
@@ -167,7 +167,7 @@ class Moment(Encoding):
         array = self.asked.elements.truths[node.element]
         assert array is not None
         cells = self.cells(array)
-        found = [self.element_truth(node.element, cell.number) for cell in cells]
+        found = [self.element_truth(node.element, cell) for cell in cells]
         pairs = list(zip(cells, found, strict=True))
         ones = [z3.If(z3.And(cell.is_there, one.true), 1, 0) for cell, one in pairs]
         known = [z3.Implies(cell.is_there, z3.Or(one.true, one.false)) for cell, one in pairs]
@@ -299,7 +299,7 @@ class Course:
             if machine.inputs[slot.input].channel in channels
         }  # fmt: skip
         cells = {
-            index: self._cells(f"leg{number}.array{index}", self.asked.array_uses[index])
+            index: self._cells(f"leg{number}.array{index}", index)
             for index, array in enumerate(machine.arrays)
             if machine.inputs[array.input].channel in channels and array.list is None
         }
@@ -312,11 +312,12 @@ class Course:
             Calls(machine, f"leg{number}"),
         )
 
-    def _cells(self, name: str, count: int) -> Sequence[Cell]:
-        return [
-            Cell(z3.Bool(f"{name}.{i}"), Number(z3.BoolVal(True), z3.Real(f"{name}.{i}.value")))
-            for i in range(count)
+    def _cells(self, name: str, array: int) -> Sequence[Cell]:
+        numbers = [
+            Number(z3.BoolVal(True), z3.Real(f"{name}.{i}.value"))
+            for i in range(self.asked.array_uses[array])
         ]
+        return [Cell(array, z3.Bool(f"{name}.{i}"), number) for i, number in enumerate(numbers)]
 
     def _shakable(self) -> Iterator[int]:
         """The oscillations of what a message carries as it is."""

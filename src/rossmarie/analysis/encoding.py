@@ -37,6 +37,7 @@ from rossmarie.analysis.terms import (
 class Cell:
     """An element of an array, if the array is that long."""
 
+    array: int
     is_there: z3.BoolRef
     number: Number
 
@@ -48,6 +49,7 @@ class Questioned:
         self.machine = machine
         self.supports = ir.supports(machine)
         self.elements = ir.element_arrays(machine)
+        self.beside = ir.beside(machine)
 
     @cached_property
     def array_uses(self) -> tuple[int, ...]:
@@ -201,7 +203,7 @@ class Encoding(ABC):
         array = self.asked.elements.signals[node.element]
         assert array is not None
         cells = self.cells(array)
-        numbers = [self._element_signal(node.element, cell.number) for cell in cells]
+        numbers = [self._element_signal(node.element, cell) for cell in cells]
         result = z3.FreshReal("fold")
         pairs = list(zip(cells, numbers, strict=True))
         is_minimum = node.folding is ir.Folding.MINIMUM
@@ -215,7 +217,7 @@ class Encoding(ABC):
         is_one = [z3.And(cell.is_there, result == number.value) for cell, number in pairs]
         known = [z3.Implies(cell.is_there, number.known) for cell, number in pairs]
         self.facts.append(z3.Implies(cells[0].is_there, z3.Or(is_one)))
-        return Number(z3.And(cells[0].is_there, *known), result)
+        return Number(z3.And(self.is_kept(array), cells[0].is_there, *known), result)
 
     # --- truths ------------------------------------------------------------------------------
 
@@ -310,7 +312,7 @@ class Encoding(ABC):
         neutral = literal(not is_any)
         parts = []
         for cell in cells:
-            found = self.element_truth(node.element, cell.number)
+            found = self.element_truth(node.element, cell)
             parts.append(
                 Fact(
                     z3.If(cell.is_there, found.true, neutral.true),
@@ -319,32 +321,48 @@ class Encoding(ABC):
                 )
             )
         whole = disjunction(parts) if is_any else conjunction(parts)
-        there = cells[0].is_there
+        there = z3.And(self.is_kept(array), cells[0].is_there)
         true, false = z3.And(there, whole.true), z3.And(there, whole.false)
         unknown = z3.Not(z3.Or(true, false))
         return Fact(true, false, z3.And(unknown, self.is_lost(index, node)))
 
-    def _element_signal(self, index: int, element: Number) -> Number:
+    def _element_signal(self, index: int, cell: Cell) -> Number:
+        if self.asked.elements.signals[index] is None:
+            return self._beside(cell.array, index)
         match self.machine.signals[index].node:
             case ir.Element():
-                return element
-            case ir.Constant(value=value):
-                return Number(YES, constant(value))
+                return cell.number
             case ir.Apply(function=function, operands=operands):
-                numbers = [self._element_signal(operand, element) for operand in operands]
+                numbers = [self._element_signal(operand, cell) for operand in operands]
                 return Encoding.apply(self, index, function, numbers)
-            case (ir.Read() | ir.Sampled() | ir.Fold() | ir.Count()) as node:
+            case (
+                ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count()
+            ) as node:  # fmt: skip
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
-    def element_truth(self, index: int, element: Number) -> Fact:
+    def _beside(self, array: int, signal: int) -> Number:
+        """A number beside elements (S74): any that it may have been when they arrived. A proposed
+        course of events has its value of now.
+        """
+        if not self.rounded or isinstance(self.machine.signals[signal].node, ir.Constant):
+            return self.signal(signal)
+        name = f"array{array}.beside{signal}"
+        return Number(z3.Bool(f"{name}.known"), z3.Real(f"{name}.value"))
+
+    def is_kept(self, array: int) -> z3.BoolRef:
+        """Say whether a result over elements has not been forgotten with a number beside them."""
+        may_be_lost = self.rounded and array in self.asked.beside
+        return z3.FreshBool("kept") if may_be_lost else YES
+
+    def element_truth(self, index: int, cell: Cell) -> Fact:
         """The value of a truth for one element; unknown is never lost here (S22)."""
         node = self.machine.truths[index].node
-        operands = [self.element_truth(each, element) for each in ir.truth_operands(node)]
+        operands = [self.element_truth(each, cell) for each in ir.truth_operands(node)]
         match node:
             case ir.Literal() | ir.Not() | ir.And() | ir.Or():
                 return joined(node, operands)
             case ir.Compare() | ir.Between() | ir.Flag():
-                return self._element_leaf(node, element)
+                return self._element_leaf(node, cell)
             case (
                 ir.AgeReaches()
                 | ir.Oscillates()
@@ -355,8 +373,8 @@ class Encoding(ABC):
             ):
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
-    def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, element: Number) -> Fact:
-        numbers = [self._element_signal(signal, element) for signal in ir.compared_signals(node)]
+    def _element_leaf(self, node: ir.Compare | ir.Between | ir.Flag, cell: Cell) -> Fact:
+        numbers = [self._element_signal(signal, cell) for signal in ir.compared_signals(node)]
         known = z3.And([number.known for number in numbers])
         found = holds(node, [number.value for number in numbers])
         return Fact(z3.And(known, found), z3.And(known, z3.Not(found)), NO)

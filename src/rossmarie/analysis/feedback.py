@@ -95,7 +95,8 @@ def _longer(
 def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
     """The channels that a rule rests on."""
     truths = truths_of(inquiry.machine, (rule,))
-    return frozenset().union(*(inquiry.asked.supports.truths[each].channels for each in truths))
+    found = (inquiry.asked.supports.truths[each] for each in truths)
+    return frozenset().union(*(ir.all_channels(inquiry.machine, support) for support in found))
 
 
 # --- one circle ------------------------------------------------------------------------------

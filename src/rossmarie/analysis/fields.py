@@ -12,6 +12,7 @@ import z3
 from rossmarie import ir
 from rossmarie.analysis.terms import constant, within
 from rossmarie.ir.carried import si_ends
+from rossmarie.ir.scans import USUAL_DISTANCES
 
 _LEAST_ROOM = 1e-10
 _ROUNDING = 4e-16
@@ -55,8 +56,11 @@ def field_facts(
 ) -> list[z3.BoolRef]:
     """Say which values a field of whole numbers can carry, with room for rounding: with `is_wide`
     enough for the greatest numbers of the field, so that what is excluded cannot be. `name` is that
-    of a new variable of the solver.
+    of a new variable of the solver. Without `is_wide` readings of a sector are distances that scans
+    of tests measure.
     """
+    if source.path and isinstance(source.path[-1], ir.Sector) and not is_wide:
+        return within(value, USUAL_DISTANCES)
     if source.limits is None:
         return []
     whole = z3.Int(name)

@@ -138,7 +138,9 @@ def _is_read(inquiry: Inquiry, rule: int, kept: Kept) -> bool:
     machine = inquiry.machine
     supports = [inquiry.asked.supports.truths[root] for root in machine.rules[rule].roots]
     return any(
-        slot in support.slots for support in supports for slot in _slots(machine, kept)
+        slot in support.slots | support.beside
+        for support in supports
+        for slot in _slots(machine, kept)
     ) or any(array in support.arrays for support in supports for array in _arrays(machine, kept))
 
 

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from rossmarie.ir import (
     POINTS,
     Array,
+    Beams,
     ByName,
     ChannelValues,
     Doing,
@@ -19,9 +20,11 @@ from rossmarie.ir import (
     Path,
     Points,
     Quantity,
+    Sector,
     Slot,
 )
 from rossmarie.ir.reactions import Publish, Scalar
+from rossmarie.ir.scans import is_of_scan
 from rossmarie.ir.skills import SkillContext, answer
 
 
@@ -63,8 +66,10 @@ def values_of(machine: Machine, task: int, channel: int) -> ChannelValues:
     arrays = {
         index: _numbers(array, given)
         for index, array in enumerate(machine.arrays)
-        if machine.inputs[array.input].channel == channel and POINTS not in array.path
-    }  # a cloud without fields has no points that could be known (S56)
+        if machine.inputs[array.input].channel == channel
+        and POINTS not in array.path
+        and not is_of_scan(array)
+    }  # a cloud without fields, or a scan without beams, has nothing that could be known
     return ChannelValues(slots, arrays)
 
 
@@ -73,7 +78,7 @@ Given = dict[Path, Scalar | tuple[Scalar, ...]]
 
 def _number(machine: Machine, slot: Slot, given: Given) -> float:
     last = slot.path[-1] if slot.path else ""
-    if isinstance(last, str | Each | Points):
+    if isinstance(last, str | Each | Points | Sector | Beams):
         value = given.get(slot.path, "" if slot.kind is Kind.TEXT else 0.0)
         return math.nan if isinstance(value, tuple) else _raw(machine, slot.kind, value)
     if isinstance(last, Doing | Quantity):  # rules publish no lists, so no skill runs

@@ -271,7 +271,8 @@ def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> Rema
     support = inquiry.asked.supports.signals[signal]
     if support.channels != {channel}:
         return None
-    for used in sorted(support.inputs):
+    inputs = {used for used in support.inputs if machine.inputs[used].channel == channel}
+    for used in sorted(inputs):
         timeout_ns = machine.inputs[used].timeout_ns
         if timeout_ns is not None and timeout_ns < gap_ns:
             name, timeout = machine.inputs[used].name, duration_text(timeout_ns)

@@ -9,7 +9,17 @@ from dataclasses import replace
 from rossmarie.analysis.draft import Draft, DraftLeg, Knob, witness_of
 from rossmarie.analysis.quantities import is_quantity
 from rossmarie.analysis.witness import Claim, View, Witness, views
-from rossmarie.ir import AgeReaches, Count, Fold, Held, Kind, Machine, Read, supports
+from rossmarie.ir import (
+    AgeReaches,
+    Count,
+    Fold,
+    Held,
+    Kind,
+    Machine,
+    Read,
+    all_channels,
+    supports,
+)
 from rossmarie.ir.carried import carries
 
 _MOST_REPLAYS = 80
@@ -27,7 +37,7 @@ class Replays:
         self._claim = claim
         self._asked = asked
         self._left = _MOST_REPLAYS
-        self._channels = [support.channels for support in supports(machine).signals]
+        self._channels = [all_channels(machine, support) for support in supports(machine).signals]
 
     def show(self, draft: Draft) -> Witness | None:
         """The witness up to the instant at which it shows the claim; None if it does not."""

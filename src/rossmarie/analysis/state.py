@@ -59,6 +59,7 @@ class ArbitraryState(Encoding):
         if array not in self._cells:
             cells = [
                 Cell(
+                    array,
                     z3.Bool(f"array{array}.{i}"),
                     Number(z3.Bool(f"array{array}.{i}.known"), z3.Real(f"array{array}.{i}.value")),
                 )
@@ -87,7 +88,10 @@ class ArbitraryState(Encoding):
     def sampled(self, _: int, node: ir.Sampled) -> Number:
         """Any number; samples do not outlive their inputs (S21)."""
         known = z3.FreshBool("sampled")
-        for used in sorted(self.asked.supports.signals[node.signal].inputs):
+        support = self.asked.supports.signals[node.signal]
+        needed = {self.machine.slots[slot].input for slot in support.slots}
+        needed |= {self.machine.arrays[array].input for array in support.arrays}
+        for used in sorted(needed):
             self.facts.append(z3.Implies(known, self.is_fresh(used)))
         return Number(known, z3.FreshReal("sample"))
 
@@ -95,9 +99,9 @@ class ArbitraryState(Encoding):
         """Any number of elements, if all of them are known."""
         array = self.asked.elements.truths[node.element]
         assert array is not None
-        known = [self.cells(array)[0].is_there]
+        known = [self.is_kept(array), self.cells(array)[0].is_there]
         for cell in self.cells(array):
-            found = self.element_truth(node.element, cell.number)
+            found = self.element_truth(node.element, cell)
             known.append(z3.Implies(cell.is_there, z3.Or(found.true, found.false)))
         number = z3.FreshInt("count")
         self.facts.append(number >= 0)

@@ -18,7 +18,9 @@ class Times:
     def __init__(self, asked: Questioned, truths: Sequence[int]) -> None:
         machine = asked.machine
         support = [asked.supports.truths[truth] for truth in truths]
-        self.channels = tuple(sorted(set().union(*(each.channels for each in support))))
+        self.channels = tuple(
+            sorted(set().union(*(ir.all_channels(machine, each) for each in support)))
+        )
         self.truths = tuple(
             sorted({below for root in truths for below in ir.reachable_truths(machine, root)})
         )

@@ -53,10 +53,13 @@ from rossmarie.check.scopes.exemptions import is_of_exempted
 from rossmarie.check.scopes.trees import constant_of
 from rossmarie.check.skills.file import read_skills
 from rossmarie.check.system.field_units import check_read_units
+from rossmarie.check.system.frames import read_frames, resolve_frames
 from rossmarie.check.system.inputs import resolve_inputs, resolve_timeouts
 from rossmarie.check.system.message_rates import message_gaps
 from rossmarie.check.system.model import read_system_model
+from rossmarie.check.system.node_parameters import resolve_node_parameters
 from rossmarie.check.tests.statements import check_tests
+from rossmarie.check.zones.zones import check_zones
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
 from rossmarie.syntax import ast
@@ -97,9 +100,13 @@ def check(
     model = read_system_model(declarations, options.message_folders, context.suggestions, collector)
     context.messages = model.messages
     read_skills(context)
+    read_frames(context)
     stated_units = resolve_inputs(model, context)
     _check_constants(context)
+    resolve_node_parameters(context)
     resolve_timeouts(context)
+    resolve_frames(context)
+    check_zones(context)
     check_motions(context)
     gaps = message_gaps(context)
     conditions = _check_conditions(context)
@@ -281,6 +288,8 @@ def _program(
         doing=context.doing,
         regions=context.regions,
         motions=context.motions,
+        frames=context.frames,
+        frame_inputs=context.frame_inputs,
         tests=tests,
         priorities=found.priorities,
     )

@@ -13,8 +13,9 @@ from pathlib import Path as FilePath
 
 from dslkit.source import SourceFile, Span
 from rossmarie.check.effects import CheckedEffect
+from rossmarie.check.frames import FrameTree
 from rossmarie.core import Region
-from rossmarie.ir import Path, Quantity
+from rossmarie.ir import Edge, Path, Quantity
 from rossmarie.ir.filing import Category, LeftOut
 from rossmarie.ir.reactions import CommandTopic
 from rossmarie.ir.script import Script
@@ -51,7 +52,8 @@ class CheckedInput:
     `topic` is the full name (`/imu/data`), `message_type` is `sensor_msgs/Imu`, `path` leads to the
     selected field (empty: the whole message; the `data` of a std_msgs message is part of it).
     `most` is the number of elements that lists of the message may have. A number of a skill has a
-    `question` instead of a path.
+    `question` instead of a path, the transform of a frame an `edge`. `whole` is the message, its
+    headers say the frame `source`, and rules see it in the frame `target`: None where nobody says.
     """
 
     declaration: ast.Input
@@ -62,6 +64,15 @@ class CheckedInput:
     timeout_ns: int | None
     most: int | None = None
     question: Quantity | None = None
+    whole: Type | None = None
+    source: str | None = None
+    target: str | None = None
+    edge: Edge | None = None
+
+    @property
+    def frame(self) -> str | None:
+        """The frame in which rules see it, if that is known."""
+        return self.source if self.target is None else self.target
 
     @property
     def base(self) -> Path:
@@ -157,7 +168,9 @@ class CheckedMotion:
 
 @dataclass(frozen=True)
 class CheckedKeeps:
-    """The speed in m/s that a rule keeps a motion below in the places of a class, in a frame."""
+    """The speed in m/s that a rule keeps a motion below in a zone or in the places of a class, in a
+    frame.
+    """
 
     motion: CheckedMotion
     speed: float
@@ -189,8 +202,9 @@ class CheckedProgram:
     topics whose rate is declared; `feedback` and `categories` are
     those of each rule, `left_out` what a selection does not hold. `read_files` are the definitions
     of messages that were read, those that come with this program left out, and the file of skills.
-    `doing` holds what each question to the skills asks, `regions` the places that the name of each
-    class stands for, `motions` the motions by name. `keeps` is what each rule keeps.
+    `doing` holds what each question to the skills asks, `regions` what the name of each class and
+    zone stands for, `motions` the motions by name. `keeps` is what each rule keeps.
+    `frame_inputs` are the inputs that frames come by, by the frame.
     """
 
     name: str
@@ -209,6 +223,8 @@ class CheckedProgram:
     doing: NodeMap[CheckedDoing]
     regions: NodeMap[Region]
     motions: Mapping[str, CheckedMotion]
+    frames: FrameTree
+    frame_inputs: Mapping[str, CheckedInput]
     feedback: tuple[CheckedFeedback, ...] = ()
     categories: tuple[tuple[Category, ...], ...] = ()
     keeps: tuple[CheckedKeeps | None, ...] = ()

@@ -17,6 +17,7 @@ from dslkit.parameters import Group
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
     CoverageFile,
+    CoverageReport,
     Licenses,
     ListOfSources,
     Maintainers,
@@ -25,8 +26,11 @@ from rossmarie.cli.options import (
     OptionalOutFile,
     OutFile,
     ProofsFile,
+    ProofsReport,
     Recordings,
     ReviewPage,
+    RobotFolder,
+    RobotName,
     Rules,
     RulesFiles,
     Systems,
@@ -320,15 +324,7 @@ def coverage(
     rules: Rules,
     recordings: Recordings,
     topic_map: TopicMap = None,
-    report: Annotated[
-        Path | None,
-        typer.Option(
-            "--json",
-            metavar="FILE",
-            help="Also write JSON for `rossmarie report --coverage`.",
-            parser=written,
-        ),
-    ] = None,
+    report: CoverageReport = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -349,15 +345,7 @@ def verify(
             help="How long a processor may work for each solver on one question.",
         ),
     ] = 120,
-    report: Annotated[
-        Path | None,
-        typer.Option(
-            "--json",
-            metavar="FILE",
-            help="Also write JSON for `rossmarie report --verification`.",
-            parser=written,
-        ),
-    ] = None,
+    report: ProofsReport = None,
     keep: Annotated[
         Path | None,
         typer.Option(
@@ -393,6 +381,14 @@ def model(
     from rossmarie.cli.replay import write_model_of
 
     write_model_of(recording, out)
+
+
+@app.command()
+def example(robot: RobotName = None, folder: RobotFolder = None) -> None:
+    """Copy the rules of a robot in the box, with a recording; without ROBOT, list the robots."""
+    from rossmarie.cli.example import run_example
+
+    run_example(robot, folder)
 
 
 def main() -> None:

@@ -125,6 +125,16 @@ CoverageFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="A report of what was exercised, as JSON.", readable=False),
 ]
+
+
+def _json_for(option: str) -> Any:
+    """The option that writes what another command reads as `option`."""
+    help = f"Also write JSON for `rossmarie report {option}`."
+    return typer.Option("--json", metavar="FILE", help=help, parser=written)
+
+
+CoverageReport = Annotated[Path | None, _json_for("--coverage")]
+ProofsReport = Annotated[Path | None, _json_for("--verification")]
 ReviewPage = Annotated[
     Path | None,
     typer.Option(
@@ -133,6 +143,12 @@ ReviewPage = Annotated[
         help="Also write a page of the rules beside their C.",
         parser=written,
     ),
+]
+
+RobotName = Annotated[str | None, typer.Argument(metavar="ROBOT", help="Such as turtlebot4.")]
+RobotFolder = Annotated[
+    Path | None,
+    typer.Argument(metavar="DIR", help="The folder to write to; else ./ROBOT.", parser=written),
 ]
 
 Only = Annotated[

@@ -6,21 +6,25 @@ Nothing here knows of messages, rules or targets. The numbered rules of
 
 from rossmarie.core.finite import may_be_infinite, rounds, shown_by
 from rossmarie.core.functions import FUNCTIONS, AnyFunction, Function, Row, defined, parameters, row
-from rossmarie.core.regions import Measure, Polygon, Region, RegionFunction
+from rossmarie.core.regions import Measure, Region, RegionFunction
 from rossmarie.core.sampling import MOST_SAMPLES, SAMPLINGS, Sampling, View, sampling_row
+from rossmarie.core.shapes import Circle, Polygon, Rectangle, Shape
 
 __all__ = [
     "FUNCTIONS",
     "MOST_SAMPLES",
     "SAMPLINGS",
     "AnyFunction",
+    "Circle",
     "Function",
     "Measure",
     "Polygon",
+    "Rectangle",
     "Region",
     "RegionFunction",
     "Row",
     "Sampling",
+    "Shape",
     "View",
     "defined",
     "may_be_infinite",

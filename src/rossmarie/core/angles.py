@@ -78,7 +78,7 @@ _TINY = 2.0**-27
 """The square of a tangent below this adds nothing to 1."""
 
 
-def _polynomial(terms: Sequence[float], z: Expression) -> Expression:
+def polynomial(terms: Sequence[float], z: Expression) -> Expression:
     """The sum of terms times powers of `z` from the first; three at a time, so that none waits for
     all others.
     """
@@ -113,7 +113,7 @@ LEADING = Subfunction(
 _SINE_SURPLUS = Subfunction(
     "arcsine_surplus",
     ("z",),
-    _polynomial(SINE_TERMS, Operand(0)),
+    polynomial(SINE_TERMS, Operand(0)),
     "the arc sine of x divided by x, less 1, of {0} = x * x",
 )
 
@@ -149,7 +149,7 @@ ARC_SINE = Subfunction(
 _TANGENT_SURPLUS = Subfunction(
     "arctangent_surplus",
     ("z",),
-    _polynomial(TANGENT_TERMS, Operand(0)),
+    polynomial(TANGENT_TERMS, Operand(0)),
     "the arc tangent of x divided by x, less 1, of {0} = x * x",
 )
 

@@ -25,6 +25,13 @@ from rossmarie.core.expressions import (
     choose,
     square_root,
 )
+from rossmarie.core.motion import (
+    LONGEST_TIME,
+    bounds_of_braking,
+    bounds_of_time,
+    braking_distance,
+    time_to,
+)
 from rossmarie.core.regions import (
     OPERANDS,
     RULES,
@@ -37,6 +44,19 @@ from rossmarie.core.regions import (
     phrase,
     range_of,
 )
+from rossmarie.core.rotations import (
+    bounds_of_turned,
+    composed_w,
+    composed_x,
+    composed_y,
+    composed_z,
+    easy_composed,
+    easy_turned,
+    turned_x,
+    turned_y,
+    turned_z,
+)
+from rossmarie.core.sines import cosine, sine
 
 
 class Function(enum.Enum):
@@ -51,11 +71,25 @@ class Function(enum.Enum):
     MINIMUM = "minimum"  # of two
     MAXIMUM = "maximum"  # of two
     ABOVE = "above"  # the third where the first is above the second, else 0
+    BRAKING_DISTANCE = "braking_distance"  # of a speed, a deceleration and a latency
+    TIME_TO = "time_to"  # of what is left and the speed at which it becomes less
+    SEEN = "seen"  # the first where the second equals the third, else unknown
+    RAISED = "raised"  # the first where it is above the second, up to the third, else the second
+    LOWERED = "lowered"  # the first where it is below the second, down to the third, likewise
     NORM = "norm"  # of one or more
     HYPOT = "hypot"
     ROLL = "roll"  # of a quaternion x, y, z, w of any length but zero
     PITCH = "pitch"
     YAW = "yaw"
+    SINE = "sine"  # of an angle
+    COSINE = "cosine"
+    TURNED_X = "turned_x"  # of a vector x, y, z and the quaternion x, y, z, w that turns it
+    TURNED_Y = "turned_y"
+    TURNED_Z = "turned_z"
+    COMPOSED_X = "composed_x"  # of the quaternion of a turn, and of that of the turn before it
+    COMPOSED_Y = "composed_y"
+    COMPOSED_Z = "composed_z"
+    COMPOSED_W = "composed_w"
 
 
 @dataclass(frozen=True)
@@ -140,9 +174,27 @@ def _above(a: Expression, b: Expression, c: Expression) -> Expression:
     return choose(is_unknown, UNKNOWN, choose(a > b, c, 0.0))
 
 
+def _seen(a: Expression, b: Expression, c: Expression) -> Expression:
+    """S77."""
+    is_unknown = Either(IsUnknown(a), Either(IsUnknown(b), IsUnknown(c)))
+    return choose(is_unknown, UNKNOWN, choose(b.equals(c), a, UNKNOWN))
+
+
 def _maximum(a: Expression, b: Expression) -> Expression:
     """S6; of two equal ones the second."""
     return choose(Either(IsUnknown(a), IsUnknown(b)), UNKNOWN, choose(a > b, a, b))
+
+
+def _raised(x: Expression, usual: Expression, most: Expression) -> Expression:
+    """S87."""
+    given = choose(usual < x, choose(most < x, usual, x), usual)
+    return choose(Either(IsUnknown(x), IsUnknown(most)), usual, given)
+
+
+def _lowered(x: Expression, usual: Expression, least: Expression) -> Expression:
+    """S87."""
+    given = choose(x < usual, choose(x < least, usual, x), usual)
+    return choose(Either(IsUnknown(x), IsUnknown(least)), usual, given)
 
 
 # --- geometry --------------------------------------------------------------------------------
@@ -211,11 +263,24 @@ def _unbounded(_: Expression, __: Sequence[Expression]) -> tuple[Condition, ...]
     return ()
 
 
+def _bounds_of_sine(sine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
+    """A sine is no greater than its angle."""
+    return (abs(sine) < abs(angles[0]) * (1.0 + _SLACK) + 2.0 * _TINY,)
+
+
+def _bounds_of_cosine(cosine: Expression, angles: Sequence[Expression]) -> tuple[Condition, ...]:
+    """A cosine is no further from 1 than the angle is from 0."""
+    return (1.0 - abs(angles[0]) * (1.0 + _SLACK) - _SLACK < cosine,)
+
+
 # --- all of them -----------------------------------------------------------------------------
 
 _LENGTH = (0.0, math.inf)
 _TURN = (-HALF_TURN, HALF_TURN)
 _QUARTER = (-RIGHT_ANGLE, RIGHT_ANGLE)
+_WAVE = (-1.0, 1.0)
+_VECTOR, _TURNING = "{0}, {1}, {2}", "{3}, {4}, {5}, {6}"
+_BEHIND, _BEFORE = "{0}, {1}, {2}, {3}", "{4}, {5}, {6}, {7}"
 
 FUNCTIONS: Mapping[Function, Row] = {
     Function.ADD: Row("S3", 2, 2, lambda a, b: a + b, "({0} + {1})"),
@@ -227,6 +292,29 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.MINIMUM: Row("S6", 2, 2, _minimum, "the lesser of ({all})"),
     Function.MAXIMUM: Row("S6", 2, 2, _maximum, "the greater of ({all})"),
     Function.ABOVE: Row("S65", 3, 3, _above, "({2} where {0} is above {1}, else 0)"),
+    Function.BRAKING_DISTANCE: Row(
+        "S83",
+        3,
+        3,
+        braking_distance,
+        "the way on which {0} is braked by {1} after {2}",
+        _LENGTH,
+        bounds_of_braking,
+    ),
+    Function.TIME_TO: Row(
+        "S84",
+        2,
+        2,
+        time_to,
+        "the time in which {1} runs through {0}",
+        (0.0, LONGEST_TIME),
+        bounds_of_time,
+    ),
+    Function.SEEN: Row("S77", 3, 3, _seen, "({0} where {1} is {2})"),
+    Function.RAISED: Row("S87", 3, 3, _raised, "({0} where it is above {1}, up to {2}, else {1})"),
+    Function.LOWERED: Row(
+        "S87", 3, 3, _lowered, "({0} where it is below {1}, down to {2}, else {1})"
+    ),
     Function.NORM: Row(
         "S5", 1, None, _norm, "the length of {vector}", _LENGTH, _bounds_of_norm, _along_one
     ),
@@ -236,4 +324,29 @@ FUNCTIONS: Mapping[Function, Row] = {
     Function.ROLL: Row("S5", 4, 4, _roll, "the roll of {vector}", _TURN, _unbounded),
     Function.PITCH: Row("S5", 4, 4, _pitch, "the pitch of {vector}", _QUARTER, _unbounded),
     Function.YAW: Row("S5", 4, 4, _yaw, "the yaw of {vector}", _TURN, _unbounded),
-}
+    Function.SINE: Row("S69", 1, 1, sine, "the sine of {0}", _WAVE, _bounds_of_sine),
+    Function.COSINE: Row("S69", 1, 1, cosine, "the cosine of {0}", _WAVE, _bounds_of_cosine),
+    **{
+        function: Row(
+            "S76", 7, 7, define, f"the {axis} of ({_VECTOR}) turned by ({_TURNING})",
+            bounds=bounds_of_turned, easy=easy_turned("xyz".index(axis)),
+        )
+        for function, axis, define in (
+            (Function.TURNED_X, "x", turned_x),
+            (Function.TURNED_Y, "y", turned_y),
+            (Function.TURNED_Z, "z", turned_z),
+        )
+    },
+    **{
+        function: Row(
+            "S76", 8, 8, define, f"the {axis} of the turn ({_BEFORE}), turned by ({_BEHIND})",
+            bounds=_unbounded, easy=easy_composed("xyzw".index(axis)),
+        )
+        for function, axis, define in (
+            (Function.COMPOSED_X, "x", composed_x),
+            (Function.COMPOSED_Y, "y", composed_y),
+            (Function.COMPOSED_Z, "z", composed_z),
+            (Function.COMPOSED_W, "w", composed_w),
+        )
+    },
+}  # fmt: skip

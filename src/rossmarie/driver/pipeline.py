@@ -21,7 +21,7 @@ from rossmarie.driver.workspace import load_modules
 from rossmarie.ir import Category, Machine, Requirement, verify, without_margins
 from rossmarie.ir import Path as FieldPath
 from rossmarie.ir.script import Script
-from rossmarie.lowering import lower, lower_requirements
+from rossmarie.lowering import lower, lower_requirements, misdirected
 from rossmarie.syntax import ast, parse
 from rossmarie.targets.unsupported import unsupported
 
@@ -69,6 +69,9 @@ def check_file(
     program = check(modules, options, collector)
     if program is not None:
         program = select(program, modules, only, collector)
+    if program is not None and any(each.setting is not None for each in _inputs(modules)):
+        collector.extend(misdirected(lower(program)))
+        program = None if collector.has_errors else program
     found = shortened(told(collector.sorted(), instances))
     return CheckResult(modules, program, found, instances)
 
@@ -120,7 +123,8 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     if refused := tuple(unsupported(machine)):
         raise RulesError((*result.diagnostics, *told(refused, result.instances)))
     folders = (*message_folders, *_declared_folders(result.modules))
-    bases = {name: used.base for name, used in result.program.symbols.inputs.items()}
+    frames = {each.declaration.name.text: () for each in result.program.frame_inputs.values()}
+    bases = frames | {name: used.base for name, used in result.program.symbols.inputs.items()}
     files = {module.file.path: module.file for module in reversed(result.modules)}
     return Compiled(
         machine=without_margins(machine),
@@ -133,6 +137,10 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
         requirements=lower_requirements(result.program),
         instances=result.instances,
     )
+
+
+def _inputs(modules: Sequence[ast.Module]) -> Iterator[ast.Input]:
+    return (item for each in modules for item in each.items if isinstance(item, ast.Input))
 
 
 def _declared_folders(modules: Sequence[ast.Module]) -> Iterator[Path]:

@@ -71,8 +71,8 @@ def _input(machine: ir.Machine, used: ir.Input, out: Path) -> Json:
     channel = machine.channels[used.channel]
     return {
         "name": used.name,
-        "topic": channel.topic,
-        "type": channel.message_type,
+        "topic": channel.source,
+        "type": channel.source_type,
         "timeout": None if used.timeout_ns is None else used.timeout_ns / 1e9,
         "place": _place(used.span, out),
     }

@@ -9,6 +9,7 @@ from typing import TypeAlias, cast
 import numpy as np
 
 from rossmarie.engines.questions import Questions
+from rossmarie.engines.scans import values_of_scan
 from rossmarie.ir import (
     AXES,
     EACH,
@@ -23,21 +24,25 @@ from rossmarie.ir import (
     near_name,
     path_names,
     point_columns,
+    scan_names,
 )
 from rossmarie.ir.carried import holds_flags
 from rossmarie.ir.clouds import Cloud, UnreadableCloudError, columns, is_cloud, leave_out
+from rossmarie.ir.scans import Scan, is_scan
 from rossmarie.ir.skills import SkillMessage
 
 Value: TypeAlias = (
-    float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud
+    float | bool | str | Sequence[float] | Sequence[str] | Sequence[object] | Cloud | Scan
     | SkillMessage | None
 )  # fmt: skip
 """The content of a message field: a number, a flag, a string, the elements of an array, or those of
 a list of messages, as dictionaries or objects; None is a list of which nothing is known. The points
-of a cloud may also be given as the message that has them, and the answers of skills as the message
-that tells which of them run.
+of a cloud may also be given as the message that has them, what rules read of a scan as the scan,
+and the answers of skills as the message that tells which of them run.
 """
 
+_FRAME = ("header", "frame_id")
+"""The field that tells from where a message is seen."""
 _WANTED = {Kind.REAL: "a number", Kind.FLAG: "a flag", Kind.TEXT: "a string"}
 _NUMBERS = (int, float, np.integer, np.floating, np.bool_)
 
@@ -55,6 +60,7 @@ class NamedValues:
         self.lists = _by_name(list_names(machine))
         self.arrivals = arrival_names(machine)
         self._clouds = point_columns(machine)
+        self._scans = scan_names(machine)
 
     def messages(self, values: Mapping[str, Value]) -> dict[int, ChannelValues]:
         """One message on each channel of which a field is named, by channel.
@@ -65,7 +71,11 @@ class NamedValues:
         slots: dict[int, dict[int, float]] = {}
         arrays: dict[int, dict[int, Sequence[float]]] = {}
         for name, value in values.items():
-            if answers := self._answers(name, value):
+            if name in self._scans and is_scan(value):
+                channel, content = values_of_scan(self._machine, self._scans[name], value)
+                slots.setdefault(channel, {}).update(content.slots)
+                arrays.setdefault(channel, {}).update(content.arrays)
+            elif answers := self._answers(name, value):
                 channel = self._channel(self._machine.slots[next(iter(answers))].input)
                 slots.setdefault(channel, {}).update(answers)
             elif name in self.slots:
@@ -76,6 +86,8 @@ class NamedValues:
                 index = self.lists[name]
                 channel = self._channel(self._machine.lists[index].input)
                 arrays.setdefault(channel, {}).update(self._columns(name, index, value))
+                for slot, number in self._frame(self._machine.lists[index].input, value).items():
+                    slots.setdefault(channel, {}).setdefault(slot, number)
             elif name in self.arrays:
                 index = self.arrays[name]
                 channel = self._channel(self._machine.arrays[index].input)
@@ -119,7 +131,15 @@ class NamedValues:
     def unknown(self, name: str) -> str:
         """The words for a name that nothing reads."""
         near = near_name(
-            name, (*self.questions.named, *self.slots, *self.arrays, *self.lists, *self.arrivals)
+            name,
+            (
+                *self.questions.named,
+                *self.slots,
+                *self.arrays,
+                *self.lists,
+                *self.arrivals,
+                *self._scans,
+            ),
         )
         return f"no rule reads `{name}`" + (f"; did you mean `{near}`?" if near else "")
 
@@ -171,6 +191,17 @@ class NamedValues:
                 math.nan if each is None else self._number_of(kind, each) for each in fields
             ]
         return found
+
+    def _frame(self, used: int, value: Value) -> dict[int, float]:
+        """The frame of a cloud that is given as its message, by the slot that holds it."""
+        frame = getattr(getattr(value, "header", None), "frame_id", None)
+        if not isinstance(frame, str):
+            return {}
+        return {
+            index: self._number(index, frame)
+            for index, slot in enumerate(self._machine.slots)
+            if slot.input == used and slot.path == _FRAME
+        }
 
     def _points(self, its_list: int, cloud: Cloud) -> dict[int, list[float]]:
         """The columns of the points of a cloud; none if nothing is known of them (S56)."""

@@ -1,4 +1,4 @@
-"""Signals and truths over the elements of an array or a list (rules S22 to S26, S51 to S54).
+"""Signals and truths over the elements of an array or a list (rules S22 to S26, S51 to S54, S74).
 
 Every result over an array of which nothing is known is unknown: it has not arrived, has expired, is
 empty, or is a list of too many elements. A list without elements is known.
@@ -18,7 +18,9 @@ from rossmarie.ir.comparison import compare, is_between, is_set
 
 
 class Elements:
-    """Evaluates what exists once for each element of an array."""
+    """Evaluates what exists once for each element of an array, beside numbers of the evaluation in
+    which the elements arrive.
+    """
 
     def __init__(self, machine: ir.Machine, memory: Memory) -> None:
         self._machine = machine
@@ -74,17 +76,20 @@ class Elements:
         return range(len(self._memory.arrays[array] or ()))
 
     def _signal(self, index: int, place: int) -> float:
+        if self._arrays.signals[index] is None:
+            # S74: signals stand before their users, so that this one has its value of now.
+            return self._memory.signals[index]
         match self._machine.signals[index].node:
             case ir.Element(array=array):
                 elements = self._memory.arrays[array]
                 assert elements is not None, "all columns of a list are known, or none"
                 return elements[place]
-            case ir.Constant(value=value):
-                return value
             case ir.Apply(function=function, operands=operands):
                 values = tuple(self._signal(operand, place) for operand in operands)
                 return arithmetic.apply(function, values)
-            case (ir.Read() | ir.Sampled() | ir.Fold() | ir.Count()) as node:
+            case (
+                ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count()
+            ) as node:  # fmt: skip
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
     def _truth(self, index: int, place: int) -> TruthValue:

@@ -11,6 +11,7 @@ import math
 from rossmarie import ir
 from rossmarie.core import View, sampling_row
 from rossmarie.interpreter import arithmetic
+from rossmarie.interpreter.arithmetic import NAN
 from rossmarie.interpreter.elements import Elements
 from rossmarie.interpreter.memory import Memory, Samples
 from rossmarie.ir import InputState, TruthValue, kleene
@@ -35,7 +36,8 @@ class Evaluator:
                 self._memory.signals[index] = value
         for index, truth in enumerate(self._machine.truths):
             if self._element_arrays.truths[index] is None:
-                self._record(index, self._truth(index, truth.node, at_ns, updated), at_ns)
+                value = self._truth(index, truth.node, at_ns, updated, expired)
+                self._record(index, value, at_ns)
 
     def _record(self, index: int, value: TruthValue, at_ns: int) -> None:
         """S34: since when a truth has its value; the first evaluation counts as a change."""
@@ -63,12 +65,25 @@ class Evaluator:
                 return arithmetic.apply(function, values)
             case ir.Sampled():
                 return self._sampled(index, node, at_ns, updated, expired)
-            case ir.Fold():
-                return self.elements.fold(node)
-            case ir.Count():
-                return self.elements.count(node)
+            case ir.Fold() | ir.Count():
+                return self._folded(index, node, updated, expired)
             case ir.Element():
                 raise AssertionError("an element has no value of its own")
+
+    def _folded(
+        self,
+        index: int,
+        node: ir.Fold | ir.Count,
+        updated: frozenset[int],
+        expired: frozenset[int],
+    ) -> float:
+        """S26, S74: found when the elements arrive, forgotten when an input expires."""
+        support = self._supports.signals[index]
+        if support.channels & updated:
+            if isinstance(node, ir.Fold):
+                return self.elements.fold(node)
+            return self.elements.count(node)
+        return NAN if support.inputs & expired else self._memory.signals[index]
 
     def _sampled(
         self,
@@ -93,7 +108,12 @@ class Evaluator:
     # --- truths ------------------------------------------------------------------------------
 
     def _truth(
-        self, index: int, node: ir.TruthNode, at_ns: int, updated: frozenset[int]
+        self,
+        index: int,
+        node: ir.TruthNode,
+        at_ns: int,
+        updated: frozenset[int],
+        expired: frozenset[int],
     ) -> TruthValue:
         match node:
             case ir.Literal(value=value):
@@ -112,7 +132,10 @@ class Evaluator:
                 return self._recurs(index, node, at_ns)
             case ir.Oscillates():
                 return self._oscillates(index, node, at_ns, updated)
-            case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Quantified():
+            case ir.Quantified():
+                found = self._quantified(index, node, updated, expired)
+                return self._unknown(index, node) if found is TruthValue.UNKNOWN else found
+            case ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches():
                 found = self._leaf(node, at_ns)
                 return self._unknown(index, node) if found is TruthValue.UNKNOWN else found
 
@@ -122,7 +145,7 @@ class Evaluator:
         return value
 
     def _leaf(
-        self, node: ir.Compare | ir.Between | ir.Flag | ir.AgeReaches | ir.Quantified, at_ns: int
+        self, node: ir.Compare | ir.Between | ir.Flag | ir.AgeReaches, at_ns: int
     ) -> TruthValue:
         signals = self._memory.signals
         match node:
@@ -134,8 +157,21 @@ class Evaluator:
                 return is_set(signals[signal])
             case ir.AgeReaches():
                 return self._age_reaches(node, at_ns)
-            case ir.Quantified():
-                return self.elements.quantified(node)
+
+    def _quantified(
+        self,
+        index: int,
+        node: ir.Quantified,
+        updated: frozenset[int],
+        expired: frozenset[int],
+    ) -> TruthValue:
+        """S26, S74, as for folds."""
+        support = self._supports.truths[index]
+        if support.channels & updated:
+            self._memory.quantified[index] = self.elements.quantified(node)
+        elif support.inputs & expired:
+            self._memory.quantified[index] = TruthValue.UNKNOWN
+        return self._memory.quantified[index]
 
     def _unknown(self, index: int, node: ir.TruthNode) -> TruthValue:
         """S30: an unknown leaf is lost if that is for lack of an input with a timeout."""

@@ -187,7 +187,8 @@ class Oscillation:
 class Memory:
     """All of it, by the indexes of the machine. Elementwise signals and truths have no entry of
     their own: they stay NaN and None. `since` holds what each `since` was at the last evaluation.
-    An array of which nothing is known is None.
+    An array of which nothing is known is None. `quantified` are the answers of quantifiers from
+    when their elements arrived (S26).
     """
 
     slots: list[float]
@@ -201,6 +202,7 @@ class Memory:
     recurrences: dict[int, Recurrence]
     held: dict[int, HeldMemory]
     since: dict[int, TruthValue]
+    quantified: dict[int, TruthValue]
     now_ns: int | None = None
 
     def restart(self, at_ns: int) -> None:
@@ -251,5 +253,10 @@ def fresh_memory(machine: ir.Machine) -> Memory:
             index: TruthValue.FALSE
             for index, truth in enumerate(machine.truths)
             if isinstance(truth.node, ir.Since)
+        },
+        quantified={
+            index: TruthValue.UNKNOWN
+            for index, truth in enumerate(machine.truths)
+            if isinstance(truth.node, ir.Quantified)
         },
     )

@@ -2,7 +2,9 @@
 
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions
+from rossmarie.ir.applied import functions, samplings
 from rossmarie.ir.batch import Batch, Elements, Taken, each_update
+from rossmarie.ir.beside import beside, made_beside, stand_beside
 from rossmarie.ir.bound import most_evaluations, wakes
 from rossmarie.ir.calls import SkillCall
 from rossmarie.ir.defined import Once, Response, defined, held_of
@@ -38,6 +40,7 @@ from rossmarie.ir.malformed import MalformedMachine
 from rossmarie.ir.message import ChannelValues, known_count
 from rossmarie.ir.model import (
     FLAG_LIMITS,
+    TRANSFORMS,
     AgeReaches,
     And,
     Apply,
@@ -47,6 +50,7 @@ from rossmarie.ir.model import (
     Compare,
     Constant,
     Count,
+    Edge,
     Element,
     Flag,
     Fold,
@@ -72,13 +76,24 @@ from rossmarie.ir.model import (
     Slot,
     Truth,
     TruthNode,
+    bare_frame,
 )
-from rossmarie.ir.naming import arrival_names, field_names, list_names, near_name
+from rossmarie.ir.naming import (
+    ScanFields,
+    arrival_names,
+    field_names,
+    list_names,
+    near_name,
+    scan_names,
+)
 from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
 from rossmarie.ir.path import (
     AXES,
     EACH,
+    INVALID,
     POINTS,
+    RETURNS,
+    Beams,
     ByName,
     Doing,
     Each,
@@ -86,6 +101,7 @@ from rossmarie.ir.path import (
     Path,
     Points,
     Quantity,
+    Sector,
     SkillStep,
     Step,
     path_names,
@@ -94,23 +110,23 @@ from rossmarie.ir.path import (
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
+from rossmarie.ir.settings import farthest, is_setting, setting_numbers, settings_of
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
     Support,
     Supports,
+    all_channels,
     arrays_of,
     columns_of,
     compared_signals,
     element_arrays,
-    functions,
     is_leaf,
     is_of_list,
     kind_of,
     leaf_truths,
     reachable_truths,
     rule_signals,
-    samplings,
     signal_operands,
     supports,
     truth_operands,
@@ -126,20 +142,24 @@ __all__ = [
     "EACH",
     "EARLIEST_NS",
     "FLAG_LIMITS",
+    "INVALID",
     "LATEST_NS",
     "LONGEST_NS",
     "MOST_EVALUATIONS",
     "NEVER_NS",
     "NO_REACTIONS",
     "POINTS",
+    "RETURNS",
     "SUBJECTS",
     "TASKS",
+    "TRANSFORMS",
     "AgeReaches",
     "And",
     "AnyFunction",
     "Apply",
     "Array",
     "Batch",
+    "Beams",
     "Between",
     "Braking",
     "ByName",
@@ -155,6 +175,7 @@ __all__ = [
     "Count",
     "Doing",
     "Each",
+    "Edge",
     "Element",
     "ElementArrays",
     "Elements",
@@ -203,6 +224,8 @@ __all__ = [
     "Rule",
     "Sampled",
     "Sampling",
+    "ScanFields",
+    "Sector",
     "Signal",
     "SignalNode",
     "Since",
@@ -222,9 +245,12 @@ __all__ = [
     "UnreadableMachine",
     "Verdict",
     "Wiring",
+    "all_channels",
     "arrays_of",
     "arrival_names",
+    "bare_frame",
     "below_margins",
+    "beside",
     "columns_of",
     "compared_signals",
     "defined",
@@ -234,18 +260,21 @@ __all__ = [
     "event_line",
     "exemption_words",
     "explain",
+    "farthest",
     "field_names",
     "functions",
     "held_of",
     "is_leaf",
     "is_of_list",
     "is_selected",
+    "is_setting",
     "kind_of",
     "known_count",
     "leaf_truths",
     "list_names",
     "machine_from_json",
     "machine_to_json",
+    "made_beside",
     "margins_of",
     "most_evaluations",
     "near_name",
@@ -258,7 +287,11 @@ __all__ = [
     "rule_signals",
     "rule_terms",
     "samplings",
+    "scan_names",
+    "setting_numbers",
+    "settings_of",
     "signal_operands",
+    "stand_beside",
     "supports",
     "told_truths",
     "truth_operands",

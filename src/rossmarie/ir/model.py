@@ -94,8 +94,36 @@ class Array:
 
 
 @dataclass(frozen=True)
+class Edge:
+    """The transform from the frame `child` to the frame `parent` in messages on a `topic`, each of
+    which has any number of transforms.
+    """
+
+    topic: str
+    parent: str
+    child: str
+
+    def __str__(self) -> str:
+        return f"{self.topic} ({self.child} in {self.parent})"
+
+
+TRANSFORMS = "tf2_msgs/TFMessage"
+"""The type of messages with transforms."""
+
+
+def bare_frame(name: str) -> str:
+    """The name of a frame in a transform: older programs write a slash in front, which tf2 leaves
+    out.
+    """
+    return name.removeprefix("/")
+
+
+@dataclass(frozen=True)
 class Channel:
     """A topic: one message on it is one update of all its inputs.
+
+    With an `edge` it is that transform: `topic` is only a name, `message_type` is that of the
+    transform, and a message on the topic of the edge is a message here if it has the transform.
 
     `gaps_ns` are the least and the greatest time between two messages, None if nothing is said of
     them; that is what a system model promises, and no monitor relies on it.
@@ -104,6 +132,17 @@ class Channel:
     topic: str
     message_type: str
     gaps_ns: tuple[int, int] | None = None
+    edge: Edge | None = None
+
+    @property
+    def source(self) -> str:
+        """The topic that its messages come on."""
+        return self.topic if self.edge is None else self.edge.topic
+
+    @property
+    def source_type(self) -> str:
+        """The type of the messages on that topic."""
+        return self.message_type if self.edge is None else TRANSFORMS
 
 
 # --- signals: numbers ------------------------------------------------------------------------

@@ -11,9 +11,20 @@ from __future__ import annotations
 import difflib
 from collections import Counter
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 from rossmarie.ir.model import Array, List, Machine, Slot
-from rossmarie.ir.path import path_names
+from rossmarie.ir.path import Path, path_names
+from rossmarie.ir.scans import scan_path
+
+
+@dataclass(frozen=True)
+class ScanFields:
+    """A scan at a path in the messages of an input, and the arrays that are taken of all of it."""
+
+    input: int
+    path: Path
+    arrays: tuple[int, ...]
 
 
 def field_names(machine: Machine) -> tuple[tuple[frozenset[str], ...], tuple[frozenset[str], ...]]:
@@ -46,6 +57,22 @@ def list_names(machine: Machine) -> tuple[frozenset[str], ...]:
     )
 
 
+def scan_names(machine: Machine) -> dict[str, ScanFields]:
+    """The scans of which rules read sectors or beams, by the names that no other scan has: that of
+    the input, with as much of the path as it takes.
+    """
+    found: dict[tuple[int, Path], list[int]] = {}
+    for index, array in enumerate(machine.arrays):
+        path = scan_path(array.path)
+        if path is not None:
+            found.setdefault((array.input, path), []).append(index)
+    names: dict[str, list[ScanFields]] = {}
+    for (used, path), arrays in found.items():
+        for name in _names_at(machine, used, path):
+            names.setdefault(name, []).append(ScanFields(used, path, tuple(arrays)))
+    return {name: scans[0] for name, scans in names.items() if len(scans) == 1}
+
+
 def arrival_names(machine: Machine) -> dict[str, int]:
     """The inputs of which no field is read, only the age: their names, and their channels."""
     slots = {slot.input for slot in machine.slots}
@@ -66,8 +93,11 @@ def near_name(name: str, known: Iterable[str]) -> str | None:
 
 def _names(machine: Machine, field: Slot | Array | List) -> set[str]:
     """The input, and the input with every ending of the path."""
-    name = machine.inputs[field.input].name
-    words = path_names(field.path)
+    return _names_at(machine, field.input, field.path)
+
+
+def _names_at(machine: Machine, used: int, path: Path) -> set[str]:
+    name, words = machine.inputs[used].name, path_names(path)
     endings = {".".join(words[start:]) for start in range(len(words))}
     return {name} | {f"{name}.{ending}" for ending in endings}
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -68,6 +69,35 @@ POINTS = Points()
 
 
 @dataclass(frozen=True)
+class Sector:
+    """Behind the `ranges` of a `sensor_msgs/LaserScan`: what it has measured between two angles, as
+    an array. The angles are in radians, from `first` counter-clockwise on over `width`; those of
+    its beams the scan itself says, message by message (S71).
+    """
+
+    first: float
+    width: float
+
+    def __str__(self) -> str:
+        return f"{_degrees(self.first)} .. {_degrees(self.first + self.width)}"
+
+
+@dataclass(frozen=True)
+class Beams:
+    """Beams of a `sensor_msgs/LaserScan`, as a list: its `points` (S72), or those that tell nothing
+    (S73).
+    """
+
+    name: str
+
+    def __str__(self) -> str:
+        return self.name
+
+
+RETURNS, INVALID = Beams("points"), Beams("invalid")
+
+
+@dataclass(frozen=True)
 class Doing:
     """The flag "a running skill is one of `skills`, and its arguments have these classes", of a
     `skill_context_msgs/SkillContext`. `arguments` are pairs of a parameter and classes: its
@@ -121,9 +151,9 @@ SkillStep = Doing | Quantity
 AXES = ("x", "y", "z")
 """The fields that are the place of a point: what has no place is no point (S57)."""
 
-Step = str | int | ByName | Listed | Each | Points | Doing | Quantity
+Step = str | int | ByName | Listed | Each | Points | Sector | Beams | Doing | Quantity
 """The name of a field, the place or the name of an element, every element, the points of a cloud,
-or a question to the skills that run.
+a sector or the beams of a scan, or a question to the skills that run.
 """
 
 Path = tuple[Step, ...]
@@ -148,9 +178,15 @@ def path_words(path: Iterable[Step]) -> str:
 
 def path_names(path: Iterable[Step]) -> list[str]:
     """The names on a path, places and names of elements included; what all elements of a list have
-    goes by the name of the field alone.
+    goes by the name of the field alone, and a sector by that of the array with its angles.
     """
-    return [str(step) for step in path if step != EACH]
+    names: list[str] = []
+    for step in path:
+        if isinstance(step, Sector):
+            names[-1:] = [f"{''.join(names[-1:])}[{step}]"]
+        elif step != EACH:
+            names.append(str(step))
+    return names
 
 
 def _step_text(step: Step) -> str:
@@ -163,8 +199,14 @@ def _step_text(step: Step) -> str:
             return f'["{key}"]'
         case Each():
             return "[]"
-        case Points() | Doing() | Quantity():
+        case Sector():
+            return f"[{step}]"
+        case Points() | Beams() | Doing() | Quantity():
             return f".{step}"
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(angle):.10g} deg"
 
 
 def _choice(names: Sequence[str]) -> str:

@@ -12,6 +12,12 @@ from dslkit.source import Span
 from rossmarie.ir.path import Path
 from rossmarie.ir.skills import RunningSkill
 
+LATEST_NS = 10**15
+"""The last instant that a test can name."""
+
+MOST_MESSAGES = 100_000
+"""Of one repetition."""
+
 SettingValue = float | bool | str | tuple[float | bool, ...] | None
 """In SI; a tuple is a whole array, None is unknown."""
 
@@ -59,6 +65,11 @@ class ScriptedArrival:
     topics: tuple[str, ...]
     settings: tuple[Setting, ...]
     running: Running | None = None
+
+    @property
+    def count(self) -> int:
+        """How many messages come on each of the topics."""
+        return 1 if self.period_ns is None else (self.last_ns - self.first_ns) // self.period_ns + 1
 
 
 @dataclass(frozen=True)
@@ -118,3 +129,9 @@ class Script:
         ends += [expected.last_ns for expected in self.expectations]
         ends += [expected.last_ns for expected in self.commands]
         return max([0, *ends])
+
+    @property
+    def can_be_written(self) -> bool:
+        """Say whether a test may be so long."""
+        repeated = (each for each in self.events if isinstance(each, ScriptedArrival))
+        return self.end_ns <= LATEST_NS and all(each.count <= MOST_MESSAGES for each in repeated)

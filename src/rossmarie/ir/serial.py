@@ -14,14 +14,14 @@ import types
 import typing
 
 from dslkit.source import SourceFile, Span
-from rossmarie.core import RegionFunction
+from rossmarie.core import Circle, Polygon, Rectangle, RegionFunction
 from rossmarie.ir import model as ir
 from rossmarie.ir.feedback import Margin
-from rossmarie.ir.path import ByName, Doing, Each, Listed, Points, Quantity
+from rossmarie.ir.path import Beams, ByName, Doing, Each, Listed, Points, Quantity, Sector
 from rossmarie.ir.reactions import Effect
 
 FORMAT = "rossmarie-machine"
-VERSION = 10
+VERSION = 11
 
 Json = dict[str, "Json"] | list["Json"] | str | int | float | bool | None
 
@@ -75,7 +75,10 @@ def _encode_instance(value: object, files: dict[SourceFile, int]) -> Json:
     return members
 
 
-_PARTS = (ByName, Listed, Each, Points, Doing, Quantity, Margin, RegionFunction)
+_SHAPES = (Polygon, Rectangle, Circle)
+_PARTS = (
+    ByName, Listed, Each, Points, Sector, Beams, Doing, Quantity, Margin, RegionFunction, *_SHAPES
+)  # fmt: skip
 _NODES: dict[str, type] = {
     node.__name__: node
     for union in (ir.SignalNode, ir.TruthNode, Effect)

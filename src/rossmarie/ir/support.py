@@ -8,14 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from rossmarie.core import (
-    AnyFunction,
-    Function,
-    Measure,
-    RegionFunction,
-    Sampling,
-    sampling_row,
-)
+from rossmarie.core import Measure, RegionFunction, sampling_row
 from rossmarie.ir import model as ir
 
 
@@ -25,7 +18,9 @@ class Support:
 
     `folds` are the signals (`Fold` and `Count`) that turn an array into a number, `samples` those
     (`Sampled`) that wait for samples. The input of an `AgeReaches` is among `inputs`
-    although no slot of it need be.
+    although no slot of it need be. `beside` are the slots that are read beside elements when these
+    arrive (S74): they are among `slots` only if they are read elsewhere as well, their inputs are
+    among `inputs`, and their channels, whose messages change nothing, are not among `channels`.
     """
 
     slots: frozenset[int] = frozenset()
@@ -34,6 +29,7 @@ class Support:
     samples: frozenset[int] = frozenset()
     inputs: frozenset[int] = frozenset()
     channels: frozenset[int] = frozenset()
+    beside: frozenset[int] = frozenset()
 
     def __or__(self, other: Support) -> Support:
         return Support(
@@ -43,6 +39,7 @@ class Support:
             self.samples | other.samples,
             self.inputs | other.inputs,
             self.channels | other.channels,
+            self.beside | other.beside,
         )
 
 
@@ -52,6 +49,13 @@ class Supports:
 
     signals: tuple[Support, ...]
     truths: tuple[Support, ...]
+
+
+def all_channels(machine: ir.Machine, support: Support) -> frozenset[int]:
+    """The channels on whose messages something rests in any way: also those of numbers beside
+    elements, whose messages alone change nothing.
+    """
+    return frozenset(machine.inputs[used].channel for used in support.inputs)
 
 
 def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
@@ -114,25 +118,36 @@ def is_leaf(node: ir.TruthNode) -> bool:
 
 
 def supports(machine: ir.Machine) -> Supports:
-    """The support of every signal and truth; an elementwise one rests on its array."""
-    elements = _element_truth_supports(machine)
+    """The support of every signal and truth; an elementwise one rests on its array, and on the
+    numbers beside that.
+    """
     signals: list[Support] = []
     for index, signal in enumerate(machine.signals):
-        signals.append(_signal_support(machine, index, signal.node, signals, elements))
+        signals.append(_signal_support(machine, index, signal.node, signals))
     truths: list[Support] = []
     for truth in machine.truths:
         truths.append(_truth_support(machine, truth.node, signals, truths))
     return Supports(tuple(signals), tuple(truths))
 
 
-def _element_truth_supports(machine: ir.Machine) -> dict[int, Support]:
-    """The array behind each elementwise truth: `Count` asks before the truths are visited."""
-    arrays = element_arrays(machine).truths
-    return {
-        index: _array_support(machine, array)
-        for index, array in enumerate(arrays)
-        if array is not None
-    }
+def _below_count(machine: ir.Machine, truth: int, signals: list[Support]) -> Support:
+    """The support of a truth that is counted: `Count` asks before the truths are visited."""
+    node = machine.truths[truth].node
+    parts = [signals[signal] for signal in compared_signals(node)]
+    parts += [_below_count(machine, each, signals) for each in truth_operands(node)]
+    return _union(parts)
+
+
+def _over_elements(machine: ir.Machine, inner: Support, *folds: int) -> Support:
+    """The support of what is asked of all elements: it is found when these arrive (S26, S74)."""
+    used = {machine.arrays[array].input for array in inner.arrays}
+    return Support(
+        arrays=inner.arrays,
+        folds=frozenset(folds),
+        inputs=inner.inputs,
+        channels=frozenset(machine.inputs[each].channel for each in used),
+        beside=inner.slots,
+    )
 
 
 def _array_support(machine: ir.Machine, array: int) -> Support:
@@ -152,7 +167,6 @@ def _signal_support(
     index: int,
     node: ir.SignalNode,
     signals: list[Support],
-    elements: dict[int, Support],
 ) -> Support:
     match node:
         case ir.Read(slot=slot):
@@ -165,9 +179,9 @@ def _signal_support(
         case ir.Element(array=array):
             return _array_support(machine, array)
         case ir.Fold(element=element):
-            return signals[element] | Support(folds=frozenset({index}))
+            return _over_elements(machine, signals[element], index)
         case ir.Count(element=element):
-            return elements[element] | Support(folds=frozenset({index}))
+            return _over_elements(machine, _below_count(machine, element, signals), index)
         case ir.Sampled(function=function, signal=signal):
             waiting = {index} if sampling_row(function).waits else set()
             return signals[signal] | Support(samples=frozenset(waiting))
@@ -184,9 +198,10 @@ def _truth_support(
             return Support(inputs=frozenset({used}), channels=frozenset({channel}))
         case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
             return _union(signals[signal] for signal in compared_signals(node))
+        case ir.Quantified(element=element):
+            return _over_elements(machine, truths[element])
         case (
-            ir.Literal() | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Held()
-            | ir.Since() | ir.Recurs()
+            ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
             return _union(truths[operand] for operand in truth_operands(node))
 
@@ -309,35 +324,6 @@ def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
             return ir.Kind.FLAG
         case ir.Constant() | ir.Apply() | ir.Fold() | ir.Count():
             return ir.Kind.REAL
-
-
-# --- functions -------------------------------------------------------------------------------
-
-
-def functions(machine: ir.Machine) -> tuple[tuple[AnyFunction, int], ...]:
-    """The functions that signals apply, with how many operands, in the order of the core."""
-    found = set()
-    for signal in machine.signals:
-        match signal.node:
-            case ir.Apply(function=function, operands=operands):
-                found.add((function, len(operands)))
-            case ir.Fold(folding=folding):
-                found.add((folding.function, 2))
-            case (
-                ir.Constant() | ir.Read() | ir.Sampled() | ir.Element() | ir.Count()
-            ):  # fmt: skip
-                pass
-    order = [each.value for each in Function]
-    regional = sorted({each.value for each, _ in found} - set(order))
-    order += regional
-    return tuple(sorted(found, key=lambda each: (order.index(each[0].value), each[1])))
-
-
-def samplings(machine: ir.Machine) -> tuple[Sampling, ...]:
-    """The functions of samples that signals are, in the order of the core."""
-    nodes = (signal.node for signal in machine.signals)
-    found = {node.function for node in nodes if isinstance(node, ir.Sampled)}
-    return tuple(each for each in Sampling if each in found)
 
 
 # --- what a rule stands on -------------------------------------------------------------------

@@ -1,17 +1,19 @@
 """Verify that a machine is well formed: run between passes, so that no target has to ask again.
 
 Takes any machine. When `verify` returns, every index is in range, every operand stands before its
-user, elementwise nodes stand only below a fold, a count or a quantifier, constants and scales are
-finite, and durations lie between one nanosecond and `LONGEST_NS`.
+user, elementwise nodes stand only below a fold, a count or a quantifier, beside them only functions
+of slots and constants, constants and scales are finite, and durations lie between one nanosecond
+and `LONGEST_NS`.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
-from rossmarie.core import RegionFunction, row, sampling_row
+from rossmarie.core import Function, RegionFunction, row, sampling_row
 from rossmarie.ir import model as ir
+from rossmarie.ir.beside import stand_beside
 from rossmarie.ir.feedback import Margin
 from rossmarie.ir.malformed import (
     MalformedMachine,
@@ -21,6 +23,7 @@ from rossmarie.ir.malformed import (
     require_index,
 )
 from rossmarie.ir.path import EACH, Doing, Path, Quantity
+from rossmarie.ir.settings import setting_numbers
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -167,6 +170,9 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Apply(function=function, operands=operands):
                 is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
+                if function in (Function.RAISED, Function.LOWERED):
+                    is_setting = setting_numbers(machine, signal.node) is not None
+                    require(is_setting, where, "a parameter of the node that is none")
             case ir.Sampled(function=function, window_ns=window_ns):
                 if sampling_row(function).takes_time:
                     require_duration(window_ns, where)
@@ -234,6 +240,7 @@ def _element_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
 
 
 def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
+    may_stand = stand_beside(machine)
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
         operands = signal_operands(signal.node)
@@ -246,7 +253,7 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
                 _require_whole(operands, arrays.signals, where)
             case ir.Constant() | ir.Read() | ir.Element() | ir.Apply():
                 if arrays.signals[index] is not None:
-                    _require_element_signals(machine, operands, arrays, where)
+                    _require_element_signals(operands, arrays, may_stand, where)
     for index, truth in enumerate(machine.truths):
         where = f"truth {index} ({type(truth.node).__name__})"
         operands = truth_operands(truth.node)
@@ -256,7 +263,7 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
             _require_whole(operands, arrays.truths, where)
             _require_whole(compared_signals(truth.node), arrays.signals, where)
         else:
-            _require_element_signals(machine, compared_signals(truth.node), arrays, where)
+            _require_element_signals(compared_signals(truth.node), arrays, may_stand, where)
             _require_element_truths(machine, operands, arrays, where)
 
 
@@ -266,12 +273,12 @@ def _require_whole(operands: Iterable[int], arrays: tuple[int | None, ...], wher
 
 
 def _require_element_signals(
-    machine: ir.Machine, operands: Iterable[int], arrays: ElementArrays, where: str
+    operands: Iterable[int], arrays: ElementArrays, may_stand: Sequence[bool], where: str
 ) -> None:
     for operand in operands:
-        is_constant = isinstance(machine.signals[operand].node, ir.Constant)
         is_element = arrays.signals[operand] is not None
-        require(is_constant or is_element, where, f"operand {operand} is not elementwise")
+        message = f"operand {operand} is neither elementwise nor of slots and constants"
+        require(is_element or may_stand[operand], where, message)
 
 
 def _require_element_truths(
@@ -288,7 +295,7 @@ def _require_element_truths(
 
 def _verify_kinds(machine: ir.Machine) -> None:
     """Flags are only tested, or compared with flags, and texts only compared with literals, for
-    equality; a function of a region compares its frames.
+    equality; a function of a region compares its frames, and so does one that asks for a frame.
     """
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
@@ -313,13 +320,19 @@ def _verify_kinds(machine: ir.Machine) -> None:
 
 def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[int, ...]:
     """The operands that are texts: the frame of a point, and that of a region."""
-    if not (isinstance(node, ir.Apply) and isinstance(node.function, RegionFunction)):
-        return ()
-    _, _, seen, wanted = node.operands
+    match node:
+        case ir.Apply(function=RegionFunction(), operands=(_, _, seen, wanted)):
+            pass
+        case ir.Apply(function=Function.SEEN, operands=(_, seen, wanted)) if (
+            kind_of(machine, seen) is ir.Kind.TEXT
+        ):
+            pass
+        case _:  # open: no other function compares texts
+            return ()
     literal = machine.signals[wanted].node
     require(kind_of(machine, seen) is ir.Kind.TEXT, where, "a frame that is no text")
     is_text = isinstance(literal, ir.Constant) and literal.value in range(len(machine.texts))
-    require(is_text, where, "the frame of a region is no text")
+    require(is_text, where, "the wanted frame is no text")
     return (seen, wanted)
 
 

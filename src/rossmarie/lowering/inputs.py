@@ -48,6 +48,10 @@ class Place:
         """A field of this part, which has a type."""
         return Place(self.input, self.part.field(name, type_))
 
+    def sector(self, sector: ir.Sector) -> Place:
+        """A sector of this part, which is the `ranges` of a scan."""
+        return Place(self.input, self.part.sector(sector))
+
     def element(self, index: int | str, owner: Type) -> Place:
         """An element of this part, whose type is `owner`."""
         return Place(self.input, self.part.element(index, owner))
@@ -86,7 +90,7 @@ class Inputs:
         index = self._by_topic.setdefault(used.topic, len(self.channels))
         if index == len(self.channels):
             gaps = self.gaps.get(used.topic)
-            self.channels.append(ir.Channel(used.topic, used.message_type, gaps))
+            self.channels.append(ir.Channel(used.topic, used.message_type, gaps, used.edge))
         return index
 
     def input(self, used: CheckedInput) -> int:

@@ -8,12 +8,15 @@ the least or greatest of others.
 
 from __future__ import annotations
 
+import sys
+
 from rossmarie import ir
 from rossmarie.lowering.nodes import Nodes, Shown
 
 _Key = tuple[int, bool]
 """A truth, and whether its negation is meant."""
 
+_GREATEST = sys.float_info.max
 _UPWARDS = (ir.Comparison.GREATER, ir.Comparison.GREATER_OR_EQUAL)
 _DOWNWARDS = (ir.Comparison.LESS, ir.Comparison.LESS_OR_EQUAL)
 
@@ -82,6 +85,8 @@ class Margins:
                 compared = self._against_a_constant(element)
                 if compared is not None:
                     return self._of_extreme_element(compared, is_least, negated, shown)
+                if (beside := self._against_a_number(element)) is not None:
+                    return self._of_elements_in_reach(beside, is_least, negated, shown)
                 return self._nodes.signal(ir.Fold(_folding(is_least), below[0]), shown)
             case (
                 ir.Literal() | ir.Flag() | ir.AgeReaches() | ir.Oscillates() | ir.Since()
@@ -113,6 +118,45 @@ class Margins:
         left = self._folded(node.left, is_least is not holds_above, shown)
         right = self._folded(node.right, is_least is holds_above, shown)
         return self._of_comparison(ir.Compare(node.comparison, left, right), negated, shown)
+
+    def _against_a_number(self, truth: int) -> ir.Compare | None:
+        """The comparison of elements with a number beside these (S74) that a truth is."""
+        node = self._nodes.truths[truth].node
+        is_one = isinstance(node, ir.Compare) and (
+            self._is_beside(node.left) is not self._is_beside(node.right)
+        )
+        return node if isinstance(node, ir.Compare) and is_one else None
+
+    def _is_beside(self, signal: int) -> bool:
+        match self._nodes.signals[signal].node:
+            case ir.Constant() | ir.Read():
+                return True
+            case ir.Apply(operands=operands):
+                return all(map(self._is_beside, operands))
+            case ir.Sampled() | ir.Element() | ir.Fold() | ir.Count():
+                return False
+
+    def _of_elements_in_reach(
+        self, node: ir.Compare, is_least: bool, negated: bool, shown: Shown
+    ) -> int:
+        """The least or greatest margin of elements that are compared with a number beside them, of
+        the instant at which they arrived. Infinite ones are cut to the greatest double before the
+        subtraction; what is still that far off at the end overflows, and so is unknown.
+        """
+        left, right = (
+            side if self._is_beside(side) else self._cut(side, shown)
+            for side in (node.left, node.right)
+        )
+        gap = self._of_comparison(ir.Compare(node.comparison, left, right), negated, shown)
+        folded = self._nodes.signal(ir.Fold(_folding(is_least), gap), shown)
+        twice = self._nodes.apply(ir.Function.ADD, (folded, folded), shown)
+        half = self._nodes.constant(0.5, shown)
+        return self._nodes.apply(ir.Function.MULTIPLY, (twice, half), shown)
+
+    def _cut(self, signal: int, shown: Shown) -> int:
+        high, low = (self._nodes.constant(end, shown) for end in (_GREATEST, -_GREATEST))
+        cut = self._nodes.apply(ir.Function.MINIMUM, (signal, high), shown)
+        return self._nodes.apply(ir.Function.MAXIMUM, (cut, low), shown)
 
     def _folded(self, signal: int, is_least: bool, shown: Shown) -> int:
         """The least or greatest of a number of elements; a constant is the same for all."""

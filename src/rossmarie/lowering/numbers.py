@@ -9,19 +9,23 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from typing import TypeGuard
 
 from rossmarie import ir
 from rossmarie.check.model import CheckedMotion, CheckedProgram, Value
 from rossmarie.check.names.parts import Part, part_at
 from rossmarie.check.names.regions import FRAME_OF_HEADER
 from rossmarie.check.operations.lists import counts_all
+from rossmarie.check.operations.sectors import sector_between
 from rossmarie.check.scopes.trees import stripped
 from rossmarie.core import Measure, RegionFunction, sampling_row
+from rossmarie.lowering.beams import ANGLE, coordinate, is_of_point
 from rossmarie.lowering.braking import way_to_stop
 from rossmarie.lowering.durations import duration_ns
+from rossmarie.lowering.frames import Axis, Frames, is_in_frame
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
-from rossmarie.lowering.wording import words
+from rossmarie.lowering.wording import unit_of, words
 from rossmarie.syntax import ast
 from rossmarie.types import (
     Array,
@@ -42,7 +46,6 @@ from rossmarie.types import (
     Unsupported,
     Vector,
 )
-from rossmarie.units import Unit
 
 _ARITHMETIC = {
     ast.BinaryOperator.ADD: ir.Function.ADD,
@@ -51,7 +54,12 @@ _ARITHMETIC = {
     ast.BinaryOperator.DIVIDE: ir.Function.DIVIDE,
 }
 
-_EACH = {"abs": ir.Function.ABSOLUTE, "hypot": ir.Function.HYPOT}
+_EACH = {
+    "abs": ir.Function.ABSOLUTE,
+    "hypot": ir.Function.HYPOT,
+    "sin": ir.Function.SINE,
+    "cos": ir.Function.COSINE,
+}
 """Functions that are applied to each component, or to each element."""
 
 _WHOLE = {
@@ -80,6 +88,7 @@ class Numbers:
         self._inputs = inputs
         self._nodes = nodes
         self._truth = truth
+        self._frames = Frames(program, inputs, nodes)
         self._elements: dict[str, Place] = {}
 
     def scalar(self, node: ast.Expression) -> int:
@@ -93,8 +102,12 @@ class Numbers:
         if constant is not None:
             return self.constant(constant, constant.numbers, self.shown(node))
         place = self.place(node)
+        if place is not None and self._is_component(node, place):
+            return (self._component(node),)
         if place is not None:
-            return self._read(place, self.type_of(node), self.shown(node))
+            found = self._read(place, self.type_of(node), self.shown(node))
+            setting = place.input.declaration.setting
+            return found if setting is None else self._setting(found, setting, self.shown(node))
         match node:
             case ast.Parenthesized(inner=inner):
                 return self.components(inner)
@@ -110,11 +123,21 @@ class Numbers:
                 return (self._folded_list(node),)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Index() | ast.Edges() | ast.Oscillates() | ast.Membership() | ast.Held()
-                | ast.Since()
+                | ast.Index() | ast.Sector() | ast.Edges() | ast.Oscillates() | ast.Membership()
+                | ast.Held() | ast.Since()
                 | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
             ):  # fmt: skip
                 raise AssertionError(f"checked: {type(node).__name__} is no number")
+
+    def _setting(self, given: Components, setting: ast.Constant, shown: Shown) -> Components:
+        """A parameter of the node: what it was given, if that is tighter (S87)."""
+        assert setting.parameter is not None
+        is_up = setting.parameter.tightens is not None and setting.parameter.tightens.text == "up"
+        (usual,) = self._program.values[setting.value].numbers
+        far = ir.farthest(usual, is_up=is_up)
+        operands = *given, self._nodes.constant(usual, shown), self._nodes.constant(far, shown)
+        function = ir.Function.RAISED if is_up else ir.Function.LOWERED
+        return (self._nodes.apply(function, operands, shown),)
 
     def constant(self, value: Value, numbers: tuple[float, ...], shown: Shown) -> Components:
         """The signals of a constant: of its numbers, or of the index of its text."""
@@ -156,6 +179,9 @@ class Numbers:
             case ast.Index(value=value, index=index):
                 place = self.place(value)
                 return None if place is None else place.element(index, self.type_of(value))
+            case ast.Sector(value=value, arc=arc):
+                place = self.place(value)
+                return None if place is None else place.sector(self._sector(arc))
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Call()
                 | ast.Edges() | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary()
@@ -164,18 +190,22 @@ class Numbers:
             ):  # fmt: skip
                 return None
 
+    def _sector(self, arc: ast.Arc) -> ir.Sector:
+        ends = (self._program.values[end].numbers[0] for end in (arc.first, arc.last))
+        sector = sector_between(*ends)
+        assert sector is not None, "checked: it is a sector"
+        return sector
+
     def _read(self, place: Place, type_: Type, shown: Shown) -> Components:
         match type_:
             case Message(fields=fields):
                 # A std_msgs message stands for its data.
                 data = fields["data"]
                 return self._read(
-                    place.field("data", data), data, replace(shown, unit=_unit_of(data))
+                    place.field("data", data), data, replace(shown, unit=unit_of(data))
                 )
-            case Vector(element=element):
-                return tuple(self._read_part(place, axis, element, shown) for axis in "xyz")
-            case Quaternion():
-                return tuple(self._read_part(place, axis, Quantity(None), shown) for axis in "xyzw")
+            case Vector() | Quaternion():
+                return self._read_vector(place, type_, shown)
             case Array():
                 array = self._inputs.array(place, type_)
                 return (self._nodes.signal(ir.Element(array), shown),)
@@ -185,12 +215,42 @@ class Numbers:
             ):  # fmt: skip
                 return (self._read_scalar(place, type_, shown),)
 
+    def _is_component(self, node: ast.Expression, place: Place) -> TypeGuard[ast.Member]:
+        """Say whether a part of a message is a component of what is seen from a known frame: all of
+        it is needed, then.
+        """
+        if not isinstance(node, ast.Member) or not is_in_frame(place):
+            return False
+        return isinstance(self.type_of(node.value), Vector | Quaternion)
+
+    def _component(self, node: ast.Member) -> int:
+        place, type_ = self.place(node.value), self.type_of(node.value)
+        assert place is not None, "a component is of a part of a message"
+        assert isinstance(type_, Vector | Quaternion), "checked: it has components"
+        parts = self._seen(place, type_, self.shown(node.value))
+        return parts("xyzw".index(node.member.text))
+
+    def _read_vector(self, place: Place, type_: Vector | Quaternion, shown: Shown) -> Components:
+        parts = self._seen(place, type_, shown)
+        return tuple(map(parts, range(3 if isinstance(type_, Vector) else 4)))
+
+    def _seen(self, place: Place, type_: Vector | Quaternion, shown: Shown) -> Axis:
+        """The components of a vector or an orientation, in the frame that the rules want."""
+        element = type_.element if isinstance(type_, Vector) else Quantity(None)
+
+        def arrived(number: int) -> int:
+            return self._read_part(place, "xyzw"[number], element, shown)
+
+        return self._frames.seen(place, type_, arrived, shown) if is_in_frame(place) else arrived
+
     def _read_part(self, place: Place, axis: str, element: Quantity, shown: Shown) -> int:
         part = Shown(f"{shown.text}.{axis}", shown.span, element.unit)
         return self._read_scalar(place.field(axis, element), element, part)
 
     def _read_scalar(self, place: Place, type_: Type, shown: Shown) -> int:
         """One number, flag or text: of the message, or of the element at hand."""
+        if isinstance(type_, Quantity) and is_of_point(place):
+            return coordinate(place, type_, shown, self._inputs, self._nodes)
         if place.list_path is not None:
             return self._nodes.signal(ir.Element(self._inputs.column(place, type_)), shown)
         return self._nodes.signal(ir.Read(self._inputs.slot(place, type_)), shown)
@@ -217,13 +277,15 @@ class Numbers:
         return self._nodes.signal(folded, self.shown(node))
 
     def _is_there(self, node: ast.ListFold) -> int:
-        """The truth that is true of each point of a cloud: there is none without its place."""
+        """The truth that is true of each beam of a scan, and of each point of a cloud: without its
+        place there is none.
+        """
         points = self.type_of(node.list)
-        assert isinstance(points, List), "checked: it is the points of a cloud"
-        assert isinstance(points.element, Point), "checked: it is the points of a cloud"
+        assert isinstance(points, List), "checked: it is the points of a cloud, or beams"
         name = node.variable.text
-        shown = Shown(name, node.body.span)
-        x = self._read_part(self._elements[name], "x", points.element.element, shown)
+        shown, element = Shown(name, node.body.span), points.element
+        field, type_ = ("x", element.element) if isinstance(element, Point) else ("angle", ANGLE)
+        x = self._read_part(self._elements[name], field, type_, shown)
         is_number = ir.Compare(ir.Comparison.EQUAL, x, x)
         return self._nodes.leaf(is_number, self.shown(node.body))
 
@@ -262,7 +324,7 @@ class Numbers:
                 return tuple(self._sampled(node, part, shown) for part in parts)
             case "rate" | "median" | "mean" | "low_pass":
                 return (self._sampled(node, self.scalar(arguments[0]), shown),)
-            case "abs" | "hypot":
+            case "abs" | "hypot" | "sin" | "cos":
                 return self._each(_EACH[name], tuple(map(self.components, arguments)), node)
             case "min" | "max":
                 return (self._extreme(node, shown),)
@@ -271,6 +333,9 @@ class Numbers:
             case "norm" | "roll" | "pitch" | "yaw":
                 parts = self.components(arguments[0])
                 return (self._nodes.apply(_WHOLE[name], parts, shown),)
+            case "braking_distance" | "time_to":
+                parts = tuple(map(self.scalar, arguments))
+                return (self._nodes.apply(ir.Function(name), parts, shown),)
             case "distance":
                 return (self._distance(node, shown),)
             case "stopping":
@@ -324,9 +389,14 @@ class Numbers:
             place = place.field("position", seen)
         assert isinstance(seen, Vector), "checked: it is a position"
         words_of_it = self.shown(position)
-        x, y = (self._read_part(place, axis, seen.element, words_of_it) for axis in "xy")
-        header = Place(place.input, Part(FRAME_OF_HEADER))
-        frame = self._read_scalar(header, Text(), replace(words_of_it, text="frame", unit=None))
+        if is_in_frame(place):
+            parts = self._seen(place, seen, words_of_it)
+            x, y = parts(0), parts(1)
+            frame = self._frames.frame(place, words_of_it)
+        else:
+            x, y = (self._read_part(place, axis, seen.element, words_of_it) for axis in "xy")
+            header = Place(place.input, Part(FRAME_OF_HEADER))
+            frame = self._read_scalar(header, Text(), replace(words_of_it, text="frame", unit=None))
         text = self._nodes.constant(float(self._inputs.text(wanted.text)), wanted)
         return self._nodes.apply(function, (x, y, frame, text), shown)
 
@@ -354,7 +424,7 @@ class Numbers:
 
     def shown(self, node: ast.Expression) -> Shown:
         """The words, the place and the unit of an expression."""
-        return Shown(words(node.span), node.span, _unit_of(self._program.types[node]))
+        return Shown(words(node.span), node.span, unit_of(self._program.types[node]))
 
 
 def _spread(left: Components, right: Components) -> tuple[Components, Components]:
@@ -364,21 +434,3 @@ def _spread(left: Components, right: Components) -> tuple[Components, Components
         left * (size if len(left) == 1 else 1),
         right * (size if len(right) == 1 else 1),
     )
-
-
-def _unit_of(type_: Type) -> Unit | None:
-    match type_:
-        case Quantity(unit=unit):
-            return unit
-        case (
-            Vector(element=element)
-            | Interval(element=element)
-            | Box(element=element)
-            | Array(element=Quantity() as element)
-        ):
-            return element.unit
-        case (
-            Boolean() | Text() | Quaternion() | Array() | List() | Region() | Motion() | Message()
-            | Entry() | Unsupported() | Unknown()
-        ):  # fmt: skip
-            return None

@@ -20,10 +20,10 @@ def referred_condition(
             key = (entity, name.text)
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-            | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
-            | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
-            | ast.Since() | ast.Once() | ast.Response() | ast.Doing() | ast.Parenthesized()
-            | ast.Broken()
+            | ast.Member() | ast.Index() | ast.Sector() | ast.Call() | ast.Edges()
+            | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership()
+            | ast.Held() | ast.Since() | ast.Once() | ast.Response() | ast.Doing()
+            | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip
             return None
     return key if key in symbols.conditions else None

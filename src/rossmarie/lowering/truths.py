@@ -129,7 +129,7 @@ class Truths:
                 return self._question(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Member() | ast.Index() | ast.Edges() | ast.Broken()
+                | ast.Member() | ast.Index() | ast.Sector() | ast.Edges() | ast.Broken()
             ):  # fmt: skip
                 flag = self._numbers.scalar(node)
                 return self._nodes.leaf(ir.Flag(flag), _shown(node))

@@ -1,10 +1,29 @@
-"""The user's own words, on one line: what verdicts and generated comments show."""
+"""The user's own words, on one line: what verdicts and generated comments show; and units."""
 
 from __future__ import annotations
 
 import re
 
 from dslkit.source import Span
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Box,
+    Entry,
+    Interval,
+    List,
+    Message,
+    Motion,
+    Quantity,
+    Quaternion,
+    Region,
+    Text,
+    Type,
+    Unknown,
+    Unsupported,
+    Vector,
+)
+from rossmarie.units import Unit
 
 # A text literal, which has no escapes, is kept as it is; any run of white space and comments
 # becomes one blank.
@@ -17,3 +36,22 @@ _PIECE = re.compile(
 def words(span: Span) -> str:
     """The text at a span, without comments and line breaks."""
     return _PIECE.sub(lambda piece: piece["literal"] or " ", span.text).strip()
+
+
+def unit_of(type_: Type) -> Unit | None:
+    """The unit in which a number, or what is made of numbers, is shown."""
+    match type_:
+        case Quantity(unit=unit):
+            return unit
+        case (
+            Vector(element=element)
+            | Interval(element=element)
+            | Box(element=element)
+            | Array(element=Quantity() as element)
+        ):
+            return element.unit
+        case (
+            Boolean() | Text() | Quaternion() | Array() | List() | Region() | Motion() | Message()
+            | Entry() | Unsupported() | Unknown()
+        ):  # fmt: skip
+            return None

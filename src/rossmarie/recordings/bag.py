@@ -13,9 +13,11 @@ from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
+from rosbags.typesys.store import Typestore
 
-from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.diagnostics import Collector, Diagnostic, Remark
 from rossmarie.ir import EARLIEST_NS, LATEST_NS, Array, Batch, Machine, Slot
+from rossmarie.ir.scans import is_of_scan
 from rossmarie.recordings.batches import Assembly
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.decoding import Decoder
@@ -30,6 +32,7 @@ from rossmarie.recordings.errors import (
     at_file,
 )
 from rossmarie.recordings.extraction import Wanted
+from rossmarie.recordings.frames import frames_in
 from rossmarie.recordings.limits import LimitError
 from rossmarie.recordings.matching import (
     Match,
@@ -39,9 +42,10 @@ from rossmarie.recordings.matching import (
     kind_text,
     match_topics,
 )
-from rossmarie.recordings.model import Topic
+from rossmarie.recordings.model import FramesFound, Topic
 from rossmarie.recordings.storage import Storage
 from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
+from rossmarie.recordings.transforms import TransformDecoder, holds_transforms
 
 _NO_CLOCK = "their stamps are out of range: no clock runs that long"
 
@@ -50,10 +54,13 @@ _NO_CLOCK = "their stamps are out of range: no clock runs that long"
 class _Reading:
     """The decoding of the messages of one topic, and the channels that read them.
 
+    `transforms` decodes them for the channels of transforms, of which it has some or none.
+
     `unfit` counts the messages that are passed over, by the reason.
     """
 
-    decoder: Decoder
+    decoder: Decoder | None
+    transforms: TransformDecoder | None
     channels: Sequence[int]
     unreadable: Unreadable
     unfit: Counter[str]
@@ -99,6 +106,14 @@ class BagRecording:
                 readings[topic] = reading
         return self._read(machine, readings, collector)
 
+    def frames(self) -> FramesFound:
+        """See `Recording.frames`."""
+        return frames_in(
+            self._connections,
+            lambda connection: typestore_for(connection, self._message_folders),
+            lambda topics: self._stored([*topics], Collector()),
+        )
+
     def close(self) -> None:
         """Release the file."""
         for storage in self._storages:
@@ -125,15 +140,22 @@ class BagRecording:
                 for reader in match.inputs:
                     collector.add(missing.at(input_span(machine, reader)))
             return None
-        slots = {index: slot for match in matches for index, slot in match.slots.items()}
-        arrays = {index: array for match in matches for index, array in match.arrays.items()}
-        decoder = Decoder(connection, store, Wanted(slots, arrays, machine.lists), machine.texts)
-        for field in decoder.missing:
+        edges = [each for each in matches if machine.channels[each.channel].edge is not None]
+        others = [each for each in matches if each not in edges]
+        decoder = _decoder(connection, store, others, machine)
+        for field in () if decoder is None else decoder.missing:
             _report_missing(field, connection, machine, collector)
+        transforms = None
+        if edges and holds_transforms(store, connection.message_type):
+            transforms = TransformDecoder(connection, store, edges, machine)
+        elif edges:
+            for slot in (slot for match in edges for slot in match.slots.values()):
+                _report_missing(slot, connection, machine, collector)
         spans = [input_span(machine, reader) for match in matches for reader in match.inputs]
         total = self.topics[topic].count
         unreadable = Unreadable(f"messages on `{topic}`", total, self.start_ns, spans)
-        return _Reading(decoder, [match.channel for match in matches], unreadable, Counter())
+        channels = [match.channel for match in others]
+        return _Reading(decoder, transforms, channels, unreadable, Counter())
 
     def _read(
         self, machine: Machine, readings: Mapping[str, _Reading], collector: Collector
@@ -143,16 +165,16 @@ class BagRecording:
             assembly = Assembly(machine, messages.times_ns)
             for topic, reading in readings.items():
                 rows = np.flatnonzero(_is_on(topic, messages))
-                decoded = reading.decoder.decode(messages.only(rows))
-                for row, reason in decoded.failures:
-                    reading.unreadable.note(int(messages.times_ns[rows[row]]), reason)
-                assembly.add(reading.channels, rows, decoded.slots, decoded.arrays)
+                _take(reading, messages, rows, assembly)
             yield assembly.batch()
         for topic, reading in readings.items():
             reading.unreadable.report(collector)
             self._report_unfit(topic, reading, collector)
-            for search in reading.decoder.never_found:
+            for search in () if reading.decoder is None else reading.decoder.never_found:
                 collector.add(never_found(topic, search, machine))
+            collector.extend(
+                () if reading.transforms is None else reading.transforms.never_found(topic)
+            )
 
     def _fit(self, stored: Packed, readings: Mapping[str, _Reading]) -> NDArray[np.bool_]:
         """The messages that are not passed over; the others are counted."""
@@ -238,6 +260,34 @@ class _Last:
         return is_after
 
 
+def _decoder(
+    connection: Connection, store: Typestore, matches: Sequence[Match], machine: Machine
+) -> Decoder | None:
+    slots = {index: slot for match in matches for index, slot in match.slots.items()}
+    arrays = {index: array for match in matches for index, array in match.arrays.items()}
+    if not matches:
+        return None
+    return Decoder(connection, store, Wanted(slots, arrays, machine.lists), machine.texts)
+
+
+def _take(reading: _Reading, messages: Packed, rows: NDArray[np.intp], assembly: Assembly) -> None:
+    """Put the messages of one topic, which are in these rows, into a batch."""
+    of_topic = messages.only(rows)
+    if reading.decoder is not None:
+        decoded = reading.decoder.decode(of_topic)
+        for row, reason in decoded.failures:
+            reading.unreadable.note(int(of_topic.times_ns[row]), reason)
+        assembly.add(reading.channels, rows, decoded.slots, decoded.arrays)
+    if reading.transforms is None:
+        return
+    for row, found in reading.transforms.decode(of_topic):
+        if isinstance(found, str):
+            reading.unreadable.note(int(of_topic.times_ns[row]), found)
+            continue
+        for channel, values in found.items():
+            assembly.put(int(rows[row]), channel, values)
+
+
 def _is_on(topic: str, messages: Packed) -> NDArray[np.bool_]:
     """The messages that came on a topic."""
     is_there = np.array([each.topic == topic for each in messages.connections], np.bool_)
@@ -262,6 +312,10 @@ def _report_missing(
         reason=f"this is how the recorded {connection.message_type} is defined",
     )
     other_cloud = FieldNotRecorded.OtherCloud(message_type=connection.message_type)
-    is_of_cloud = isinstance(missing, Array) and is_of_points(missing)
-    where = input_span(machine, missing.input)
-    collector.add(finding.at(where, help=other_cloud if is_of_cloud else None))
+    other_scan = FieldNotRecorded.OtherScan(message_type=connection.message_type)
+    help: Remark | None = None
+    if isinstance(missing, Array) and is_of_points(missing):
+        help = other_cloud
+    elif isinstance(missing, Array) and is_of_scan(missing):
+        help = other_scan
+    collector.add(finding.at(input_span(machine, missing.input), help=help))

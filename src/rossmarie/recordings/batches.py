@@ -65,12 +65,13 @@ class Assembly:
                 self._arrays[column][row] = None
 
     def batch(self) -> Batch:
-        """All of it; of what was not added, nothing is known."""
+        """All of it but the rows in which nothing came; of what was not added, nothing is known."""
         for columns, most in self._lists:
             for row in range(len(self._times_ns)):
                 self._look_at_list(columns, most, row)
-        arrays = [_joined(found) for found in self._arrays]
-        return Batch(self._times_ns, self._arriving, self._slots, arrays)
+        rows = np.flatnonzero(self._arriving.any(axis=1))  # others brought nothing that is read
+        arrays = [_joined([found[row] for row in rows.tolist()]) for found in self._arrays]
+        return Batch(self._times_ns[rows], self._arriving[rows], self._slots[rows], arrays)
 
 
 def _joined(arrays: Sequence[NDArray[np.generic] | None]) -> Elements:

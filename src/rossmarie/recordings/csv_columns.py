@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
 from rossmarie.ir import EACH, Array, Listed, Machine, Slot
+from rossmarie.ir.scans import is_of_scan
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.matching import Match
 from rossmarie.recordings.skills import question_of
@@ -102,7 +103,7 @@ def match_columns(match: Match, keys: Mapping[str, int], machine: Machine) -> Co
         else:
             missing.append(slot)
     for index, array in match.arrays.items():
-        if is_of_points(array):
+        if is_of_points(array) or is_of_scan(array):
             missing.append(array)
             continue
         elements = [_elements(name, keys) for name in _names(match, array, machine)]

@@ -26,6 +26,7 @@ from typing import TextIO
 from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Batch, Machine
+from rossmarie.ir.scans import is_of_scan
 from rossmarie.recordings.batches import batched
 from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks, stamps_of
 from rossmarie.recordings.clouds import is_of_points
@@ -63,7 +64,7 @@ from rossmarie.recordings.matching import (
     listed,
     with_reasons,
 )
-from rossmarie.recordings.model import Topic, Update
+from rossmarie.recordings.model import FramesFound, Topic, Update
 
 _DELIMITERS = ",;\t"
 _SHOWN = 200
@@ -108,6 +109,10 @@ class CsvRecording:
         readers = [self._reader(*pair, machine) for pair in found if pair[1].used()]
         return batched(machine, self._read(readers, machine, collector))
 
+    def frames(self) -> FramesFound:
+        """None: texts that say a frame are columns as any others."""
+        return FramesFound()
+
     def close(self) -> None:
         """Nothing is held open."""
 
@@ -146,6 +151,9 @@ class CsvRecording:
             if any(isinstance(field, Array) and is_of_points(field) for field in missing):
                 collector.add(self._no_points(match).at(span, help=FieldNotRecorded.Points()))
                 continue
+            if any(isinstance(field, Array) and is_of_scan(field) for field in missing):
+                collector.add(self._no_beams(match).at(span, help=FieldNotRecorded.Beams()))
+                continue
             wanted = [expected_column(match, field, machine) for field in missing]
             told.update(wanted)
             if not match.slots and not match.arrays and columns.arrival is None:
@@ -171,6 +179,10 @@ class CsvRecording:
     def _no_points(self, match: Match) -> FieldNotRecorded:
         kind, reason = "the points of a cloud", "the points of a cloud are bytes"
         return FieldNotRecorded(topic=match.topic, field="points", kind=kind, reason=reason)
+
+    def _no_beams(self, match: Match) -> FieldNotRecorded:
+        kind, reason = "the beams of a scan", "only a whole scan says at which angles they are"
+        return FieldNotRecorded(topic=match.topic, field="ranges", kind=kind, reason=reason)
 
     def _nothing_to_replay(self, machine: Machine, collector: Collector) -> RecordingError:
         finding = NothingToReplay(

@@ -6,7 +6,7 @@ those that are not as it expects; where it cannot do it either, it says why.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +15,7 @@ from rosbags.serde import SerdeError
 from rosbags.typesys.store import Typestore
 
 from rossmarie.ir.clouds import UnreadableCloudError
+from rossmarie.ir.scans import UnreadableScanError
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch
 from rossmarie.recordings.extraction import Message, Wanted, compile_extractor
@@ -42,8 +43,8 @@ _NOT_READ = float("nan")
 @dataclass(frozen=True, eq=False)
 class Decoded:
     """The values that are read of each message, by slot and by array of the machine. `failures` are
-    the messages that cannot be decoded, of which nothing is known, or of which a cloud is not, with
-    the reasons: their arrays are None.
+    the messages that cannot be decoded, of which nothing is known, and those with a cloud or a scan
+    of which not all is, with the reasons: their arrays are None.
     """
 
     slots: Mapping[int, NDArray[np.float64]]
@@ -60,12 +61,11 @@ class Decoder:
         self, connection: Connection, store: Typestore, wanted: Wanted, texts: Sequence[str]
     ) -> None:
         self._name = full_type(connection.message_type)
-        is_ros1 = connection.encoding == "ros1"
-        self._decode = store.deserialize_ros1 if is_ros1 else store.deserialize_cdr
+        self._message = decoding_of(connection, store)
         self._most = Sizes(store.fielddefs).largest_message(self._name)
         extractor = compile_extractor(store, connection.message_type, wanted, texts)
         self._read, self._found = extractor.read, extractor.found
-        self._clouds = extractor.clouds
+        self._sensed = extractor.sensed
         self.missing = extractor.missing
         self._searches = extractor.searches
         self._plan = plan_for(store, connection.message_type, connection.encoding, self._found)
@@ -107,21 +107,35 @@ class Decoder:
             column[row] = values.slots.get(slot, _NOT_READ)
         for array, elements in values.arrays.items():
             found.arrays[array][row] = np.array(elements, np.float64)
-        return self._take_points(message, row, found)
+        return self._take_sensed(message, row, found)
 
-    def _take_points(self, message: Message, row: int, found: Found) -> str | None:
-        """Take the points of clouds; gives why a cloud is not known, if one is not (S56)."""
+    def _take_sensed(self, message: Message, row: int, found: Found) -> str | None:
+        """Take the points of clouds and the beams of scans; gives why some are not known, if some
+        are not (S56, S70).
+        """
         reason = None
-        for cloud in self._clouds:
+        for each in self._sensed:
             try:
-                columns: Mapping[int, NDArray[np.float64] | None] = cloud.read(message)
-            except UnreadableCloudError as error:
-                reason, columns = str(error), dict.fromkeys(cloud.columns)
+                columns: Mapping[int, NDArray[np.float64] | None] = each.read(message)
+            except (UnreadableCloudError, UnreadableScanError) as error:
+                reason, columns = str(error), dict.fromkeys(each.columns)
             for array, elements in columns.items():
                 found.arrays[array][row] = elements
         return reason
 
-    def _message(self, content: bytes) -> Message:
-        if self._most is not None and len(content) > self._most:
-            raise LimitError(f"it is larger than {self._most >> 20} MiB, and its parts are small")
-        return self._decode(content, self._name)
+
+def decoding_of(connection: Connection, store: Typestore) -> Callable[[bytes], Message]:
+    """The way in which rosbags decodes a message that came by a connection, or by others on its
+    topic. It raises one of `DECODE_FAILURES`, also for a message that is too large.
+    """
+    name = full_type(connection.message_type)
+    is_ros1 = connection.encoding == "ros1"
+    decode = store.deserialize_ros1 if is_ros1 else store.deserialize_cdr
+    most = Sizes(store.fielddefs).largest_message(name)
+
+    def decoded(content: bytes) -> Message:
+        if most is not None and len(content) > most:
+            raise LimitError(f"it is larger than {most >> 20} MiB, and its parts are small")
+        return decode(content, name)
+
+    return decoded

@@ -100,6 +100,13 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
         says = "record again with clouds as ROS defines {message_type}"
         message_type: str
 
+    class OtherScan(Remark):
+        says = "record again with scans as ROS defines {message_type}"
+        message_type: str
+
+    class Beams(Remark):
+        says = "a table holds no scans: replay the bag, or the MCAP file"
+
     class Points(Remark):
         says = "a table holds no clouds: replay the bag, or the MCAP file"
 

@@ -31,10 +31,12 @@ from rossmarie.ir import (
     SkillStep,
     Slot,
 )
+from rossmarie.ir.scans import scan_path
 from rossmarie.ir.skills import answer
 from rossmarie.recordings.clouds import CloudReader, cloud_readers, holds_cloud, is_of_points
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch, Named, place_of
+from rossmarie.recordings.scans import ScanReader, holds_scan, scan_readers
 from rossmarie.recordings.skills import holds_skills, question_of
 
 _TEXTS = ("string", "wstring")
@@ -62,11 +64,12 @@ Find = Callable[[Named, Sequence[str], int], int | None]
 @dataclass(frozen=True)
 class Extractor:
     """Reads the wanted values of a message: those `found` in its type, not those `missing`. The
-    points of clouds are read by `clouds`. What came of the names of elements stands in `searches`.
+    points of clouds and the beams of scans are read by `sensed`. What came of the names of elements
+    stands in `searches`.
     """
 
     read: Callable[[Message], ChannelValues]
-    clouds: tuple[CloudReader, ...]
+    sensed: tuple[CloudReader | ScanReader, ...]
     found: Wanted
     missing: tuple[Slot | Array, ...]
     searches: tuple[ElementSearch, ...]
@@ -94,10 +97,10 @@ def compile_extractor(
             numbers[index] = _attributes(slot.path)
         else:
             others[index] = _scalar_reader(searches[index], description, texts)
-    points: dict[int, Array] = {}
+    sensed: dict[int, Array] = {}
     for index, array in wanted.arrays.items():
-        if is_of_points(array) and _is_in_cloud(store, root, array):
-            points[index] = array
+        if _is_sensed(store, root, array):
+            sensed[index] = array
             continue
         description = _describe(store, root, array.path)
         reader = None if description is None else _elements_reader(array, description, texts)
@@ -111,14 +114,15 @@ def compile_extractor(
             for index, slot in wanted.slots.items()
             if index in numbers or index in others
         },
-        {i: array for i, array in wanted.arrays.items() if i in arrays or i in points},
+        {i: array for i, array in wanted.arrays.items() if i in arrays or i in sensed},
     )
     read = _reader(numbers, others, arrays)
     asking = (each for each in searches.values() if question_of(each.slot) is not None)
     named = [each for each in searches.values() if _goes_by_name(each.slot.path)]
     named += islice(asking, 1)  # all are asked of the same messages
-    clouds = tuple(cloud_readers(points, wanted.lists))
-    return Extractor(read, clouds, found, tuple(missing), tuple(named))
+    readers: tuple[CloudReader | ScanReader, ...]
+    readers = (*cloud_readers(sensed, wanted.lists), *scan_readers(sensed, wanted.lists))
+    return Extractor(read, readers, found, tuple(missing), tuple(named))
 
 
 def _reader(
@@ -281,10 +285,13 @@ def _describe(store: Typestore, root: Any, path: Path) -> Any:
     return description
 
 
-def _is_in_cloud(store: Typestore, root: Any, array: Array) -> bool:
-    """Say whether a field of points is in a message of the type that has them."""
-    description = _describe(store, root, array.path[: array.path.index(POINTS)])
-    return description is not None and holds_cloud(description, store)
+def _is_sensed(store: Typestore, root: Any, array: Array) -> bool:
+    """Say whether an array is of a cloud or a scan, in a message of the type that has it."""
+    path, holds = scan_path(array.path), holds_scan
+    if is_of_points(array):
+        path, holds = array.path[: array.path.index(POINTS)], holds_cloud
+    description = None if path is None else _describe(store, root, path)
+    return description is not None and holds(description, store)
 
 
 def _holds(description: Any, kind: Kind) -> bool:

@@ -10,7 +10,7 @@ from pathlib import Path
 from dslkit import diagnostics
 from dslkit.diagnostics import Collector, Diagnostic, Remark, Template, remarked
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Channel, Kind, Machine, Slot, Step, path_text
+from rossmarie.ir import TRANSFORMS, Array, Channel, Kind, Machine, Slot, Step, path_text
 from rossmarie.recordings.errors import (
     MessagesUnreadable,
     NothingToReplay,
@@ -23,6 +23,9 @@ from rossmarie.recordings.errors import (
     at_file,
 )
 from rossmarie.recordings.model import Topic
+
+_OF_TRANSFORMS = (TRANSFORMS, "tf/tfMessage")
+"""The types of messages with transforms: the usual one, and one of old recordings."""
 
 
 @dataclass(frozen=True)
@@ -99,7 +102,7 @@ def match_topics(
     check_topic_map(machine, topic_map)
     matches = []
     for number, channel in enumerate(machine.channels):
-        match = channel_match(machine, number, topic_map.get(channel.topic, channel.topic))
+        match = channel_match(machine, number, topic_map.get(channel.source, channel.source))
         finding, help = _trouble(topics, channel, match.topic)
         if finding is None:
             matches.append(match)
@@ -115,7 +118,7 @@ def nothing_to_replay(
     topics: Mapping[str, Topic], machine: Machine, path: Path, collector: Collector
 ) -> RecordingError:
     """That no channel of a machine can be read, and what has been found out about each."""
-    expected = listed(channel.topic for channel in machine.channels)
+    expected = listed({channel.source for channel in machine.channels})
     finding = at_file(NothingToReplay(expected=expected, recorded=listed(topics)), path)
     return with_reasons(finding, collector)
 
@@ -130,7 +133,7 @@ def with_reasons(
 
 def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:
     """Raise `RecordingError` if a topic is mapped that no channel reads."""
-    known = [channel.topic for channel in machine.channels]
+    known = list(dict.fromkeys(channel.source for channel in machine.channels))
     for topic, recorded in topic_map.items():
         if topic not in known:
             near = difflib.get_close_matches(topic, known, n=1)
@@ -146,13 +149,14 @@ def _trouble(
     """The trouble that keeps a channel from reading the recorded topic `name`, with a better help
     than the usual one if there is.
     """
-    wanted = channel.message_type
+    types = (channel.message_type,) if channel.edge is None else _OF_TRANSFORMS
+    wanted = types[0]
     topic = topics.get(name)
     if topic is None:
-        finding = TopicNotRecorded(topic=name, read_as=channel.topic, recorded=listed(topics))
+        finding = TopicNotRecorded(topic=name, read_as=channel.source, recorded=listed(topics))
         near = _alternative(topics, name, wanted)
-        return finding, finding.Near(near=near, topic=channel.topic) if near else None
-    if topic.message_type not in (None, wanted):
+        return finding, finding.Near(near=near, topic=channel.source) if near else None
+    if topic.message_type not in (None, *types):
         recorded = topic.message_type or "?"
         return TopicOfAnotherType(topic=name, recorded=recorded, expected=wanted), None
     return (TopicNeverSent(topic=name), None) if topic.count == 0 else (None, None)

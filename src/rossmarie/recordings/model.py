@@ -6,8 +6,8 @@ not those in their headers.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple, Protocol
 
@@ -25,6 +25,29 @@ class Topic:
     name: str
     message_type: str | None
     count: int
+
+
+@dataclass(frozen=True)
+class Transforms:
+    """The recorded transforms of one frame in another one; `longest_ns` is the longest time between
+    two of them.
+    """
+
+    parent: str
+    child: str
+    is_static: bool
+    count: int
+    longest_ns: int
+
+
+@dataclass(frozen=True)
+class FramesFound:
+    """The frames of a recording: all transforms, and the frame of each topic whose headers say one
+    and the same.
+    """
+
+    transforms: Sequence[Transforms] = ()
+    headers: Mapping[str, str] = field(default_factory=dict)
 
 
 class Update(NamedTuple):
@@ -67,6 +90,9 @@ class Recording(Protocol):
         to `collector` at the call, what cannot be read when the iteration ends. Raises
         `RecordingError` at the call if there is nothing to read.
         """
+
+    def frames(self) -> FramesFound:
+        """The frames that it has transforms of, and those that headers say."""
 
     def close(self) -> None:
         """Release the file."""

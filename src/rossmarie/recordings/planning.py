@@ -9,6 +9,7 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
 from rossmarie.ir import ByName, Doing, Kind, Listed, Path, Quantity
+from rossmarie.ir.scans import is_of_scan
 from rossmarie.recordings import extraction
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.plan import (
@@ -74,6 +75,8 @@ def plan_for(
         return None  # skills are asked when all of them are read
     if any(array.list is not None for array in wanted.arrays.values()):
         return None  # rosbags decodes lists of messages
+    if any(is_of_scan(array) for array in wanted.arrays.values()):
+        return None  # a sector rests on other fields, too
     slots = [_Wanted(slot.path, slot=index) for index, slot in wanted.slots.items()]
     arrays = [_Wanted(array.path, array=index) for index, array in wanted.arrays.items()]
     try:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from dslkit.source import Span
 from rossmarie.syntax import ast
-from rossmarie.syntax.build_test import TestBuilder
+from rossmarie.syntax.build_zone import ZoneBuilder
 from rossmarie.syntax.scan import Token
 
 
@@ -70,7 +70,7 @@ class Mitigates(NamedTuple):
     span: Span
 
 
-class Builder(TestBuilder):
+class Builder(ZoneBuilder):
     """Builds all nodes of one file."""
 
     # --- items -----------------------------------------------------------------------------------
@@ -89,7 +89,9 @@ class Builder(TestBuilder):
     def number_parameter(self, parts: list[Any]) -> ast.Parameter:
         """`parameter NAME = VALUE`."""
         documentation, span = self._documentation(parts), self._span(parts)
-        return ast.Parameter(self.name(parts[1]), parts[3], None, documentation, span)
+        tightens = self.name(parts[5]) if len(parts) > 4 else None
+        name = self.name(parts[1])
+        return ast.Parameter(name, parts[3], None, documentation, span, tightens)
 
     def open_parameter(self, parts: list[Any]) -> ast.Parameter:
         """`parameter NAME in UNIT`."""
@@ -125,11 +127,11 @@ class Builder(TestBuilder):
         return ast.Constant(self.name(parts[1]), parts[3], documentation, self._span(parts))
 
     def input(self, parts: list[Any]) -> ast.Input:
-        """`input NAME = topic TOPIC : TYPE .path names ["NAME"] up to NUMBER in UNIT timeout
-        DURATION`.
+        """`input NAME = topic TOPIC : TYPE .path names ["NAME"] up to NUMBER from FRAME in UNIT in
+        FRAME timeout DURATION`.
         """
         index = 5
-        message_type = names = bound = unit = timeout = None
+        message_type = names = bound = source = timeout = None
         if _is(parts, index, ":"):
             message_type = self._type(parts[index + 1])
             index += 2
@@ -141,15 +143,35 @@ class Builder(TestBuilder):
             number = self.number(parts[index + 2 : index + 3])
             bound = number if isinstance(number, ast.Number) else None
             index += 3
-        if _is(parts, index, "in"):
-            unit = self._unit(parts[index + 1])
+        if _is(parts, index, "from"):
+            source = self._frame(parts[index + 1])
             index += 2
+        unit, frame, index = self._inside(parts, index)
         if _is(parts, index, "timeout"):
             timeout = parts[index + 1]
         name, topic = self.name(parts[1]), self.name(parts[4])
         documentation, span = self._documentation(parts), self._span(parts)
         behind = names, unit, timeout, documentation, span
-        return ast.Input(name, topic, message_type, path, *behind, bound=bound)
+        return ast.Input(
+            name, topic, message_type, path, *behind, bound=bound, source=source, frame=frame
+        )
+
+    def _inside(self, parts: list[Any], index: int) -> tuple[ast.Unit | None, ast.Name | None, int]:
+        """The unit and the frame behind `in`, and where they end."""
+        found: list[Token] = []
+        while _is(parts, index, "in"):
+            found.append(parts[index + 1])
+            index += 2
+        frame = None
+        if len(found) == 2 or (found and found[0].kind == "text"):
+            frame = self._frame(found.pop())
+        unit = self._unit(found[0]) if found else None
+        return unit, frame, index
+
+    def _frame(self, token: Token) -> ast.Name:
+        """A frame, by its bare name or in quotes."""
+        text = token.text[1:-1] if token.kind == "text" else token.text
+        return ast.Name(text, self._at(token))
 
     def element_names(self, parts: list[Any]) -> ast.ElementNames:
         """`names ["NAME", "NAME"]`."""
@@ -325,8 +347,21 @@ class Builder(TestBuilder):
         rest = parts[3 if has_alias else 1 :]
         unit = self._unit(rest[4]) if _is(rest, 3, "in") else None
         rate = rest[-1] if _is(rest, -2, "at") else None
-        topic, message_type = self.name(rest[0]), self._type(rest[2])
-        return ast.TopicDeclaration(alias, topic, message_type, unit, rate, self._span(parts))
+        place = 3 if unit is None else 5
+        source = self._frame(rest[place + 1]) if _is(rest, place, "from") else None
+        topic, message_type, span = self.name(rest[0]), self._type(rest[2]), self._span(parts)
+        return ast.TopicDeclaration(alias, topic, message_type, unit, rate, span, source)
+
+    def frame_declaration(self, parts: list[Any]) -> ast.FrameDeclaration:
+        """`frame NAME = FRAME in FRAME at PLACE turned ANGLES timeout DURATION`."""
+        has_alias = _is(parts, 2, "=")
+        alias = self.name(parts[1]) if has_alias else None
+        frame, _, parent, *behind = parts[3 if has_alias else 1 :]
+        told = {word.text: value for word, value in zip(behind[::2], behind[1::2], strict=True)}
+        return ast.FrameDeclaration(
+            alias, self._frame(frame), self._frame(parent),
+            told.get("at"), told.get("turned"), told.get("timeout"), self._span(parts),
+        )  # fmt: skip
 
     def service_declaration(self, parts: list[Any]) -> ast.ServiceDeclaration:
         """`service SERVICE : TYPE`."""

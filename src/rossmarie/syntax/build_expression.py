@@ -27,12 +27,15 @@ class _Comparator(NamedTuple):
 
 
 class _Trailer(NamedTuple):
-    """`.name`, `.name(...)`, `[0]` or `["name"]` behind a value; the last part tells which."""
+    """`.name`, `.name(...)`, `[0]`, `["name"]` or `[-30 deg .. 30 deg]` behind a value; the parts
+    tell which.
+    """
 
     name: ast.Name | None
     arguments: tuple[ast.Expression | Part, ...] | None
     position: int | str | None
     span: Span
+    arc: ast.Arc | None = None
 
 
 class Part(NamedTuple):
@@ -161,7 +164,9 @@ class ExpressionBuilder:
         trailer: _Trailer
         for trailer in parts[1:]:
             span = value.span.to(trailer.span)
-            if trailer.name is None:
+            if trailer.arc is not None:
+                value = ast.Sector(value, trailer.arc, span)
+            elif trailer.name is None:
                 at = trailer.position
                 value = ast.Broken(span) if at is None else ast.Index(value, at, span)
             elif trailer.arguments is None:
@@ -182,6 +187,14 @@ class ExpressionBuilder:
     def index(self, parts: list[Any]) -> _Trailer:
         """`[0]`, `["elbow"]`."""
         return _Trailer(None, None, self.position(parts[1]), self._span(parts))
+
+    def sector(self, parts: list[ast.Arc]) -> _Trailer:
+        """`[-30 deg .. 30 deg]` behind a value."""
+        return _Trailer(None, None, None, parts[0].span, parts[0])
+
+    def arc(self, parts: list[Any]) -> ast.Arc:
+        """`[-30 deg .. 30 deg]`."""
+        return ast.Arc(parts[1], parts[3], self._span(parts))
 
     def reference(self, parts: list[Any]) -> ast.Reference:
         """A name used as a value."""

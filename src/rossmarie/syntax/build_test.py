@@ -67,9 +67,12 @@ class TestBuilder(EffectBuilder):
         is_unknown = isinstance(value, Part)
         return ast.Setting(parts[0], None if is_unknown else value, is_unknown, self._span(parts))
 
-    def setting_path(self, parts: list[Any]) -> ast.FieldPath:
-        """`INPUT.WORD[0]`."""
-        return self.field_path(parts)
+    def setting_path(self, parts: list[Any]) -> ast.SettingPath:
+        """`INPUT.WORD[0]`, `INPUT.WORD[A .. B]`."""
+        steps: list[ast.Name | ast.Position | ast.Arc] = []
+        for part in parts:
+            steps += [part] if isinstance(part, ast.Arc) else self.field_path([part]).steps
+        return ast.SettingPath(tuple(steps), self._span(parts))
 
     def unknown(self, parts: list[Any]) -> Part:
         """`unknown`."""

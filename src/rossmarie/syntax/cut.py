@@ -25,12 +25,13 @@ from rossmarie.syntax.words import (
 _NEVER_LAST = RESERVED - {"true", "false"}
 _CONTINUATIONS = frozenset(
     {"when", "until", "timeout", "then", "clear", "latched", "unless", "while", "always"}
-    | {"keeps", "category", "task", "feedback", "mitigates", "with", "as"}
+    | {"keeps", "category", "task", "feedback", "mitigates", "with", "as", "tightens"}
 )
-_CONTINUED = frozenset({"rule", "input", "import_item"})
+_CONTINUED = frozenset({"rule", "input", "import_item", "parameter"})
 _JOINING = frozenset({"of", "within"})  # a line may be broken in front of them, and behind
 _LATCH = frozenset({"latched", "until", "reset"})
 _BEHIND_NAME = frozenset({";", ":", "=", ".", "["})
+_BEHIND_NAME_OF = {"motion": ("{",), "zone": ("in", "{"), "parameter": ("=", "in")}
 # Words that do not make a declaration of the unknown word in front of them, as `imu` does in
 # `entitty imu`: behind a name they carry on, or begin, something else.
 _NEVER_DECLARED = OPERATOR_WORDS | _CONTINUATIONS | ITEM_WORDS.keys()
@@ -116,16 +117,15 @@ class _Cutter:
         before = self._tokens[index - 1]
         if token.text == "hazard":
             return self._is_word(index + 1) and self._is_kind(index + 2, "text")
-        if token.text == "motion":
-            return self._is_word(index + 1) and self._text(index + 2) == "{"
+        if token.text in _BEHIND_NAME_OF:
+            is_named = self._is_word(index + 1)
+            return is_named and self._text(index + 2) in _BEHIND_NAME_OF[token.text]
         if token.text == "always":
             return self._text(index + 1) == "if" and before.text != ":"
         if token.text in CONTEXTUAL_ITEM_WORDS:
             if token.text in ("test", "skills"):
                 is_apart = depth == 0 or self._source.begins_line(index)
                 return is_apart and self._is_kind(index + 1, "text")
-            if token.text == "parameter":
-                return self._is_word(index + 1) and self._text(index + 2) in ("=", "in")
             return self._is_word(index + 1) and self._text(self._behind_name(index + 1)) == "over"
         if token.text not in ITEM_WORDS:
             return False

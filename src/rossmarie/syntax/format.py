@@ -25,7 +25,7 @@ from rossmarie.syntax.layout import Atom, Comment, indented, lay_out
 from rossmarie.syntax.scan import Scan, Token, documentation_text, scan
 from rossmarie.syntax.style import Style, collect_style
 
-_Statement = ast.Item | ast.Condition | ast.SystemMember | ast.Effect | ast.Statement
+_Statement = ast.Item | ast.Condition | ast.Shape | ast.SystemMember | ast.Effect | ast.Statement
 _EMPTY_LINE = re.compile(r"\n\s*\n")
 
 
@@ -180,6 +180,8 @@ class _Formatter:
             case ast.Action(body=Span(end=brace_end), effects=effects):
                 lines = self._braced(node, effects, brace_end, indent)
                 return _Entry(lines, start, end, group, True)
+            case ast.Zone(shapes=inner):
+                return _Entry(self._braced(node, inner, end, indent), start, end, group, True)
             case ast.Test(statements=inner):
                 return _Entry(self._braced(node, inner, end, indent), start, end, group, True)
             case ast.NodeDeclaration():
@@ -188,22 +190,23 @@ class _Formatter:
                 return _Entry(self._lines(start, end, ";", indent), start, end, group, True)
             case (
                 ast.Import() | ast.Skills() | ast.Parameter() | ast.Action() | ast.Constant()
-                | ast.Input()
-                | ast.Priority() | ast.Hazard() | ast.Condition() | ast.TopicDeclaration()
+                | ast.Input() | ast.Priority() | ast.Hazard() | ast.Condition() | ast.Shape()
+                | ast.TopicDeclaration()
                 | ast.ServiceDeclaration() | ast.ServerDeclaration() | ast.ResourceDeclaration()
-                | ast.UnitDeclaration() | ast.MessagesDeclaration()
+                | ast.UnitDeclaration() | ast.MessagesDeclaration() | ast.FrameDeclaration()
             ):  # fmt: skip
                 return _Entry(self._lines(start, end, ";", indent), start, end, group)
 
     def _braced(
         self,
-        node: ast.Entity | ast.Motion | ast.System | ast.Action | ast.Test,
+        node: ast.Entity | ast.Motion | ast.Zone | ast.System | ast.Action | ast.Test,
         inner: Sequence[_Statement],
         end: int,
         indent: int,
     ) -> list[str]:
         """The lines of an item whose braces end at an offset."""
-        brace = self._source.tokens[self._style.index(node.name.span.end)]
+        head_end = node.frame if isinstance(node, ast.Zone) else node.name
+        brace = self._source.tokens[self._style.index(head_end.span.end)]
         head = _Entry(self._lines(node.span.start, brace.end, "", indent), 0, brace.end, None)
         self._trailing(head)
         lines = self.block(inner, end - 1, indent + 1)

@@ -27,6 +27,8 @@ _ITEMS = (
     ast.Condition,
     ast.Motion,
     ast.Parameter,
+    ast.Shape,
+    ast.Zone,
     ast.Rule,
     ast.Skills,
     ast.Test,

@@ -41,6 +41,8 @@ def recover(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Ite
         saved = recover_test(part, item, failure)
     elif item.kind in ("entity", "motion"):
         saved = _recover_entity(part, item, failure)
+    elif item.kind == "zone":
+        saved = _recover_zone(part, item, failure)
     elif item.kind == "system":
         saved = _recover_system(part, item, failure)
     else:
@@ -119,6 +121,26 @@ def _recover_entity(
     documentation = part.source.documentation.get(span.start)
     kind = ast.Motion if item.kind == "motion" else ast.Entity
     return kind(name, tuple(conditions), documentation, span)
+
+
+def _recover_zone(part: PartParser, item: Stretch, failure: Failure | None) -> ast.Zone | None:
+    """The shapes that can be read; without a frame, the zone is in none."""
+    tokens = part.source.tokens
+    before = part.findings.count
+    start = start_of_body(part, item, failure)
+    shapes = _conditions(part, start, item.last)
+    found: list[ast.Shape] = parse_members(part, shapes, lambda _: "shape", lambda *_: None)
+    if part.findings.count == before:
+        check_closed(part, item, start)
+    name = name_of(part, item)
+    if name is None:
+        return None
+    has_frame = item.last > item.first + 3 and tokens[item.first + 2].text == "in"
+    frame = part.source.span(tokens[item.first + 3]) if has_frame else name.span
+    span = part.source.span(tokens[item.first], tokens[item.last - 1])
+    documentation = part.source.documentation.get(span.start)
+    named = ast.Name(frame.text.strip('"'), frame)
+    return ast.Zone(name, named, tuple(found), documentation, span)
 
 
 def _recover_system(part: PartParser, item: Stretch, failure: Failure | None) -> ast.System | None:

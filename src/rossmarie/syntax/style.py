@@ -58,6 +58,8 @@ class Style:
             case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
                 for condition in conditions:
                     self._operators(condition.expression)
+            case ast.Zone():
+                self._zone(item)
             case ast.Rule():
                 self._rule(item)
             case ast.Import() | ast.Parameter():
@@ -72,8 +74,7 @@ class Style:
                 for member in members:
                     self._member(member)
             case ast.Action(effects=effects):
-                for effect in effects:
-                    self._effect(effect)
+                self._effects(effects)
             case ast.Test(statements=statements):
                 for statement in statements:
                     self._statement(statement)
@@ -104,6 +105,11 @@ class Style:
             timeout = self.source.tokens[self.index(item.timeout.span.start) - 1]
             self.breaks[timeout.start] = _PART
 
+    def _zone(self, zone: ast.Zone) -> None:
+        """Polygons are broken in front of their corners."""
+        corners = (each for shape in zone.shapes for each in shape.brackets[1:])
+        self.breaks.update((each.span.start, _PART) for each in corners)
+
     def _member(self, member: ast.SystemMember) -> None:
         match member:
             case ast.TopicDeclaration(topic=topic, message_type=message_type, unit=unit):
@@ -119,8 +125,12 @@ class Style:
             case ast.NodeDeclaration():
                 self._word(*member.publishes, *member.subscribes)
                 self._node(member)
-            case ast.MessagesDeclaration():
+            case ast.MessagesDeclaration() | ast.FrameDeclaration():
                 pass
+
+    def _effects(self, effects: Sequence[ast.Effect]) -> None:
+        for effect in effects:
+            self._effect(effect)
 
     def _effect(self, effect: ast.Effect) -> None:
         match effect:
@@ -171,11 +181,11 @@ class Style:
             if isinstance(setting, ast.Setting):
                 self._index_sticks(setting.path)
 
-    def _index_sticks(self, path: ast.FieldPath) -> None:
+    def _index_sticks(self, path: ast.FieldPath | ast.SettingPath) -> None:
         self.tight_behind.update(
             before.span.end
             for before, step in zip(path.steps, path.steps[1:], strict=False)
-            if isinstance(step, ast.Position)
+            if isinstance(step, ast.Position | ast.Arc)
         )
 
     def _node(self, node: ast.NodeDeclaration) -> None:
@@ -267,7 +277,7 @@ class Style:
                     self.tight_behind.add(start + len("oscillates"))
                 case ast.Doing():
                     self._doing(node)
-                case ast.Index(value=value):
+                case ast.Index(value=value) | ast.Sector(value=value):
                     self.tight_behind.add(value.span.end)
                 case (
                     ast.Boolean() | ast.Text() | ast.Reference() | ast.Member() | ast.Edges()
@@ -300,9 +310,9 @@ def _peeled(node: ast.Expression) -> ast.Expression:
                 continue
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-                | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
-                | ast.Binary() | ast.Membership() | ast.Since() | ast.Once() | ast.Response()
-                | ast.Doing() | ast.ListFold() | ast.Broken()
+                | ast.Member() | ast.Index() | ast.Sector() | ast.Call() | ast.Edges()
+                | ast.Oscillates() | ast.Binary() | ast.Membership() | ast.Since() | ast.Once()
+                | ast.Response() | ast.Doing() | ast.ListFold() | ast.Broken()
             ):  # fmt: skip
                 return node
 

@@ -16,6 +16,8 @@ def children(expression: ast.Expression) -> tuple[ast.Expression, ...]:
             pass
         case ast.Member(value=value) | ast.Index(value=value):
             found = (value,)
+        case ast.Sector(value=value, arc=arc):
+            found = (value, arc.first, arc.last)
         case ast.Unary(operand=value) | ast.Parenthesized(inner=value):
             found = (value,)
         case ast.Binary(left=left, right=right) | ast.Membership(value=left, container=right):
@@ -59,7 +61,7 @@ def depth(expression: ast.Expression) -> int:
 
 
 def expressions(
-    item: ast.Item | ast.Condition | ast.Effect | ast.Statement,
+    item: ast.Item | ast.Condition | ast.Shape | ast.Effect | ast.Statement,
 ) -> Iterator[ast.Expression]:
     """The outermost expressions of an item or a part of one, in the order in which they are
     written.
@@ -71,36 +73,46 @@ def expressions(
     return _of_item(item)
 
 
-def _of_item(item: ast.Item | ast.Condition) -> Iterator[ast.Expression]:
+def _of_item(item: ast.Item | ast.Condition | ast.Shape) -> Iterator[ast.Expression]:
     match item:
         case ast.Constant(value=value):
             yield value
         case ast.Parameter() | ast.Import():
             yield from _of_parameters(item)
-        case ast.Input(timeout=timeout) if timeout is not None:
+        case ast.Input(timeout=timeout) | ast.Skills(timeout=timeout) if timeout is not None:
             yield timeout
         case ast.Condition(expression=expression):
             yield expression
         case ast.Entity(conditions=conditions) | ast.Motion(parts=conditions):
             yield from (condition.expression for condition in conditions)
-        case ast.Rule(condition=condition, contracts=contracts, feedback=feedback):
-            yield condition
-            yield from item.scope
-            yield from chain.from_iterable(map(_of_exemption, item.exemptions))
-            yield from chain.from_iterable(map(_of_contract, contracts))
-            yield from () if item.keeps is None else (item.keeps.speed,)
-            yield from (each.amount for each in feedback if isinstance(each, ast.Feedback))
+        case ast.Shape() | ast.Zone():
+            shapes = item.shapes if isinstance(item, ast.Zone) else (item,)
+            yield from chain.from_iterable(map(_of_shape, shapes))
+        case ast.Rule():
+            yield from _of_rule(item)
         case ast.Action(effects=effects):
             yield from chain.from_iterable(map(_of_effect, effects))
         case ast.System(members=members):
-            declared = (each for each in members if isinstance(each, ast.TopicDeclaration))
-            yield from (each.rate for each in declared if each.rate is not None)
+            yield from chain.from_iterable(map(_of_member, members))
         case ast.Test(statements=statements):
             yield from chain.from_iterable(map(_of_statement, statements))
-        case ast.Skills(timeout=timeout) if timeout is not None:
-            yield timeout
         case ast.Input() | ast.Priority() | ast.Hazard() | ast.Skills():
             pass
+
+
+def _of_shape(shape: ast.Shape) -> Iterator[ast.Expression]:
+    yield from shape.brackets
+    if shape.radius is not None:
+        yield shape.radius
+
+
+def _of_rule(rule: ast.Rule) -> Iterator[ast.Expression]:
+    yield rule.condition
+    yield from rule.scope
+    yield from chain.from_iterable(map(_of_exemption, rule.exemptions))
+    yield from chain.from_iterable(map(_of_contract, rule.contracts))
+    yield from () if rule.keeps is None else (rule.keeps.speed,)
+    yield from (each.amount for each in rule.feedback if isinstance(each, ast.Feedback))
 
 
 def _of_parameters(item: ast.Parameter | ast.Import) -> Iterator[ast.Expression]:
@@ -112,6 +124,15 @@ def _of_parameters(item: ast.Parameter | ast.Import) -> Iterator[ast.Expression]
         case ast.Parameter(default=default):
             values = (default,)
     yield from (each for each in values if each is not None and not isinstance(each, ast.Name))
+
+
+def _of_member(member: ast.SystemMember) -> Iterator[ast.Expression]:
+    found: tuple[ast.Expression | None, ...] = ()
+    if isinstance(member, ast.TopicDeclaration):
+        found = (member.rate,)
+    elif isinstance(member, ast.FrameDeclaration):
+        found = (member.at, member.turned, member.timeout)
+    yield from (expression for expression in found if expression is not None)
 
 
 def _of_tree(effect: ast.RunTree) -> Iterator[ast.Expression]:
@@ -164,11 +185,16 @@ def _of_statement(statement: ast.Statement) -> Iterator[ast.Expression]:
     if not isinstance(statement, ast.OperatorReset) and statement.stretch is not None:
         found += [statement.stretch.first, statement.stretch.last]
     if isinstance(statement, ast.Arrival):
-        found += [
-            setting if isinstance(setting, ast.Doing) else setting.value
-            for setting in statement.settings
-        ]
+        for setting in statement.settings:
+            found += [setting] if isinstance(setting, ast.Doing) else _of_setting(setting)
     yield from (expression for expression in found if expression is not None)
+
+
+def _of_setting(setting: ast.Setting) -> Iterator[ast.Expression | None]:
+    for step in setting.path.steps:
+        if isinstance(step, ast.Arc):
+            yield from (step.first, step.last)
+    yield setting.value
 
 
 def _of_exemption(exemption: ast.Exemption) -> Iterator[ast.Expression]:

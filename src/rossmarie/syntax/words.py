@@ -23,6 +23,7 @@ CONTEXTUAL_ITEM_WORDS = {
     "priority": "priority",
     "hazard": "hazard",
     "motion": "motion",
+    "zone": "zone",
     "test": "test",
     "skills": "skills",
     "parameter": "parameter",
@@ -59,19 +60,21 @@ MEMBER_WORDS = {
     "resource": "resource_declaration",
     "unit": "unit_declaration",
     "messages": "messages_declaration",
+    "frame": "frame_declaration",
     "node": "node",
 }
 """The words that begin a declaration inside a system."""
 
 PART_WORDS = frozenset(
     {"timeout", "clear", "when", "latched", "until", "reset", "times", "within", "by", "of"}
-    | {"names"}
+    | {"names", "from", "turned"}
     | {"unless", "category", "task", "feedback", "per", "activation", "margin", "mitigates"}
     | {"keeps", "below"}
+    | {"box", "circle", "polygon", "radius"}
     | {"publishes", "subscribes", "on", "apart"}
     | {"since", "once", "after"}
     | {"doing", "ahead", "while", "always"}
-    | {"with", "as"}
+    | {"with", "as", "tightens"}
 )
 """The words that are keywords in their places inside other items, and names elsewhere."""
 
@@ -116,8 +119,8 @@ FORMS = {
     "step": "actions are written `{ ACTION; also ACTION else ACTION; }`",
     "import_item": 'an import is written `import "FILE.ross";` or '
     '`import "FILE.ross" with PARAMETER = VALUE, PARAMETER = VALUE as NAME;`',
-    "parameter": "a parameter is written `parameter NAME = 0.5 m;`, `parameter NAME in m;` or "
-    "`parameter NAME = topic /TOPIC;`",
+    "parameter": "a parameter is written `parameter NAME = 0.5 m;`, `parameter NAME in m;`, "
+    "`parameter NAME = topic /TOPIC;` or `parameter NAME = 0.5 m tightens up;`",
     "system": "a system is written `system NAME { topic /TOPIC : PACKAGE/TYPE; }`",
     "action": "an action is written `action NAME;` or `action NAME { EFFECT; EFFECT; }`",
     "skills": 'the skills are named by `skills "skills.json";`',
@@ -153,12 +156,19 @@ FORMS = {
     "resource_declaration": "a resource is declared as `resource NAME : /TOPIC, /SERVER;`",
     "unit_declaration": "the unit of a field is declared as `unit PACKAGE/TYPE.FIELD = rad/s;`",
     "messages_declaration": 'a folder of message definitions is declared as `messages "FOLDER";`',
+    "frame_declaration": "a frame is declared as `frame NAME in PARENT timeout 0.2 sec;`, or as "
+    "`frame NAME in PARENT at [0.3, 0, 0.5] m turned [0, 20, 180] deg;` where it stays",
     "node": "a node is declared as `node NAME { publishes /TOPIC; subscribes /TOPIC; }`",
     "hazard": 'a hazard is written `hazard NAME "WHAT MAY HAPPEN";`',
     "motion": "a motion is written "
     "`motion NAME { position : INPUT; speed : INPUT; brake : 0.6 m/s^2; "
     "acceleration : 0.5 m/s^2; fastest : 1.5 m/s; latency : 0.2 sec; }`",
     "part": "a part of a motion is written `NAME : EXPRESSION;`",
+    "zone": "a zone is written "
+    "`zone NAME in FRAME { box [0.2, 0.9, -0.4, 0.4] m; circle [0.9, 0] m radius 0.4 m; "
+    "polygon [0, 1], [1, 1], [1, 2] m; }`",
+    "shape": "a shape is written `box [XMIN, XMAX, YMIN, YMAX] m;`, "
+    "`circle [X, Y] m radius 0.4 m;` or `polygon [X, Y], [X, Y], [X, Y] m;`",
     "keeps": "what a rule keeps is written behind its contract: "
     "`keeps MOTION below 0.3 m/s in CLASS`",
     "category": "the category of a rule is written behind its contract: "

@@ -85,7 +85,11 @@ def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
 
 
 def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) -> bool:
-    """Say whether nothing but what is moved rests on the truth that is quantified."""
+    """Say whether nothing but what is moved rests on the truth that is quantified, and no numbers
+    stand beside its elements: these are not in the history.
+    """
+    if ir.element_arrays(machine).truths[node.element] in ir.beside(machine):
+        return False
     counted = {each.node.element for each in machine.signals if isinstance(each.node, ir.Count)}
     users = {
         index

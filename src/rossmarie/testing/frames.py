@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rossmarie.core import RegionFunction
-from rossmarie.ir import Apply, Constant, Machine, Path, Read
+from rossmarie.core import Function, RegionFunction
+from rossmarie.ir import Apply, Constant, Kind, Machine, Path, Read
 
 
 def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
@@ -15,13 +15,14 @@ def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
     found: dict[tuple[str, Path], str] = {}
     for signal in machine.signals:
         match signal.node:
-            case Apply(function=RegionFunction(), operands=(_, _, seen, wanted)):
+            case Apply(function=RegionFunction() | Function.SEEN, operands=(*_, seen, wanted)):
                 field, text = machine.signals[seen].node, machine.signals[wanted].node
-                assert isinstance(field, Read), "a frame is a field"
-                assert isinstance(text, Constant), "the frame of a region is known"
+                if not isinstance(field, Read) or not isinstance(text, Constant):
+                    continue
                 slot = machine.slots[field.slot]
                 topic = machine.channels[machine.inputs[slot.input].channel].topic
-                found.setdefault((topic, slot.path), machine.texts[int(text.value)])
+                if slot.kind is Kind.TEXT:
+                    found.setdefault((topic, slot.path), machine.texts[int(text.value)])
             case _:  # open: nothing else has a frame
                 pass
     return found

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.ir.carried import carries, holds_flags
+from rossmarie.ir.scans import USUAL_DISTANCES, is_of_scan
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.goals import visible_step
 from rossmarie.testing.skills import told_by_skills
@@ -178,14 +179,19 @@ class Stage:
         return Setting(name, self._topic(slot.input), slot.path, value, None, unit)
 
     def _elements(self, array: int, values: Values) -> tuple[float, ...]:
-        """All elements of an array, none if no rule at hand reads one; others are zero."""
+        """All elements of an array, none if no rule at hand reads one; others are zero, or as far
+        away as a scan tells.
+        """
         parts = {each.part for each in values if (each.kind, each.index) == ("element", array)}
         places = range(self.world.length if parts else 0)
-        return tuple(values.get(Variable("element", array, part), 0.0) for part in places)
+        usual = USUAL_DISTANCES[1] if is_of_scan(self.machine.arrays[array]) else 0.0
+        return tuple(values.get(Variable("element", array, part), usual) for part in places)
 
     def _array(self, index: int, elements: tuple[float, ...]) -> Iterator[Setting]:
         """An array as a whole; of a list, a field of one element after the other."""
         array = self.machine.arrays[index]
+        if is_of_scan(array) and array.list is not None:
+            return  # beams are set by the readings that the scan has
         name, topic = self.machine.inputs[array.input].name, self._topic(array.input)
         unit = self.world.unit(Variable("element", index)).symbol
         if array.list is None:

@@ -25,15 +25,18 @@ from rossmarie.ir import (
     Machine,
     Path,
     Quantity,
+    Sector,
     Slot,
     columns_of,
 )
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.path import extent
+from rossmarie.ir.scans import is_of_scan, scan_path
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.ir.skills import RunningSkill, SkillContext, answer
 from rossmarie.testing.frames import asked_frames
 from rossmarie.testing.orientation import UPRIGHT, with_angle
+from rossmarie.testing.scans import arrays_of_scans, set_sector, usual_scans
 
 _Field = tuple[str, Path]
 
@@ -85,6 +88,7 @@ class _Sender:
     running: dict[str, tuple[RunningSkill, ...]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
+        self.values.update(usual_scans(self.machine))
         self._frames = asked_frames(self.machine)
         self._lists = [(self._topic(each.input), each.path) for each in self.machine.lists]
 
@@ -106,6 +110,9 @@ class _Sender:
         self._begin_list(setting)
         if setting.angle is not None and isinstance(setting.value, float):
             self._turn(setting, setting.angle, setting.value)
+        elif setting.path and isinstance(setting.path[-1], Sector):
+            place, readings = set_sector(self.values, setting.topic, setting.path, setting.value)
+            self.values[place] = readings
         elif setting.path and isinstance(setting.path[-1], int | Listed):
             self._set_element(setting, setting.path[-1])
         else:
@@ -152,13 +159,18 @@ class _Sender:
         }
         arrays = {}
         for index, array in enumerate(machine.arrays):
-            if machine.inputs[array.input].channel == channel and array.list is None:
+            is_alone = array.list is None and not is_of_scan(array)
+            if machine.inputs[array.input].channel == channel and is_alone:
                 whole = self.values.get((machine.channels[channel].topic, array.path))
                 elements = whole if isinstance(whole, tuple) else ()
                 arrays[index] = [raw_of(array, each) for each in elements]
         for number, its_list in enumerate(machine.lists):
-            if machine.inputs[its_list.input].channel == channel:
+            is_here = machine.inputs[its_list.input].channel == channel
+            if is_here and scan_path(its_list.path) is None:
                 arrays |= self._columns(number)
+        arrays |= arrays_of_scans(
+            machine, self.values, lambda used: machine.inputs[used].channel == channel
+        )
         return ChannelValues(slots, arrays)
 
     def _columns(self, number: int) -> dict[int, list[float]]:

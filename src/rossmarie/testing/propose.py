@@ -42,10 +42,12 @@ class Proposal:
 
 
 def propose(machine: ir.Machine) -> Iterator[Proposal]:
-    """Proposals for all rules, in their order, of messages that there can be."""
+    """Proposals for all rules, in their order, of messages that there can be, and no longer than
+    tests may be.
+    """
     for index in range(len(machine.rules)):
         for proposal in _Proposer(machine, index).all():
-            if is_carried(machine, proposal.script):
+            if proposal.script.can_be_written and is_carried(machine, proposal.script):
                 yield proposal
 
 

@@ -8,8 +8,10 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie import ir
 from rossmarie.ir import EACH, Listed, Path, path_text
+from rossmarie.ir.scans import scan_path
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 from rossmarie.testing.errors import SettingUnread
+from rossmarie.testing.scans import FIELDS
 
 
 def unread(machine: ir.Machine, scripts: Sequence[Script]) -> Iterator[Diagnostic]:
@@ -45,10 +47,14 @@ def read_fields(machine: ir.Machine) -> dict[str, list[Path]]:
 
 def _is_read(setting: Setting, fields: Sequence[Path]) -> bool:
     """A field, one around it or one in it is read: an element or all of an array, an angle. An
-    element by a declared name rests on all, by the length of the array.
+    element by a declared name rests on all, by the length of the array. A sector rests on all
+    fields of its scan.
     """
     path = tuple(step.place if isinstance(step, Listed) else step for step in setting.path)
     read = (each[:-1] if each and isinstance(each[-1], Listed) else each for each in fields)
+    scans = {scan for each in fields if (scan := scan_path(each)) is not None}
+    if any(path[: len(scan)] == scan and path[len(scan)] in FIELDS for scan in scans):
+        return True
     return any(
         all(step in (other, EACH) for step, other in zip(field, path, strict=False))
         for field in read

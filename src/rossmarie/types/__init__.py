@@ -5,6 +5,7 @@ from rossmarie.types.field_units import RATIOS
 from rossmarie.types.model import (
     AXES,
     Array,
+    Beam,
     Boolean,
     Box,
     Entry,
@@ -16,6 +17,7 @@ from rossmarie.types.model import (
     Quantity,
     Quaternion,
     Region,
+    ScanPoint,
     Text,
     Type,
     Unknown,
@@ -29,13 +31,14 @@ from rossmarie.types.ros_messages import (
     message_value,
     std_msgs_data,
 )
-from rossmarie.types.rules import Fault, Outcome, faults_of_position, unit_faults
+from rossmarie.types.rules import Fault, Outcome, faults_of_position, unit_faults, way_of
 
 __all__ = [
     "AXES",
     "RATIOS",
     "SIGNATURES",
     "Array",
+    "Beam",
     "Boolean",
     "Box",
     "Entry",
@@ -54,6 +57,7 @@ __all__ = [
     "Quantity",
     "Quaternion",
     "Region",
+    "ScanPoint",
     "Text",
     "Type",
     "Unknown",
@@ -64,4 +68,5 @@ __all__ = [
     "message_value",
     "std_msgs_data",
     "unit_faults",
+    "way_of",
 ]

@@ -38,9 +38,12 @@ class Quantity:
 
 @dataclass(frozen=True)
 class Vector:
-    """Three numbers x, y, z of one unit (geometry_msgs Vector3, Point, Point32)."""
+    """Three numbers x, y, z of one unit (geometry_msgs Vector3, Point, Point32). A position is a
+    place in its frame; any other one is only a direction and a length.
+    """
 
     element: Quantity
+    is_position: bool = field(default=False, compare=False)
 
 
 @dataclass(frozen=True)
@@ -57,6 +60,13 @@ class Point(Vector):
 
 
 @dataclass(frozen=True)
+class ScanPoint(Vector):
+    """A point of a sensor_msgs/LaserScan: its place x, y, z, and what `fields` are besides."""
+
+    fields: Mapping[str, Quantity] = field(default_factory=dict, compare=False)
+
+
+@dataclass(frozen=True)
 class Quaternion:
     """An orientation x, y, z, w (geometry_msgs Quaternion)."""
 
@@ -65,10 +75,12 @@ class Quaternion:
 class Array:
     """Any number of elements (`float32[] ranges`); `element` is a Quantity or Boolean. `names` is
     the field beside it with a name for each element, or the names that an input declares.
+    `has_sectors` tells that a scan says at which angle each element was measured.
     """
 
     element: Quantity | Boolean
     names: str | tuple[str, ...] | None = field(default=None, compare=False)
+    has_sectors: bool = field(default=False, compare=False)
 
 
 @dataclass(frozen=True)
@@ -81,6 +93,11 @@ class List:
     def is_of_points(self) -> bool:
         """Say whether the elements are the points of a cloud, which have no message each."""
         return isinstance(self.element, Point)
+
+    @property
+    def is_of_beams(self) -> bool:
+        """Say whether the elements are beams of a scan, which have no message each either."""
+        return isinstance(self.element, ScanPoint | Beam)
 
 
 @dataclass(frozen=True)
@@ -99,13 +116,14 @@ class Box:
 
 @dataclass(frozen=True)
 class Region:
-    """All locations of a class of things, in the x-y plane of a frame. `has_area` tells that there
-    are polygons among them, and not just points.
+    """A zone, or all locations of a class of things, in the x-y plane of a frame. `has_area` tells
+    that there are shapes among them, and not just points.
     """
 
-    owl_class: str
+    name: str
     frame: str
     has_area: bool
+    is_zone: bool = False
 
 
 @dataclass(frozen=True)
@@ -127,6 +145,13 @@ class Message:
 
     def __hash__(self) -> int:
         return hash(self.name)
+
+
+@dataclass(frozen=True)
+class Beam(Message):
+    """A beam of a sensor_msgs/LaserScan that tells nothing."""
+
+    __hash__ = Message.__hash__
 
 
 @dataclass(frozen=True)

@@ -45,11 +45,15 @@ class Operator(enum.Enum):
     ANY = "any"
     ALL = "all"
     COUNT = "count"
+    SIN = "sin"
+    COS = "cos"
     ROLL = "roll"
     PITCH = "pitch"
     YAW = "yaw"
     DISTANCE = "distance"
     STOPPING = "stopping"
+    BRAKING_DISTANCE = "braking_distance"
+    TIME_TO = "time_to"
     RATE = "rate"
     PREVIOUS = "previous"
     MEDIAN = "median"
@@ -128,11 +132,15 @@ SIGNATURES: Mapping[Operator, Signature] = {
     Operator.ANY: Signature(1, 1, partial(rules.fold, Boolean())),
     Operator.ALL: Signature(1, 1, partial(rules.fold, Boolean())),
     Operator.COUNT: Signature(1, 1, partial(rules.fold, Quantity(DIMENSIONLESS))),
+    Operator.SIN: Signature(1, 1, rules.wave),
+    Operator.COS: Signature(1, 1, rules.wave),
     Operator.ROLL: Signature(1, 1, rules.angle),
     Operator.PITCH: Signature(1, 1, rules.angle),
     Operator.YAW: Signature(1, 1, rules.angle),
     Operator.DISTANCE: Signature(2, 2, rules.distance),
     Operator.STOPPING: Signature(1, 2, rules.stopping),
+    Operator.BRAKING_DISTANCE: Signature(3, 3, rules.braking_distance),
+    Operator.TIME_TO: Signature(2, 2, rules.time_to),
     Operator.RATE: Signature(1, 1, rules.rate),
     Operator.PREVIOUS: Signature(1, 1, rules.previous),
     Operator.MEDIAN: Signature(2, 2, rules.filtered),

@@ -28,6 +28,15 @@ from rossmarie.types.model import (
     Unsupported,
     Vector,
 )
+from rossmarie.types.sensors import (
+    CLOUD,
+    LAYOUT_OF_BEAMS,
+    LAYOUT_OF_POINTS,
+    POINTS,
+    SCAN,
+    beams_of,
+    tells,
+)
 from rossmarie.units import Unit, parse_unit
 
 FieldPath = tuple[str, ...]
@@ -35,11 +44,11 @@ UnitOverrides = Mapping[tuple[str, FieldPath], Unit]
 Level = tuple[str, FieldPath]
 """A message that encloses a field, and the path to the field from there."""
 
-VECTORS = frozenset(("geometry_msgs/Vector3", "geometry_msgs/Point", "geometry_msgs/Point32"))
+POSITIONS = frozenset(("geometry_msgs/Point", "geometry_msgs/Point32"))
+VECTORS = POSITIONS | {"geometry_msgs/Vector3"}
+_TRANSLATION = ("geometry_msgs/Transform", ("translation",))
+"""A vector that is a position all the same."""
 QUATERNION = "geometry_msgs/Quaternion"
-CLOUD = "sensor_msgs/PointCloud2"
-POINTS = "points"
-"""The name of the points of a cloud, which its definition does not have: there they are bytes."""
 INSTANTS = frozenset(("builtin_interfaces/Time", "builtin_interfaces/Duration"))
 _MOST_FIELDS = 20_000
 _MOST_LEVELS = 32
@@ -52,15 +61,6 @@ _LIMITS = {
 """Of fields of whole numbers, as doubles: the greatest of 64 bits is rounded upwards, as it is when
 it arrives.
 """
-_LAYOUT_OF_POINTS = {
-    "height": Field("uint32", is_array=False),
-    "width": Field("uint32", is_array=False),
-    "fields": Field("sensor_msgs/PointField", is_array=True),
-    "is_bigendian": Field("bool", is_array=False),
-    "point_step": Field("uint32", is_array=False),
-    "row_step": Field("uint32", is_array=False),
-    "data": Field("uint8", is_array=True),
-}
 _TEXTS = frozenset(("string", "wstring"))
 _LISTS_OF_NAMES = ("name", "names", "joint_names")
 
@@ -240,10 +240,12 @@ class MessageCatalog:
             for field, type_ in fields.items()
             if isinstance(type_, Array)
         }
-        if name == CLOUD and _tells_points(definition):
+        if name == CLOUD and tells(definition, LAYOUT_OF_POINTS):
             inside = tuple((outer, (*path, POINTS)) for outer, path in levels)
             points = _inner_points() if is_element else List(self._point(inside))
             fields = {POINTS: points} | fields
+        if name == SCAN and not is_element and tells(definition, LAYOUT_OF_BEAMS):
+            return Message(name, {**fields, **named, **beams_of(fields)}, names)
         return Message(name, fields | named, names)
 
     def _point(self, levels: tuple[Level, ...]) -> Point:
@@ -253,7 +255,7 @@ class MessageCatalog:
             for (name, (*before, field)), unit in self._overrides.items():
                 if (name, tuple(before)) == (outer, path) and field not in AXES:
                     known.setdefault(field, Quantity(unit))
-        return Point(Quantity(self._unit(levels)), known)
+        return Point(Quantity(self._unit(levels)), is_position=True, fields=known)
 
     def _type(self, field: Field, levels: tuple[Level, ...], is_element: bool) -> Type:
         base = field.base
@@ -268,7 +270,8 @@ class MessageCatalog:
         if base == QUATERNION:
             return Quaternion()
         if base in VECTORS:
-            return Vector(Quantity(self._unit((*levels, (base, ())))))
+            is_position = base in POSITIONS or _TRANSLATION in levels
+            return Vector(Quantity(self._unit((*levels, (base, ())))), is_position)
         if "/" not in base:
             return Quantity(self._unit(levels), _LIMITS.get(base))
         return self._nested(base, levels, is_element)
@@ -289,7 +292,8 @@ class MessageCatalog:
         if base == QUATERNION:
             return List(Quaternion())
         if base in VECTORS:
-            return List(Vector(Quantity(self._unit((*levels, (base, ()))))))
+            quantity = Quantity(self._unit((*levels, (base, ()))))
+            return List(Vector(quantity, base in POSITIONS))
         element = self._nested(base, levels, is_element=True)
         return List(element) if isinstance(element, Message) else element
 
@@ -327,13 +331,6 @@ def _inner_points() -> Unsupported:
     return Unsupported("points in each element of a list; rules look one level deep")
 
 
-def _tells_points(definition: definitions.Definition) -> bool:
-    """Say whether a cloud has all that says where its points are; another definition of it may
-    stand on the search path.
-    """
-    return all(definition.fields.get(name) == each for name, each in _LAYOUT_OF_POINTS.items())
-
-
 def _names_among(definition: definitions.Definition) -> str | None:
     """The field that names the elements of the other arrays: the only list of strings, or the one
     that is called so.
@@ -349,7 +346,8 @@ def message_value(message: Message) -> Type:
     """The value of a whole message: a vector, a quaternion, else the message itself."""
     if message.name in VECTORS:
         element = message.fields["x"]
-        return Vector(element) if isinstance(element, Quantity) else message
+        is_position = message.name in POSITIONS
+        return Vector(element, is_position) if isinstance(element, Quantity) else message
     return Quaternion() if message.name == QUATERNION else message
 
 

@@ -29,7 +29,9 @@ from rossmarie.units import DIMENSIONLESS, Unit, divide, multiply, parse_unit, u
 
 _SECONDS = Quantity(parse_unit("s"))
 _METRES = Quantity(parse_unit("m"))
+_RADIANS = Quantity(parse_unit("rad"))
 _SPEED = Quantity(parse_unit("m/s"))
+_SQUARE_SECOND = parse_unit("s^2")
 
 
 class Fault(enum.Enum):
@@ -236,6 +238,12 @@ def hypot(left: Type, right: Type) -> Outcome:
     return _unfit(left, right)
 
 
+def wave(angle: Type) -> Outcome:
+    """The sine or the cosine of an angle."""
+    is_angle = isinstance(angle, Quantity) and not unit_faults(angle, _RADIANS)
+    return Outcome(Quantity(DIMENSIONLESS)) if is_angle else fault(Fault.OPERANDS)
+
+
 def distance(left: Type, right: Type) -> Outcome:
     """The distance of two points, or of a point from the places of a class."""
     if isinstance(left, Vector) and isinstance(right, Vector):
@@ -251,6 +259,46 @@ def stopping(motion: Type, *speed: Type) -> Outcome:
         return fault(Fault.OPERANDS)
     faults = (fault for each in speed for fault in ordered(each, _SPEED).faults)
     return Outcome(_METRES, tuple(faults))
+
+
+def braking_distance(speed: Type, deceleration: Type, latency: Type) -> Outcome:
+    """The way of a speed: of one in m/s in m, of one in rad/s in rad."""
+    if not (
+        isinstance(speed, Quantity)
+        and isinstance(deceleration, Quantity)
+        and isinstance(latency, Quantity)
+    ):
+        return _unfit(speed, deceleration, latency)
+    way = way_of(speed)
+    if way is None:
+        return fault(Fault.UNITS)
+    faults = (
+        *unit_faults(deceleration, Quantity(divide(way, _SQUARE_SECOND))),
+        *unit_faults(latency, _SECONDS),
+    )
+    return Outcome(Quantity(way), faults)
+
+
+def way_of(speed: Quantity) -> Unit | None:
+    """The unit of what a speed runs through, m or rad; None if it is no speed."""
+    ways = (parse_unit("m"), parse_unit("rad"))
+    return next((way for way in ways if not unit_faults(speed, Quantity(speed_of(way)))), None)
+
+
+def speed_of(way: Unit) -> Unit:
+    """The unit of a speed along something."""
+    return divide(way, parse_unit("s"))
+
+
+def time_to(left: Type, closing_speed: Type) -> Outcome:
+    """The time in which what is left is run through."""
+    if not (isinstance(left, Quantity) and isinstance(closing_speed, Quantity)):
+        return _unfit(left, closing_speed)
+    if left.unit is None or closing_speed.unit is None:
+        return fault(Fault.UNSTATED_UNIT)
+    if left.unit.offset or closing_speed.unit.offset:
+        return fault(Fault.TEMPERATURE)
+    return Outcome(_SECONDS, unit_faults(closing_speed, Quantity(speed_of(left.unit))))
 
 
 def faults_of_position(value: Type) -> tuple[Fault, ...]:

@@ -25,6 +25,7 @@ class Definitions:
     def __init__(self, layout: Layout) -> None:
         self._layout = layout
         self._machine = layout.machine
+        self._beside = supports.beside(layout.machine).arrays
 
     def text(self) -> str:
         """All of them, each after those that it uses."""
@@ -169,24 +170,32 @@ class Definitions:
         assert array is not None, "verified: only elements are folded"
         its_list = self._machine.arrays[array].list
         most = None if its_list is None else self._machine.lists[its_list].most
-        return elements.AllOf(supports.columns(self._machine, array), most)
+        columns = supports.columns(self._machine, array)
+        return elements.AllOf(columns, most, array in self._beside)
 
     def _parameters(self, array: int) -> str:
-        return ", ".join(f"double e{each}" for each in supports.columns(self._machine, array))
+        columns = (f"double e{each}" for each in supports.columns(self._machine, array))
+        return ", ".join([*self._memory(array, "const monitor *m"), *columns])
+
+    def _memory(self, array: int, name: str) -> list[str]:
+        """The monitor, where numbers of it stand beside the elements (S74)."""
+        return [name] if array in self._beside else []
 
     def _unused(self, array: int) -> str:
         """Not every field matters to every question."""
-        return "".join(f"(void)e{each}; " for each in supports.columns(self._machine, array))
+        columns = (f"e{each}" for each in supports.columns(self._machine, array))
+        return "".join(f"(void){each}; " for each in (*self._memory(array, "m"), *columns))
 
     def _arguments(self, array: int | None) -> str:
         assert array is not None, "it is of one element"
-        return ", ".join(f"e{each}" for each in supports.columns(self._machine, array))
+        columns = (f"e{each}" for each in supports.columns(self._machine, array))
+        return ", ".join([*self._memory(array, "m"), *columns])
 
     def _element_number(self, signal: int) -> str:
-        node = self._machine.signals[signal].node
-        if isinstance(node, ir.Constant):
-            return literal(node.value)
-        return f"spec_element_{signal}({self._arguments(self._layout.elements.signals[signal])})"
+        array = self._layout.elements.signals[signal]
+        if array is None:
+            return self.number(signal)
+        return f"spec_element_{signal}({self._arguments(array)})"
 
     def _element_signal(self, index: int) -> str:
         node = self._machine.signals[index].node

@@ -1,5 +1,5 @@
 """The semantics of what is asked of all elements of an array (S23 to S25), or of a list (S51 to
-S53), as C.
+S53), beside numbers that a monitor keeps (S74), as C.
 """
 
 from __future__ import annotations
@@ -12,19 +12,27 @@ from rossmarie.verification import formulas
 
 @dataclass(frozen=True)
 class AllOf:
-    """The elements of an array, or of the list of up to `most` that has these columns."""
+    """The elements of an array, or of the list of up to `most` that has these columns; with
+    `is_beside`, numbers stand beside them.
+    """
 
     columns: tuple[int, ...]
     most: int | None
+    is_beside: bool
 
     @property
     def parameters(self) -> str:
         """The parameters of a function of all of them."""
-        return ", ".join([*(f"const double *a{each}" for each in self.columns), "size_t n"])
+        columns = (f"const double *a{each}" for each in self.columns)
+        return ", ".join([*self._memory("const monitor *m"), *columns, "size_t n"])
 
     def element(self, place: str) -> str:
         """The arguments that one of them is."""
-        return ", ".join(f"a{each}[{place}]" for each in self.columns)
+        columns = (f"a{each}[{place}]" for each in self.columns)
+        return ", ".join([*self._memory("m"), *columns])
+
+    def _memory(self, name: str) -> list[str]:
+        return [name] if self.is_beside else []
 
     def first(self, value: str) -> str:
         """The result before any element: a value, or unknown if nothing is known of them."""

@@ -6,7 +6,7 @@ Takes a layout; gives C that compares a monitor with what it has to be, member b
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
@@ -184,7 +184,17 @@ class Frames:
             *self._any("wake_ns", "quiet", "swinging", *_GUARDS, *_SAMPLES),
             *forgotten(self._layout, self._definitions),
         ]
-        return self.kept(lines)
+        return "\n".join([*self._forgotten(expired), self.kept(lines)])
+
+    def _forgotten(self, expired: Mapping[int, str]) -> Iterator[str]:
+        """S74: what is asked of elements is forgotten with a number beside them. The invariants say
+        the same of all other inputs.
+        """
+        for value, found in enumerate(self._layout.values):
+            for used in sorted(found.support.inputs - found.support.needed):
+                if used in expired:
+                    about = f"`{remark_of(found)}` is forgotten with what stands beside elements"
+                    yield claim(f"!({expired[used]}) || isnan(m->value[{value}])", about)
 
     def restarted(self) -> str:
         """Of `restart`: inputs stay as old as they are, what was before is forgotten (S17)."""

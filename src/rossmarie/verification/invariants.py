@@ -135,9 +135,11 @@ class Invariants:
         yield from self._computed()
 
     def _computed(self) -> Iterator[Sentence]:
-        """S9: a number that is computed is unknown without what it is computed from."""
+        """S9: a number that is computed is unknown without what it is computed from. An answer
+        about elements may be known without a number beside them: that of no elements is (S74).
+        """
         for index, value in enumerate(self._layout.values):
-            used = sorted(value.support.inputs)
+            used = sorted(value.support.needed)
             if value.slot is None and used:
                 fresh = " && ".join(f"m->state[{each}] == FRESH" for each in used)
                 about = f"`{remark_of(value)}` is forgotten with what it is computed from"

@@ -11,11 +11,21 @@ from collections.abc import Iterable, Iterator, Sequence
 from rossmarie.ir import model as ir
 from rossmarie.verification import fields, opaque, supports
 from rossmarie.verification.check import Check, Parts, Written
-from rossmarie.verification.definitions import Definitions, converted
+from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.frames import Frames
 from rossmarie.verification.guard_checks import unlooked
 from rossmarie.verification.invariants import remark_of
 from rossmarie.verification.layout import Layout
+from rossmarie.verification.message_contracts import (
+    ASKED,
+    ASKED_ONCE,
+    COMPUTED,
+    HANDED,
+    PREPARED,
+    RECEIVED,
+    STAGES,
+)
+from rossmarie.verification.message_numbers import MessageNumbers
 from rossmarie.verification.program import ANY, claim
 from rossmarie.verification.stages import (
     COUNTED_PARTS,
@@ -27,7 +37,6 @@ from rossmarie.verification.stages import (
     counts,
     stages,
 )
-from rossmarie.verification.turning_points import followed
 
 ELEMENTS = 3
 """Up to how many elements of an array are looked at."""
@@ -51,13 +60,17 @@ class MessageChecks:
         self._nothing_else = (*unlooked(parts), *COUNTED_PARTS)
         self._machine = layout.machine
         self._definitions = definitions
+        self._beside = supports.beside(layout.machine)
+        self._numbers_mean = MessageNumbers(layout, definitions)
         kept = [layout.machine.signals[signal].node for signal in layout.value_of_signal]
         self._opaque = opaque.functions_of(kept)
         follow: Parts = (("follow", "ignore_follow"),) if layout.oscillations else ()
         compute = ("compute", "ignore_compute")
         self._subfunctions = opaque.Subfunctions(self._opaque)
         self._same = self._subfunctions.parts()
-        self._idle: Parts = (*follow, compute, *opaque.parts_of_samples(self._machine))
+        self._preparing: Parts = (("prepare", "ignore_prepare"),) if self._beside.signals else ()
+        samples = opaque.parts_of_samples(self._machine)
+        self._idle: Parts = (*follow, *self._preparing, compute, *samples)
         self._windows = opaque.parts_of_windows(layout)
         names = (opaque.name(*each) for each in self._opaque)
         self._parts = (*parts, *self._windows, *((name, f"any_{name}") for name in names))
@@ -66,11 +79,13 @@ class MessageChecks:
         """The contracts of what takes in a message, where it matters only that it is handed on as
         it is.
         """
-        received = map(self._received, range(len(self._layout.places.channel_names)))
+        channels = range(len(self._layout.places.channel_names))
+        received = [*map(self._received, channels), *map(self._asked, channels)]
         contracts = [opaque.contract(*each) for each in self._opaque]
         contracts += opaque.contracts_of_samples(self._layout)
         contracts.append(self._subfunctions.text())
-        return "\n".join([*contracts, *received, _COMPUTED])
+        prepared = [PREPARED] if self._beside.signals else []
+        return "\n".join([*contracts, STAGES, *prepared, *received, COMPUTED])
 
     def written(self) -> Iterator[Written]:
         """All of them."""
@@ -90,7 +105,9 @@ class MessageChecks:
             call = f"{self._layout.name}_update_{name}({arguments})"
             received: Parts = (
                 (f"receive_{name}", f"received_{name}"),
-                ("compute", "ignore_compute"),
+                *(((f"fold_{name}", f"folded_{name}"),) if self._looked_at(channel) else ()),
+                *((("prepare", "prepared"),) if self._beside.signals else ()),
+                ("compute", "computed"),
             )
             about = f"a message on {topic} is handed on as it is"
             handed = Check(f"handed_{name}", about, (*self._nothing_else, *received))
@@ -216,12 +233,40 @@ class MessageChecks:
                 given.append(f"static {kind}{kept};")
                 same = f"spec_same({word}, {kept})" if kind == "double " else f"{word} == {kept}"
                 claims.append(claim(same, f"{word} is handed on"))
-        return _RECEIVED.format(
+        return RECEIVED.format(
             name=name,
             channel=channel,
             given="\n".join(given),
             parameters=", ".join(parameters),
             claims="\n".join(claims),
+        )
+
+    def _looked_at(self, channel: int) -> list[tuple[int, fields.Field]]:
+        """The arrays of a channel of which something is asked beside numbers, with their places."""
+        return [
+            (number, field)
+            for number, field in enumerate(self._fields(channel))
+            if field.array is not None
+            and supports.columns(self._machine, field.array)[0] in self._beside.arrays
+        ]
+
+    def _asked(self, channel: int) -> str:
+        """The contract of what asks elements beside numbers: they are handed on as they are."""
+        if not self._looked_at(channel):
+            return ""
+        parameters, claims = ["monitor *m"], list[str]()
+        for number, field in self._looked_at(channel):
+            declared = zip(fields.plain_parameters(field), fields.arguments(field), strict=True)
+            for parameter, word in declared:
+                kept = f"given_{channel}_{number}{'' if word == field.name else '_count'}"
+                parameters.append(parameter)
+                claims.append(claim(f"{word} == {kept}", f"{word} is handed on to be asked"))
+        return ASKED.format(
+            name=self._layout.places.channel_names[channel],
+            channel=channel,
+            parameters=", ".join(parameters),
+            claims="\n".join(claims),
+            before="PREPARED" if self._beside.signals else "STORED",
         )
 
     def _given(self, channel: int) -> Iterator[str]:
@@ -232,7 +277,10 @@ class MessageChecks:
                 yield f"    given_{channel}_{number}_count = count_{number};"
 
     def _handed(self, channel: int, lines: list[str], call: str) -> str:
-        return "\n".join([ANY, *lines, IN_RANGE, _HANDED.format(channel=channel, call=call)])
+        text = HANDED.format(channel=channel, call=call)
+        if self._looked_at(channel):
+            text = f"    folded_{channel} = 0;\n{text}\n{ASKED_ONCE.format(channel=channel)}"
+        return "\n".join([ANY, *lines, IN_RANGE, text])
 
     # --- numbers -----------------------------------------------------------------------------
 
@@ -243,116 +291,37 @@ class MessageChecks:
         channels = range(len(self._machine.channels))
         arrived = ", ".join(str(int(each == channel)) for each in channels)
         lines.append(f"    const bool arrived[CHANNELS] = {{{arrived}}};")
-        call = f"receive_{name}({arguments});\n    compute(m, arrived, t_ns)"
-        claims = [*self._meant(channel, names, counts), self._frames.received(channel)]
+        folded = [
+            word
+            for number, field in self._looked_at(channel)
+            for word in (
+                f"field_{number}",
+                *(() if field.count is None else (f"count_{number}",)),
+            )
+        ]
+        steps = [
+            f"receive_{name}({arguments})",
+            *(["prepare(m, arrived)"] if self._beside.signals else []),
+            *([f"fold_{name}({', '.join(['m', *folded])})"] if folded else []),
+            "compute(m, arrived, t_ns)",
+        ]
+        call = ";\n    ".join(steps)
+        claims = [*self._numbers_mean.meant(channel, names, counts), self._frames.received(channel)]
         return self._called(lines, call, claims)
 
     def _step_numbers(self, channel: int, name: str, call: str) -> str:
         names = [f"v.{name}.{field.name}" for field in self._fields(channel)]
         counts = [f"v.{name}.{field.count}" for field in self._fields(channel)]
         lines = [*self._values(), f"    v.has_{name} = true;", _IN_RANGE]
-        return self._called(lines, f"(void){call}", self._meant(channel, names, counts))
+        return self._called(
+            lines, f"(void){call}", self._numbers_mean.meant(channel, names, counts)
+        )
 
     def _called(self, lines: Iterable[str], call: str, claims: Iterable[str]) -> str:
         return "\n".join([_ANY_NUMBERS, *lines, _KEPT, f"    {call};", *claims])
 
-    def _meant(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> list[str]:
-        """The claims about the numbers that a message on a channel makes; its fields have these
-        names.
-        """
-        return [
-            *self._arrived(channel, names, counts),
-            *self._computed(channel),
-            *self._tests(channel),
-            *self._samples(channel),
-            *followed(self._layout, self._definitions, channel),
-        ]
-
     def _fields(self, channel: int) -> tuple[fields.Field, ...]:
         return fields.fields_of(self._layout, channel)
-
-    def _arrived(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> Iterator[str]:
-        """S7; numbers that are watched may be kept as they arrive until somebody looks (S4)."""
-        named = {
-            field.array: name
-            for field, name in zip(self._fields(channel), names, strict=True)
-            if field.array is not None
-        }
-        for field, name, count in zip(self._fields(channel), names, counts, strict=True):
-            if field.count is not None:
-                assert field.array is not None, "only arrays have elements"
-                columns = supports.columns(self._machine, field.array)
-                arguments = ", ".join([*(named[column] for column in columns), count])
-                yield from self._folded(columns[0], arguments)
-            if field.slot is None:
-                continue
-            slot = self._machine.slots[field.slot]
-            kept = f"spec_finite(m->value[{self._layout.places.value_of_slot[field.slot]}])"
-            meant = f"spec_finite({converted(name, slot.scale, slot.offset)})"
-            path = ".".join(map(str, slot.path))
-            yield claim(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
-
-    def _folded(self, array: int, arguments: str) -> Iterator[str]:
-        """S23 to S25, S53; `array` may be the first column of a list."""
-        for index, signal in enumerate(self._machine.signals):
-            if self._folds(signal.node, array):
-                kept = f"m->value[{self._layout.value_of_signal[index]}]"
-                meant = f"spec_fold_{index}({arguments})"
-                yield claim(f"spec_same({kept}, {meant})", f"`{signal.text}` is what it means")
-        for truth, value in self._layout.places.value_of_test.items():
-            node = self._machine.truths[truth].node
-            if not isinstance(node, ir.Quantified):
-                continue
-            if self._layout.elements.truths[node.element] == array:
-                meant = f"spec_quantified_{truth}({arguments})"
-                about = f"`{self._machine.truths[truth].text}` is what it means"
-                yield claim(f"spec_same(m->value[{value}], {meant})", about)
-
-    def _folds(self, node: ir.SignalNode, array: int) -> bool:
-        match node:
-            case ir.Fold(element=element):
-                return self._layout.elements.signals[element] == array
-            case ir.Count(element=element):
-                return self._layout.elements.truths[element] == array
-            case ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled() | ir.Element():
-                return False
-
-    def _computed(self, channel: int) -> Iterator[str]:
-        covered = self._layout.places.kept_raw
-        for index in self._definitions.computed():
-            if channel in self._layout.support_of_signal(index).channels:
-                value = self._layout.value_of_signal[index]
-                kept = f"m->value[{value}]"
-                if value in covered and not self._definitions.is_never_infinite(index):
-                    kept = f"spec_finite({kept})"
-                about = f"`{self._machine.signals[index].text}` is what it means"
-                yield claim(f"spec_same({kept}, spec_signal_{index}(m))", about)
-
-    def _tests(self, channel: int) -> Iterator[str]:
-        """Comparisons that are kept as numbers: 0, 1 or unknown."""
-        for truth, value in self._layout.places.value_of_test.items():
-            is_here = channel in self._layout.support_of_truth(truth).channels
-            if is_here and not isinstance(self._machine.truths[truth].node, ir.Quantified):
-                kept, meant = f"m->value[{value}]", f"spec_truth_{truth}(m, t_ns)"
-                known = f"{kept} == ({meant} == TRUE ? 1.0 : 0.0)"
-                about = f"`{self._machine.truths[truth].text}` is what it means"
-                yield claim(f"{meant} >= UNKNOWN ? isnan({kept}) : {known}", about)
-
-    def _samples(self, channel: int) -> Iterator[str]:
-        """S18."""
-        for k, signal in enumerate(self._layout.sampled):
-            if channel in self._layout.support_of_signal(signal).channels:
-                text = self._machine.signals[signal].text
-                kept = f"old.latest_ns[{k}] == t_ns ? old.before"
-                taken = (
-                    f"m->latest_ns[{k}] == t_ns && "
-                    f"spec_same(m->latest[{k}], {self._definitions.number(signal)}) && "
-                    f"spec_same(m->before[{k}], {kept}[{k}] : old.latest[{k}])"
-                )
-                yield claim(taken, f"the samples of `{text}`")
-                instant = f"m->before_ns[{k}] == ({kept}_ns[{k}] : old.latest_ns[{k}])"
-                about = f"the instant of the sample of `{text}` before"
-                yield claim(f"isnan(m->before[{k}]) || {instant}", about)
 
 
 _ANY_NUMBERS = f"""\
@@ -362,34 +331,6 @@ _ANY_NUMBERS = f"""\
     suppose_recent(m, t_ns);"""
 
 _IN_RANGE = "    __CPROVER_assume(t_ns < LATEST);"
-
-_RECEIVED = """\
-static unsigned received_{channel};
-{given}
-
-void received_{name}({parameters})
-{{
-    (void)m;
-    __CPROVER_assert(t_ns == asked_ns, "it is handed on at its instant");
-{claims}
-    received_{channel}++;
-}}
-"""
-
-_COMPUTED = """\
-void ignore_compute(monitor *m, const bool arrived[], int64_t t_ns)
-{
-    (void)arrived;
-    m->now_ns = t_ns;
-}
-"""
-"""The contract of a computation from messages where its results do not matter."""
-
-_HANDED = """\
-    received_{channel} = 0;
-    const int events = {call};
-    __CPROVER_assert(received_{channel} == (events < 0 ? 0u : 1u),
-        "what is not refused is handed on once");"""
 
 _KEPT = "    const monitor old = s;"
 

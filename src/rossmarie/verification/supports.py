@@ -6,6 +6,7 @@ is forgotten with an input (S9), which unknown truths are lost (S30), what a ver
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rossmarie.core import AnyFunction, Sampling, sampling_row
@@ -81,6 +82,9 @@ def below(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]
 class Support:
     """The things on which a value can depend, as indexes into the machine. `folds` are signals over
     arrays, `sampled` those of samples, of which `waiting` are unknown until there are enough.
+    `needed` are the inputs without which it is unknown: all `inputs` but those of numbers beside
+    elements (S74), which are looked at once, when the elements arrive; so no slots or channels of
+    these are told.
     """
 
     slots: frozenset[int]
@@ -88,41 +92,96 @@ class Support:
     sampled: frozenset[int]
     waiting: frozenset[int]
     inputs: frozenset[int]
+    needed: frozenset[int]
     channels: frozenset[int]
 
 
 def support(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]) -> Support:
     """The support of some signals and truths."""
-    made_of = below(machine, signals, truths)
+    made_of = _outside_elements(machine, signals, truths)
     slots: set[int] = set()
     folds: set[int] = set()
     sampled: set[int] = set()
-    inputs: set[int] = set()
+    needed: set[int] = set()
     for index in made_of.signals:
         match machine.signals[index].node:
             case ir.Read(slot=slot):
                 slots.add(slot)
-                inputs.add(machine.slots[slot].input)
-            case ir.Element(array=array):
-                inputs.add(machine.arrays[array].input)
+                needed.add(machine.slots[slot].input)
             case ir.Fold() | ir.Count():
                 folds.add(index)
             case ir.Sampled():
                 sampled.add(index)
+            case ir.Element(array=array):
+                needed.add(machine.arrays[array].input)
             case ir.Constant() | ir.Apply():
                 pass
     for index in made_of.truths:
         node = machine.truths[index].node
         if isinstance(node, ir.AgeReaches):
-            inputs.add(node.input)
+            needed.add(node.input)
+    inside = list(_inside_elements(machine, made_of))
+    needed |= {used for each in inside for used in _of_elements(machine, each)}
+    beside_elements = {used for each in inside for used in _of_slots(machine, each)}
     return Support(
         slots=frozenset(slots),
         folds=frozenset(folds),
         sampled=frozenset(sampled),
         waiting=frozenset(index for index in sampled if _waits(machine.signals[index].node)),
-        inputs=frozenset(inputs),
-        channels=frozenset(machine.inputs[used].channel for used in inputs),
+        inputs=frozenset(needed | beside_elements),
+        needed=frozenset(needed),
+        channels=frozenset(machine.inputs[used].channel for used in needed),
     )
+
+
+def _of_elements(machine: ir.Machine, made_of: Below) -> Iterator[int]:
+    """The inputs of the elements that are looked at."""
+    for index in made_of.signals:
+        node = machine.signals[index].node
+        if isinstance(node, ir.Element):
+            yield machine.arrays[node.array].input
+
+
+def _of_slots(machine: ir.Machine, made_of: Below) -> Iterator[int]:
+    """The inputs of the slots that are looked at."""
+    for index in made_of.signals:
+        node = machine.signals[index].node
+        if isinstance(node, ir.Read):
+            yield machine.slots[node.slot].input
+
+
+def _outside_elements(
+    machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]
+) -> Below:
+    """These, and all that they are made of, up to what is asked of elements."""
+    found_signals, found_truths = set(signals), set(truths)
+    waiting: list[Node] = [machine.signals[index].node for index in signals]
+    waiting += [machine.truths[index].node for index in truths]
+    while waiting:
+        node = waiting.pop()
+        if isinstance(node, ir.Fold | ir.Count | ir.Quantified):
+            continue
+        for index in set(numbers_of(node)) - found_signals:
+            found_signals.add(index)
+            waiting.append(machine.signals[index].node)
+        for index in set(truths_of(node)) - found_truths:
+            found_truths.add(index)
+            waiting.append(machine.truths[index].node)
+    return Below(tuple(sorted(found_signals)), tuple(sorted(found_truths)))
+
+
+def _inside_elements(machine: ir.Machine, made_of: Below) -> Iterator[Below]:
+    """All that is looked at of each element, and beside it."""
+    nodes: list[Node] = [machine.signals[index].node for index in made_of.signals]
+    nodes += [machine.truths[index].node for index in made_of.truths]
+    for node in nodes:
+        match node:
+            case ir.Fold(element=element):
+                yield below(machine, (element,), ())
+            case ir.Count(element=element) | ir.Quantified(element=element):
+                yield below(machine, (), (element,))
+            case _:  # open: no other node is about all elements
+                pass
 
 
 def is_of_list(machine: ir.Machine, signal: int) -> bool:
@@ -139,7 +198,8 @@ def of_slot(machine: ir.Machine, slot: int) -> Support:
     used = machine.slots[slot].input
     channel = machine.inputs[used].channel
     none: frozenset[int] = frozenset()
-    return Support(frozenset({slot}), none, none, none, frozenset({used}), frozenset({channel}))
+    its_input, its_channel = frozenset({used}), frozenset({channel})
+    return Support(frozenset({slot}), none, none, none, its_input, its_input, its_channel)
 
 
 def _waits(node: ir.SignalNode) -> bool:
@@ -196,6 +256,36 @@ def _array(
             | ir.Recurs()
         ):  # fmt: skip
             return None
+
+
+@dataclass(frozen=True)
+class Beside:
+    """The numbers beside elements (S74): the first columns of the `arrays` whose elements stand
+    beside any, constants left out, and the `signals` that are computed before.
+    """
+
+    arrays: frozenset[int]
+    signals: frozenset[int]
+
+
+def beside(machine: ir.Machine) -> Beside:
+    """All of them."""
+    its = elements(machine)
+    arrays, found = set[int](), set[int]()
+    nodes: list[tuple[int | None, Node]] = [
+        (array, machine.signals[index].node) for index, array in enumerate(its.signals)
+    ]
+    nodes += [(array, machine.truths[index].node) for index, array in enumerate(its.truths)]
+    for array, node in nodes:
+        for signal in numbers_of(node):
+            is_constant = isinstance(machine.signals[signal].node, ir.Constant)
+            if array is not None and its.signals[signal] is None and not is_constant:
+                arrays.add(array)
+                found.add(signal)
+    made_of = below(machine, tuple(sorted(found)), ()).signals
+    computed = {index for index in made_of if isinstance(machine.signals[index].node, ir.Apply)}
+    heard = {index for index in computed if support(machine, (index,), ()).channels}
+    return Beside(frozenset(arrays), frozenset(heard))
 
 
 # --- rules -----------------------------------------------------------------------------------

@@ -16,6 +16,7 @@ from rossmarie.core import Function, angles
 from rossmarie.interpreter import arithmetic
 from support import exact_angles
 from support.depth import is_deep
+from support.interpolation import chebyshev_nodes, interpolated, rounded
 
 SINE_BOUND, TANGENT_BOUND = 0.75, 0.85
 """In units of the last place, as `docs/explanation/semantics.md` says in S5."""
@@ -242,10 +243,7 @@ def test_terms_interpolate_at_chebyshev_nodes(
     terms: Sequence[float], function: Callable[[Fraction], int], most: float
 ) -> None:
     count, limit = len(terms), Fraction(most) ** 2
-    nodes = []
-    for k in range(count):
-        place = exact_angles.cosine(exact_angles.HALF_TURN * (2 * k + 1) // (2 * count))
-        nodes.append(limit * (1 + Fraction(place, exact_angles.ONE)) / 2)
+    nodes = chebyshev_nodes(count, limit)
     values = [surplus(function, node) for node in nodes]
     assert tuple(map(float, interpolated(nodes, values))) == terms
 
@@ -254,23 +252,3 @@ def surplus(function: Callable[[Fraction], int], z: Fraction) -> Fraction:
     """The function that the polynomial approximates: `(f(x) / x - 1) / z` in `z = x * x`."""
     x = Fraction(math.isqrt(exact_angles.fixed(z) * exact_angles.ONE), exact_angles.ONE)
     return rounded((Fraction(function(x), exact_angles.ONE) / x - 1) / z)
-
-
-def rounded(x: Fraction) -> Fraction:
-    return Fraction(exact_angles.fixed(x), exact_angles.ONE)
-
-
-def interpolated(nodes: Sequence[Fraction], values: Sequence[Fraction]) -> list[Fraction]:
-    """The terms of the polynomial that has these values there, by divided differences."""
-    slopes = list(values)
-    for order in range(1, len(nodes)):
-        for k in range(len(nodes) - 1, order - 1, -1):
-            slopes[k] = rounded((slopes[k] - slopes[k - 1]) / (nodes[k] - nodes[k - order]))
-    terms: list[Fraction] = []
-    for node, slope in zip(reversed(nodes), reversed(slopes), strict=True):
-        shifted = [Fraction(0), *terms]
-        for power, term in enumerate(terms):
-            shifted[power] -= node * term
-        shifted[0] += slope
-        terms = shifted
-    return terms

@@ -1,8 +1,9 @@
-"""Functions of regions: against Shapely, and at the edges, where definitions differ (S63, S64)."""
+"""Functions of regions: against Shapely, and at edges, where definitions differ (S63, S64, S81)."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
@@ -10,7 +11,16 @@ import shapely
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from rossmarie.core import Measure, Polygon, Region, RegionFunction, row
+from rossmarie.core import (
+    Circle,
+    Measure,
+    Polygon,
+    Rectangle,
+    Region,
+    RegionFunction,
+    Shape,
+    row,
+)
 from rossmarie.core.expressions import Operand
 from rossmarie.core.regions import define
 from rossmarie.interpreter.arithmetic import apply
@@ -53,6 +63,38 @@ def stars(draw: st.DrawFn) -> Corners:
     )
 
 
+PLACES = st.floats(-30, 30)
+
+
+@st.composite
+def boxes(draw: st.DrawFn) -> Rectangle:
+    low = draw(st.tuples(PLACES, PLACES))
+    sides = draw(st.tuples(st.floats(0.01, 20), st.floats(0.01, 20)))
+    return Rectangle("b", "a box", low, (low[0] + sides[0], low[1] + sides[1]))
+
+
+circles = st.builds(
+    Circle, st.just("c"), st.just("a circle"), st.tuples(PLACES, PLACES), st.floats(0.01, 20)
+)
+
+
+def zone(measure: Measure, *shapes: Shape) -> RegionFunction:
+    named = (replace(each, name=f"s_{number}") for number, each in enumerate(shapes))
+    return RegionFunction(measure, Region("z", "the zone", tuple(named)))
+
+
+zones = st.lists(st.one_of(boxes(), circles), min_size=1, max_size=4)
+
+
+def gap_from(shape: Rectangle | Circle, x: float, y: float) -> float:
+    """The distance from a shape, negative inside of it."""
+    if isinstance(shape, Circle):
+        return shapely.Point(shape.centre).distance(shapely.Point(x, y)) - shape.radius
+    box = shapely.box(*shape.low, *shape.high)
+    point = shapely.Point(x, y)
+    return -box.boundary.distance(point) if box.contains(point) else box.distance(point)
+
+
 points = st.tuples(st.floats(-60, 60), st.floats(-60, 60))
 
 
@@ -68,6 +110,56 @@ def test_inside_is_that_of_shapely(polygons: list[Corners], point: tuple[float, 
 def test_distance_is_that_of_shapely(polygons: list[Corners], point: tuple[float, float]) -> None:
     wanted = min(shapely.Polygon(each).distance(shapely.Point(point)) for each in polygons)
     assert distance(*point, *polygons) == pytest.approx(wanted, abs=1e-9)
+
+
+@given(zones, points)
+def test_boxes_and_circles_are_those_of_shapely(
+    shapes: list[Rectangle | Circle], point: tuple[float, float]
+) -> None:
+    gap = min(gap_from(each, *point) for each in shapes)
+    assume(all(abs(gap_from(each, *point)) > 1e-9 for each in shapes))
+    operands = (*point, MAP, MAP)
+    assert apply(zone(Measure.INSIDE, *shapes), operands) == (gap < 0)
+    assert apply(zone(Measure.DISTANCE, *shapes), operands) == pytest.approx(max(gap, 0), abs=1e-9)
+
+
+def test_the_edges_of_boxes_and_circles_are_in_them() -> None:
+    square = Rectangle("b", "a box", (-1.0, -2.0), (1.0, 2.0))
+    for x, y in (*square.corners, (0.0, 2.0), (1.0, 0.0)):
+        assert apply(zone(Measure.INSIDE, square), (x, y, MAP, MAP)) == 1.0
+        assert apply(zone(Measure.DISTANCE, square), (x, y, MAP, MAP)) == 0.0
+    circle = Circle("c", "a circle", (0.0, 0.0), 5.0)
+    for x, y in (*circle.corners, (3.0, 4.0), (-4.0, 3.0)):
+        assert apply(zone(Measure.INSIDE, circle), (x, y, MAP, MAP)) == 1.0
+        assert apply(zone(Measure.DISTANCE, circle), (x, y, MAP, MAP)) == 0.0
+
+
+@given(zones, points)
+def test_bounds_of_boxes_and_circles_hold_in_real_numbers(
+    shapes: list[Rectangle | Circle], point: tuple[float, float]
+) -> None:
+    of_zone = zone(Measure.DISTANCE, *shapes)
+    bounds, operands = row(of_zone).bounds, (*point, MAP, MAP)
+    assert bounds is not None
+    numbers = [*map(Fraction, operands), Fraction(apply(of_zone, operands))]
+    written = [Operand(index) for index in range(len(numbers))]
+    assert all(holds(bound, numbers) for bound in bounds(written[-1], written[:-1]))
+
+
+@given(zones, st.floats(0, 50))
+def test_a_distance_is_easy_beyond_the_outermost_point(
+    shapes: list[Rectangle | Circle], beyond: float
+) -> None:
+    of_zone = zone(Measure.DISTANCE, *shapes)
+    easy = row(of_zone).easy
+    assert easy is not None
+    x, y = max(corner for each in shapes for corner in each.corners)
+    operands = (x + beyond, y, MAP, MAP)
+    numbers = [*map(Fraction, operands)]
+    cases = easy(tuple(map(Operand, range(4))))
+    (case,) = (each for each in cases if all(holds(one, numbers) for one in each.conditions))
+    found = float(value(case.value, numbers))
+    assert apply(of_zone, operands) == pytest.approx(found, abs=1e-9)
 
 
 @given(st.sampled_from([0.0, 0.5, 1.0, 2.0, 3.0, 4.0]), st.sampled_from([0.0, 1.0, 2.0, 3.0, 4.0]))

@@ -69,7 +69,7 @@ def readable() -> dict[str, Any]:
 
 def test_other_versions_are_refused() -> None:
     for member, value in (("version", 1), ("format", "something")):
-        with pytest.raises(ir.UnreadableMachine, match="not version 10 of a rossmarie-machine"):
+        with pytest.raises(ir.UnreadableMachine, match="not version 11 of a rossmarie-machine"):
             ir.machine_from_json(json.dumps({**readable(), member: value}))
 
 

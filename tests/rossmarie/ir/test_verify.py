@@ -55,13 +55,24 @@ def signal_after(*nodes: ir.SignalNode) -> str:
         (ir.Apply(ir.Function.ADD, (0,)), "signal 2 (Apply): add of 1 operands"),
         (ir.Apply(ir.Function.NORM, ()), "signal 2 (Apply): norm of 0 operands"),
         (ir.Apply(ir.Function.ROLL, (0, 0, 0)), "signal 2 (Apply): roll of 3 operands"),
-        (ir.Apply(ir.Function.ADD, (0, 1)), "signal 2 (Apply): operand 0 is not elementwise"),
         (ir.Sampled(ir.Sampling.RATE, 1), "signal 2 (Sampled): operand 1 is elementwise"),
         (ir.Fold(ir.Folding.MINIMUM, 0), "signal 2 (Fold): folds no elements"),
     ],
 )
 def test_signals(node: ir.SignalNode, said: str) -> None:
     assert signal_after(node) == said
+
+
+def test_beside_elements_stand_numbers_of_slots_and_constants() -> None:
+    sampled, summed = ir.Sampled(ir.Sampling.RATE, 0), ir.Apply(ir.Function.ADD, (2, 1))
+    said = "signal 3 (Apply): operand 2 is neither elementwise nor of slots and constants"
+    assert signal_after(sampled, summed) == said
+    folded = ir.Fold(ir.Folding.MINIMUM, 1)
+    assert signal_after(folded, summed) == said
+    nested = ir.Apply(ir.Function.ABSOLUTE, (2,)), ir.Apply(ir.Function.ADD, (1, 3))
+    assert signal_after(sampled, *nested) == (
+        "signal 4 (Apply): operand 3 is neither elementwise nor of slots and constants"
+    )
 
 
 @pytest.mark.parametrize(
@@ -84,7 +95,6 @@ def test_signals(node: ir.SignalNode, said: str) -> None:
         (ir.Oscillates(0, 1, 1, math.inf), "truth 1 (Oscillates): inf is not finite"),
         (ir.Oscillates(1, 1, 1, 0.0), "truth 1 (Oscillates): operand 1 is elementwise"),
         (ir.Quantified(ir.Quantifier.ANY, 0), "truth 1 (Quantified): quantifies no elements"),
-        (ir.Between(1, 1, 0), "truth 1 (Between): operand 0 is not elementwise"),
         (ir.Flag(0), "truth 1 (Flag): tests a real"),
     ],
 )

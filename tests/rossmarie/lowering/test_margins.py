@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 import re
 from pathlib import Path
 
@@ -10,6 +11,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.driver import compile_file
+from rossmarie.interpreter import Interpreter
 from rossmarie.targets import c99
 
 HEAD = """
@@ -57,6 +59,29 @@ def margin_of(folder: Path, condition: str) -> str:
 )
 def test_a_margin_is_made_of_differences(tmp_path: Path, condition: str, signals: str) -> None:
     assert margin_of(tmp_path, condition) == signals
+
+
+@pytest.mark.parametrize(
+    ("condition", "elements", "margin"),
+    [
+        ("any(scan < wall)", [math.inf, 3.0], 2.0),
+        ("any(scan < wall)", [math.inf, 0.25], -0.75),
+        ("any(scan < wall)", [math.inf], math.nan),
+        ("any(wall > scan)", [], math.nan),
+        ("all(wall >= scan)", [0.0, math.inf], math.nan),
+        ("all(wall >= scan)", [0.0, 0.5], -0.5),
+    ],
+)
+def test_elements_out_of_reach_leave_the_margin_to_others(
+    tmp_path: Path, condition: str, elements: list[float], margin: float
+) -> None:
+    machine = machine_of(tmp_path, f"if {condition} then {{ stop; }} feedback margin in m;")
+    interpreter = Interpreter(machine)
+    wall, scan = (machine.inputs[each.input].channel for each in (*machine.slots, *machine.arrays))
+    interpreter.update(0, {wall: ir.ChannelValues(slots={0: 1.0})})
+    interpreter.update(1, {scan: ir.ChannelValues(arrays={0: elements})})
+    (asked,) = ir.margins_of(machine)
+    assert interpreter.signals[asked.signal] == pytest.approx(margin, abs=0.0, nan_ok=True)
 
 
 def test_the_unit_is_that_of_the_rule(tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.recordings import RecordingError, open_recording, write_model
+from support.frames import Placed, pose, transforms
 from support.recordings import ROS1, START_NS, battery, readings, write_mcap, write_ros1
 
 
@@ -17,8 +18,8 @@ def test_topics_types_and_rates(tmp_path: Path) -> None:
     assert text == (
         "// Written from outdoor drive-2.bag: 0.9 s.\n"
         "system outdoor_drive_2 {\n"
-        "    topic /battery : std_msgs/Float32;   // 10 messages, 11.0 Hz\n"
-        "    topic /scan : sensor_msgs/LaserScan; // 10 messages, 11.0 Hz\n"
+        "    topic /battery : std_msgs/Float32;              // 10 messages, 11.0 Hz\n"
+        "    topic /scan : sensor_msgs/LaserScan from laser; // 10 messages, 11.0 Hz\n"
         "}\n"
     )
 
@@ -26,7 +27,9 @@ def test_topics_types_and_rates(tmp_path: Path) -> None:
 def test_a_single_message_has_no_rate(tmp_path: Path) -> None:
     found = [*readings(ROS1), ("/once", START_NS, *battery(ROS1, 12.0))]
     with open_recording(write_ros1(tmp_path / "drive.bag", found)) as recording:
-        assert "topic /once : std_msgs/Float32;      // 1 message\n" in write_model(recording)
+        assert "topic /once : std_msgs/Float32;                 // 1 message\n" in write_model(
+            recording
+        )
 
 
 @pytest.mark.parametrize(
@@ -35,6 +38,37 @@ def test_a_single_message_has_no_rate(tmp_path: Path) -> None:
 def test_name_of_the_system(tmp_path: Path, name: str, identifier: str) -> None:
     with open_recording(write_ros1(tmp_path / f"{name}.bag", readings(ROS1))) as recording:
         assert f"system {identifier} {{" in write_model(recording)
+
+
+def test_frames(tmp_path: Path) -> None:
+    """Moving frames have the timeout of two of their longest gaps; what rules cannot say is left as
+    a comment.
+    """
+
+    def at(parent: str, child: str) -> Placed:
+        return Placed(parent, child, (0.0, 0.0, 0.0), (0.0, 0.0, 0.0, 1.0))
+
+    turn, pair = (0.0, 0.0, 0.0, 1.0), (at("odom", "base"), at("/base", "arm/tool"))
+    found = [
+        ("/tf_static", START_NS, *transforms(ROS1, 0, at("base", "camera"), at("a", "x"))),
+        ("/tf", START_NS, *transforms(ROS1, 0, *pair)),
+        ("/tf", START_NS + 120_000_000, *transforms(ROS1, 0, *pair, at("b", "x"))),
+        ("/hand", START_NS, *pose(ROS1, 0, "arm/tool", turn[:3], turn)),
+        ("/mark", START_NS, *pose(ROS1, 0, "base", turn[:3], turn)),
+        ("/mark", START_NS, *pose(ROS1, 0, "odom", turn[:3], turn)),
+    ]
+    with open_recording(write_ros1(tmp_path / "drive.bag", found)) as recording:
+        text = write_model(recording)
+    lines = [line.partition(";")[0].strip() for line in text.splitlines()]
+    assert lines[2:9] == [
+        "// frame x in a",
+        "// frame x in b timeout 0.1 sec",
+        'frame "arm/tool" in base timeout 0.3 sec',
+        "frame camera in base",
+        "frame base in odom timeout 0.3 sec",
+        'topic /hand : geometry_msgs/PoseStamped from "arm/tool"',
+        "topic /mark : geometry_msgs/PoseStamped",
+    ]
 
 
 def test_types_of_ones_own(tmp_path: Path) -> None:

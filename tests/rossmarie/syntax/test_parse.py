@@ -20,6 +20,14 @@ def expression_of(accepted: Accepted, text: str) -> ast.Expression:
 OVER_TIME = {ast.Held: "for", ast.Since: "since", ast.Once: "once", ast.Response: "after"}
 
 
+def chosen(node: ast.Index | ast.Sector) -> str:
+    """What stands in brackets behind a value."""
+    value = shape(node.value)
+    if isinstance(node, ast.Index):
+        return f"{value}[{node.index}]"
+    return f"{value}[{shape(node.arc.first)} .. {shape(node.arc.last)}]"
+
+
 def shape(node: ast.Expression) -> str:
     """An expression with every operator in parentheses."""
     inside = " ".join(shape(child) for child in children(node))
@@ -28,8 +36,8 @@ def shape(node: ast.Expression) -> str:
             return f"[{inside}]{unit.text if unit else ''}"
         case ast.Member(member=member):
             return f"{inside}.{member.text}"
-        case ast.Index(index=index):
-            return f"{inside}[{index}]"
+        case ast.Index() | ast.Sector():
+            return chosen(node)
         case ast.Call(function=function, is_method=is_method):
             return f"{'.' if is_method else ''}{function.text}({inside})"
         case ast.Unary(operator=operator) | ast.Binary(operator=operator):

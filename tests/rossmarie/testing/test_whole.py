@@ -88,3 +88,21 @@ def test_a_rate_of_a_counter_rises_by_whole_steps(tmp_path: Path) -> None:
 def test_a_step_beyond_the_range_of_a_double_is_no_step(tmp_path: Path) -> None:
     _, ran = written(tmp_path, "gear * 1e200 * 1e200 + gear > 3")
     assert not any(each.found for each in ran.ran)
+
+
+def test_a_silence_that_is_longer_than_a_test_may_be_is_left_out(tmp_path: Path) -> None:
+    """A mode that is told when it changes has the longest timeout that there is."""
+    path = tmp_path / "rules.ross"
+    path.write_text(
+        "action stop;\n"
+        "input mode = topic /mode : std_msgs/UInt8 timeout 1e9 sec;\n"
+        "input gear = topic /gear : std_msgs/UInt8 timeout 0.5 sec;\n"
+        "rule r: if mode == 3 and gear == 1 then { stop; };\n"
+    )
+    found = generate_tests(path)
+    found.path.write_text(found.text, encoding="utf-8")
+    ran = run_test_file(path, in_c=False)
+    assert [each.title for one in ran.ran for each in one.found] == []
+    assert uncovered(ran) == [Aspect.LOST]
+    assert "gear falls silent" in found.text
+    assert "mode falls silent" not in found.text

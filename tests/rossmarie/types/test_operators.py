@@ -180,7 +180,8 @@ def test_unknown_operands_absorb(operator: Operator) -> None:
     operands = (Unknown(),) * SIGNATURES[operator].least
     assert apply(operator, *operands) == Outcome(Unknown())
     if operator not in (Operator.AND, Operator.OR) and len(operands) > 1:
-        assert apply(operator, Message("a/B", {}), Unknown()) == Outcome(Unknown())
+        others = (Message("a/B", {}),) * (len(operands) - 1)
+        assert apply(operator, *others, Unknown()) == Outcome(Unknown())
 
 
 def test_the_number_of_operands_is_the_callers_business() -> None:

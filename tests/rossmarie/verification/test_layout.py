@@ -24,6 +24,8 @@ input turning = topic /spin : std_msgs/Float64 .data timeout 0.2 sec;
 input other = topic /other : std_msgs/Float64 .data timeout 0.2 sec;
 input orientation = topic /imu : sensor_msgs/Imu .orientation timeout 0.2 sec;
 input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.2 sec;
+input path = topic /plan : nav_msgs/Path .poses up to 2 timeout 1 sec;
+input pace = topic /pace : std_msgs/Float64 .data in m timeout 0.3 sec;
 action stop;
 rule rocking: if oscillates(turning, 2 times, within 2.0 sec, by 0.2) then { stop; };
 rule wide: if count(ranges < 0.5 m) > 3 or any(ranges < 0.1 m) then { stop; };
@@ -36,6 +38,9 @@ rule late: if not after turning > 3, other > 3 within 1 sec then { stop; };
 rule again: if not after not (other > 3), other > 3 within 1 sec then { stop; };
 rule often: if count(edges of turning > other within 1 sec) > 2 then { stop; };
 rule smooth: if low_pass(turning, 2 sec) > 1 then { stop; };
+rule beside: if any(ranges < 0.5 m + abs(pace)) then { stop; };
+rule slope: if rate(min(p in path: p.pose.position.x - pace)) < 1 m/s then { stop; };
+rule counted: if count(p in path: p.pose.position.x < pace) > 3 then { stop; };
 """
 
 

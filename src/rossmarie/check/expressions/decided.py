@@ -140,8 +140,8 @@ def _outcome(node: ast.Expression, outcomes: NodeMap[bool], context: Context) ->
             return True
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-            | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
-            | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Held()
-            | ast.Response() | ast.Doing() | ast.Broken()
+            | ast.Member() | ast.Index() | ast.Sector() | ast.Call() | ast.Edges()
+            | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership()
+            | ast.Held() | ast.Response() | ast.Doing() | ast.Broken()
         ):  # fmt: skip
             return None

@@ -16,6 +16,7 @@ from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.lists import type_of_list_fold
 from rossmarie.check.operations.operators import type_of_binary, type_of_unary
 from rossmarie.check.operations.ranges import type_of_bracket, type_of_membership
+from rossmarie.check.operations.sectors import type_of_sector
 from rossmarie.check.operations.temporal import type_of_temporal
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import text_of
@@ -86,6 +87,8 @@ def _type_of(node: ast.Expression, context: Context) -> Type:
             return type_of_member(node, context)
         case ast.Index():
             return _type_of_index(node, context)
+        case ast.Sector():
+            return type_of_sector(node, context)
         case ast.Parenthesized():
             return context.type_of(node.inner)
         case ast.Doing():

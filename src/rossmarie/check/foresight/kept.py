@@ -1,7 +1,8 @@
-"""Requirements of rules: each keeps a motion below a speed in the places of a class."""
+"""Requirements of rules: each keeps a motion below a speed in the places of a class, or a zone."""
 
 from __future__ import annotations
 
+from rossmarie import core
 from rossmarie.check.expressions.infer import infer
 from rossmarie.check.foresight.errors import KeptGivesWay, UndeclaredMotion
 from rossmarie.check.model import CheckedKeeps, CheckedMotion
@@ -11,6 +12,7 @@ from rossmarie.check.operations.stopping import wanted_speed
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.skills.doing import find_class, known_skills
 from rossmarie.syntax import ast
+from rossmarie.types import Region
 
 
 def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
@@ -22,15 +24,24 @@ def check_kept(rule: ast.Rule, context: Context) -> CheckedKeeps | None:
     motion = _motion(written.motion, context)
     infer(written.speed, context)
     speed = wanted_speed(written.speed, motion, context)
-    skills = known_skills(written, context)
-    owl_class = None if skills is None else find_class(written.place, skills, context)
-    if skills is None or owl_class is None or motion is None or speed is None:
-        return None
-    places = places_of(owl_class, written.place.span, skills, context)
-    if places is None:
+    places = _places(written, context)
+    if motion is None or speed is None or places is None:
         return None
     region, type_ = places
     return CheckedKeeps(motion, speed, region, type_.frame, written)
+
+
+def _places(written: ast.Keeps, context: Context) -> tuple[core.Region, Region] | None:
+    """The zone or the places of the class in which a speed is kept; None after reporting."""
+    name = written.place.text
+    if isinstance(context.declarations.names.get(name), ast.Zone):
+        context.used_names.add(name)
+        return context.zones.get(name)
+    skills = known_skills(written, context)
+    owl_class = None if skills is None else find_class(written.place, skills, context)
+    if skills is None or owl_class is None:
+        return None
+    return places_of(owl_class, written.place.span, skills, context)
 
 
 def _report_giving_way(rule: ast.Rule, written: ast.Keeps, context: Context) -> None:

@@ -5,6 +5,19 @@ from __future__ import annotations
 from dslkit.diagnostics import Error, Remark, Template
 
 
+class ImportedAs(Remark):
+    """The label of an import that leads to the place of a finding."""
+
+    says = "imported here as `{name}`"
+    name: str
+
+
+class ImportedWith(Remark):
+    """Likewise, without a name."""
+
+    says = "imported here with these values"
+
+
 class UnknownParameter(Error, code="ROSS153", name="unknown-parameter"):
     """A value for a parameter that the imported file does not have."""
 
@@ -75,10 +88,24 @@ class EndlessImport(Error, code="ROSS157", name="endless-import"):
     reason: str
 
 
+class CannotTighten(Error, code="ROSS158", name="cannot-tighten"):
+    """A parameter of the running node, with which a rule could be less strict."""
+
+    title = "a parameter that tightens could loosen this"
+    label = "{reason}"
+    note = (
+        "the running node may set such a parameter, so a rule with a tighter value must be active "
+        "whenever it is active with the default, and must not clear earlier"
+    )
+    help = "turn the comparison, or the word behind `tightens`; or leave out `tightens`"
+    reason: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownParameter,
     MissingParameter,
     ParameterMismatch,
     ValuesTwice,
     EndlessImport,
+    CannotTighten,
 )

@@ -234,7 +234,8 @@ class _Program:
         for item in imported.module.items:
             if isinstance(item, ast.Parameter):
                 constant = constants.pop(item.name.text, None)
-                yield from () if constant is None else (constant,)
+                if constant is not None:
+                    yield constant if item.tightens is None else _setting(constant)
             elif not self._is_left_out(imported, item):
                 yield rewriter.node(item)
 
@@ -243,3 +244,10 @@ class _Program:
             key = imported.module.file, item.name.text
             return self._hazards.setdefault(key, imported) is not imported
         return isinstance(item, ast.Test) and imported.written is not None
+
+
+def _setting(constant: ast.Constant) -> ast.Input:
+    """A parameter that the running node may set: a number that comes in."""
+    name, documentation, span = constant.name, constant.documentation, constant.span
+    behind = None, None, None, documentation, span
+    return ast.Input(name, name, None, (), *behind, setting=constant)

@@ -33,6 +33,7 @@ KINDS: Mapping[type[object], Mapping[str, Kind]] = {
     ast.Parameter: {"name": Kind.NAME},
     ast.Entity: {"name": Kind.NAME},
     ast.Motion: {"name": Kind.NAME},
+    ast.Zone: {"name": Kind.NAME},
     ast.Input: {"name": Kind.NAME, "topic": Kind.TOPIC},
     ast.Step: {"action": Kind.NAME, "otherwise": Kind.NAME},
     ast.Keeps: {"motion": Kind.NAME},
@@ -183,13 +184,13 @@ class Rewriter:
         names = [each for each in steps if isinstance(each, ast.Name)]
         words = tuple(each.text for each in names) if len(names) == len(steps) else ()
         for index, step in enumerate(steps):
-            if isinstance(step, ast.Position):
+            if not isinstance(step, ast.Name):
                 words = tuple(each.text for each in names[:index])
                 break
         text, rest = self._resolved(words, Kind.NAME)
         taken = len(words) - len(rest)
         first = ast.Name(text, self.span(steps[0].span.to(steps[taken - 1].span)))
-        path = ast.FieldPath((first, *self._rebuilt(steps[taken:])), self.span(node.path.span))
+        path = ast.SettingPath((first, *self._rebuilt(steps[taken:])), self.span(node.path.span))
         value = self._rebuilt(node.value)
         return ast.Setting(path, value, node.is_unknown, self.span(node.span))
 

@@ -16,7 +16,9 @@ from rossmarie.syntax import ast
 Path = tuple[str, ...]
 """The names behind `as` that lead to a space; none to that of the whole program."""
 
-_DECLARING = ast.Action | ast.Constant | ast.Parameter | ast.Input | ast.Entity | ast.Motion
+_DECLARING = (
+    ast.Action | ast.Constant | ast.Parameter | ast.Input | ast.Entity | ast.Motion | ast.Zone
+)
 
 
 @dataclass(eq=False)
@@ -43,9 +45,9 @@ class Imported:
 
 @dataclass
 class Space:
-    """The names that the files of a space declare: `names` of constants, inputs, entities, motions
-    and actions (`values` are those of the first two), `rules`, `aliases` and parameters (`topics`)
-    of topics. `inner` are the spaces in it, by the names behind `as`.
+    """The names that the files of a space declare: `names` of constants, inputs, entities, motions,
+    zones and actions (`values` are those of the first two), `rules`, `aliases` and parameters
+    (`topics`) of topics. `inner` are the spaces in it, by the names behind `as`.
     """
 
     path: Path

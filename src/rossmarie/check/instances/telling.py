@@ -8,24 +8,12 @@ import dataclasses
 import re
 from collections.abc import Iterable, Iterator
 
-from dslkit.diagnostics import Diagnostic, Edit, Fix, Label, Remark
+from dslkit.diagnostics import Diagnostic, Edit, Fix, Label
+from rossmarie.check.instances.errors import ImportedAs, ImportedWith
 from rossmarie.check.instances.spaces import Instances, Path
 from rossmarie.syntax import ast
 
 _MOST_IMPORTS = 4
-
-
-class ImportedAs(Remark):
-    """The label of an import that leads to the place of a finding."""
-
-    says = "imported here as `{name}`"
-    name: str
-
-
-class ImportedWith(Remark):
-    """Likewise, without a name."""
-
-    says = "imported here with these values"
 
 
 def told(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic, ...]:
@@ -87,15 +75,13 @@ class _Wording:
         labels = tuple(
             dataclasses.replace(each, text=self.text(each.text)) for each in found.labels
         )
-        return dataclasses.replace(
-            found,
-            title=self.text(found.title),
-            primary=label,
-            labels=labels,
-            notes=tuple(map(self.text, found.notes)),
-            help=None if found.help is None else self.text(found.help),
-            fix=None if found.fix is None else self._fix(found.fix),
-        )
+        texts = {
+            "title": self.text(found.title),
+            "notes": tuple(map(self.text, found.notes)),
+            "help": None if found.help is None else self.text(found.help),
+            "fix": None if found.fix is None else self._fix(found.fix),
+        }
+        return dataclasses.replace(found, primary=label, labels=labels, **texts)
 
     def _fix(self, fix: Fix) -> Fix:
         edits = tuple(Edit(each.span, self.text(each.replacement)) for each in fix.edits)

@@ -19,6 +19,7 @@ from rossmarie.types import (
     Point,
     Quantity,
     Quaternion,
+    ScanPoint,
     Type,
     Unknown,
     Unsupported,
@@ -37,7 +38,8 @@ def members(type_: Type) -> dict[str, Type]:
         parts = {name: _entry_of(part) for name, part in type_.message.fields.items()}
         return {name: part for name, part in parts.items() if part is not None}
     if isinstance(type_, Vector):
-        return dict.fromkeys("xyz", type_.element)
+        others = type_.fields if isinstance(type_, ScanPoint) else {}
+        return {**dict.fromkeys("xyz", type_.element), **others}
     if isinstance(type_, Quaternion):
         return dict.fromkeys("xyzw", Quantity(DIMENSIONLESS))
     return {}
@@ -89,7 +91,7 @@ def with_unit(type_: Type, unit: Unit) -> Type | None:
     if isinstance(type_, Quantity):
         return replace(type_, unit=unit)
     if isinstance(type_, Vector):
-        return Vector(Quantity(unit))
+        return replace(type_, element=Quantity(unit))
     if isinstance(type_, Array) and isinstance(type_.element, Quantity):
         return replace(type_, element=replace(type_.element, unit=unit))
     return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rossmarie.ir.path import POINTS, ByName, Listed, Path
+from rossmarie.ir.path import POINTS, Beams, ByName, Listed, Path, Sector, Step
 from rossmarie.types import Array, Entry, List, Message, Type
 
 
@@ -28,11 +28,17 @@ class Part:
 
     def field(self, name: str, type_: Type) -> Part:
         """A field of this part, of a type; of an entry, the element in the array that it is."""
-        is_cloud = isinstance(type_, List) and type_.is_of_points
-        path = (*self.path, POINTS if is_cloud else name)
+        step: Step = name
+        if isinstance(type_, List) and (type_.is_of_points or type_.is_of_beams):
+            step = POINTS if type_.is_of_points else Beams(name)
+        path = (*self.path, step)
         if self.entry is None or isinstance(type_, Entry):
             return replace(self, path=path)
         return Part((*path, self.entry))
+
+    def sector(self, sector: Sector) -> Part:
+        """A sector of this part, which is the `ranges` of a scan."""
+        return replace(self, path=(*self.path, sector))
 
     def element(self, index: int | str, owner: Type) -> Part:
         """An element of this part by its place or its name; `owner` is the type of this part, and

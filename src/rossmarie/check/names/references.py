@@ -62,6 +62,8 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         return Unknown() if found is None else found.type
     if isinstance(declared, ast.Motion):
         return _motion_of(name.text, context)
+    if isinstance(declared, ast.Zone):
+        return _zone_of(node, context)
     report_wrong_kind(name, declared, "a value", context)
     return Unknown()
 
@@ -72,6 +74,15 @@ def _motion_of(name: str, context: Context) -> Type:
         return Unknown()
     context.uses.inputs.update(found.inputs)
     return Motion(name)
+
+
+def _zone_of(node: ast.Reference, context: Context) -> Type:
+    """The shapes of a zone, recorded in `context.regions`."""
+    found = context.zones.get(node.name.text)
+    if found is None:
+        return Unknown()
+    context.regions[node], type_ = found
+    return type_
 
 
 def type_of_member(node: ast.Member, context: Context) -> Type:
@@ -179,7 +190,7 @@ def _report_undeclared(node: ast.Reference, context: Context) -> None:
         context.collector.add(UndeclaredName(identifier=name.text).at(name.span))
         return
     own = context.declarations.conditions.get(context.entity or "", {})
-    values = _named(context, ast.Constant, ast.Input, ast.Motion)
+    values = _named(context, ast.Constant, ast.Input, ast.Motion, ast.Zone)
     finding = UndeclaredName(identifier=name.text)
     elsewhere = _entity_with(name.text, context)
     elements = context.folds_around(node)

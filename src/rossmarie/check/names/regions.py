@@ -8,6 +8,7 @@ from dslkit.diagnostics import listed
 from dslkit.source import Span
 from rossmarie import core
 from rossmarie.check.model import CheckedSkills
+from rossmarie.check.names.frames import check_frame_is
 from rossmarie.check.names.region_errors import (
     NoFrame,
     NoLocation,
@@ -92,7 +93,7 @@ def places_of(
     region = core.Region(
         name=_word(owl_class),
         about=f"the places of {owl_class}",
-        polygons=tuple(_polygon(each, skills) for each in known),
+        shapes=tuple(_polygon(each, skills) for each in known),
     )
     return region, Region(owl_class, frames[0], any(len(each.corners) > 1 for each in known))
 
@@ -118,6 +119,8 @@ def _word(name: str) -> str:
 
 def check_frame(position: ast.Expression, context: Context) -> bool:
     """Say whether a message tells the frame of a position; it is reported if not."""
+    if isinstance(context.type_of(position), Unknown):
+        return True
     reason = _without_frame(position, context)
     if reason is not None:
         text = text_of(position)
@@ -125,16 +128,37 @@ def check_frame(position: ast.Expression, context: Context) -> bool:
     return reason is None
 
 
+def check_frame_of_region(
+    position: ast.Expression, container: ast.Expression, context: Context
+) -> bool:
+    """Say whether a position can be in a region: a message tells its frame, and nobody says that
+    it is another one. What is wrong is reported.
+    """
+    region = context.type_of(container)
+    if not check_frame(position, context) or not isinstance(region, Region):
+        return False
+    return check_frame_is(position, region.frame, container, context)
+
+
+def _root(position: ast.Expression) -> ast.Reference | None:
+    """The name in front of fields; None if there is none."""
+    node = stripped(position)
+    while isinstance(node, ast.Member | ast.Index | ast.Sector):
+        node = stripped(node.value)
+    return node if isinstance(node, ast.Reference) else None
+
+
 def _without_frame(position: ast.Expression, context: Context) -> str | None:
     """The reason why nobody knows the frame of a position; None if a header says it."""
-    node = stripped(position)
-    while isinstance(node, ast.Member | ast.Index):
-        node = stripped(node.value)
-    if not isinstance(node, ast.Reference) or context.folds_around(node).get(node.name.text):
-        return "it is no field of an input"
-    used = context.inputs.get(node.name.text)
+    root = _root(position)
+    fold = None if root is None else context.folds_around(root).get(root.name.text)
+    if fold is not None:
+        root = _root(fold.list)  # the header of the message with the list says it for all elements
+    used = None if root is None else context.inputs.get(root.name.text)
     if used is None or context.messages is None:
         return "it is no field of an input"
+    if used.frame is not None:
+        return None
     message = context.messages.find(used.message_type)
     header = None if message is None else message.fields.get(FRAME_OF_HEADER[0])
     has_frame = isinstance(header, Message) and isinstance(

@@ -18,6 +18,7 @@ _REASONS: Mapping[str, str] = {
     "action": "no rule starts it",
     "entity": "no rule rests on it",
     "motion": "no rule rests on it",
+    "zone": "no rule asks for it",
     "condition": "no rule rests on it",
 }
 

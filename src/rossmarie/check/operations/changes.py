@@ -42,6 +42,6 @@ def type_of_changed(node: ast.Call, context: Context) -> Type:
 
 def _is_part_of_a_message(node: ast.Expression, context: Context) -> bool:
     inner = stripped(node)
-    while isinstance(inner, ast.Member | ast.Index):
+    while isinstance(inner, ast.Member | ast.Index | ast.Sector):
         inner = stripped(inner.value)
     return isinstance(inner, ast.Reference) and inner.name.text in context.inputs

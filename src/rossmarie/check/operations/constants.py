@@ -108,9 +108,9 @@ def _number(node: ast.Expression, quantity: Quantity, context: Context) -> float
             return None if arguments is None else _FUNCTIONS[node.function.text](arguments)
         case (
             ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference() | ast.Member()
-            | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates() | ast.ListFold()
-            | ast.Unary() | ast.Membership() | ast.Held() | ast.Since() | ast.Once()
-            | ast.Response() | ast.Doing() | ast.Parenthesized() | ast.Broken()
+            | ast.Index() | ast.Sector() | ast.Call() | ast.Edges() | ast.Oscillates()
+            | ast.ListFold() | ast.Unary() | ast.Membership() | ast.Held() | ast.Since()
+            | ast.Once() | ast.Response() | ast.Doing() | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip
             return None
 

@@ -46,9 +46,9 @@ class WrongArgument(Error, code="ROSS210", name="wrong-argument"):
 
 
 class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
-    """An elementwise expression over more than one array and constants."""
+    """An elementwise expression over more than one array, constants and numbers of messages."""
 
-    title = "an elementwise expression may use one array and constants"
+    title = "an elementwise expression may use one array, constants and numbers of messages"
     label = "{found}"
     note = "`{function}` looks at the elements of one array, one by one"
     help = "compare the least or greatest element with `{text}`: `min(...)` or `max(...)`"
@@ -143,6 +143,19 @@ class UnfitMotionPart(Error, code="ROSS265", name="unfit-motion-part"):
     found: str
 
 
+class UnfitAmount(Error, code="ROSS283", name="unfit-amount"):
+    """An argument of `braking_distance` or `time_to` that is not what it has to be."""
+
+    title = "{part} of `{function}` has to be {expected}"
+    label = "this is {found}"
+    help = "write `{usage}`"
+    function: str
+    part: str
+    expected: str
+    found: str
+    usage: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownFunction,
     WrongArgumentCount,
@@ -154,4 +167,5 @@ ALL: tuple[type[Template], ...] = (
     EdgeCount,
     ChangedMisused,
     UnfitMotionPart,
+    UnfitAmount,
 )

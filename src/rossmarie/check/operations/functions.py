@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark, Write, listed
-from rossmarie.check.names.regions import check_frame
+from rossmarie.check.names.frames import check_one_frame
+from rossmarie.check.names.regions import check_frame_of_region
+from rossmarie.check.operations.amounts import AMOUNTS, type_of_amount
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
-from rossmarie.check.operations.elements import check_elements
+from rossmarie.check.operations.elements import check_elements, warn_of_raw_readings
 from rossmarie.check.operations.errors import DurationOutOfRange, NotAnArray
 from rossmarie.check.operations.function_errors import (
     OscillationCount,
@@ -64,11 +66,14 @@ USAGES: Mapping[Operator, str] = {
     Operator.ANY: "any(array > 1)",
     Operator.ALL: "all(array > 1)",
     Operator.COUNT: "count(array > 1)",
+    Operator.SIN: "sin(angle)",
+    Operator.COS: "cos(angle)",
     Operator.ROLL: "orientation.roll()",
     Operator.PITCH: "orientation.pitch()",
     Operator.YAW: "orientation.yaw()",
     Operator.DISTANCE: "distance(a, b)",
     Operator.STOPPING: "stopping(motion, 0.3 m/s)",
+    **AMOUNTS,
     Operator.RATE: "rate(x)",
     Operator.PREVIOUS: "previous(x)",
     Operator.MEDIAN: "median(x, 0.2 sec)",
@@ -82,6 +87,8 @@ USAGES: Mapping[Operator, str] = {
 _FUNCTIONS: Mapping[str, Operator] = {operator.value: operator for operator in USAGES}
 _NEEDS: Mapping[Operator, str] = {
     Operator.NORM: "a vector",
+    Operator.SIN: "an angle",
+    Operator.COS: "an angle",
     Operator.ROLL: "an orientation",
     Operator.PITCH: "an orientation",
     Operator.YAW: "an orientation",
@@ -101,6 +108,7 @@ _TIMES: Mapping[Operator, str] = {
 }
 """The functions that take a constant time, and what it is to them."""
 _MOST_FIELDS = 4
+_OF_ONE_FRAME = frozenset({Operator.DISTANCE, Operator.HYPOT, Operator.MIN, Operator.MAX})
 _QUANTIFIERS = frozenset({Operator.ANY, Operator.ALL, Operator.COUNT})
 _EXTREMES = frozenset({Operator.MIN, Operator.MAX})
 
@@ -127,6 +135,8 @@ def type_of_call(node: ast.Call, context: Context) -> Type:
     if operator in _TIMES:
         warn_of_filter(node, context)
         return _filter(node, operator, context)
+    if operator in AMOUNTS:
+        return type_of_amount(node, operator, context)
     if operator is Operator.RATE:
         warn_of_rate(node, context)
     return _function(node, operator, context)
@@ -185,6 +195,7 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
     outcome = apply(operator, type_)
     if not outcome.faults:
         check_elements(node, context)
+        warn_of_raw_readings(node, context)
     elif operator in _QUANTIFIERS and isinstance(type_, Array):
         _report_argument(node, argument, "a condition on the elements", context)
     elif operator in _EXTREMES and isinstance(type_, Array):
@@ -242,7 +253,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
         if operator is Operator.STOPPING:
             return _stopping(node, outcome.type, context)
         if operator is Operator.DISTANCE and isinstance(types[1], Region):
-            return outcome.type if check_frame(node.arguments[0], context) else Unknown()
+            is_known = check_frame_of_region(node.arguments[0], node.arguments[1], context)
+            return outcome.type if is_known else Unknown()
     elif operator is not Operator.ABS:
         arrays = [
             argument
@@ -253,7 +265,8 @@ def _function(node: ast.Call, operator: Operator, context: Context) -> Type:
             report_array(argument, context)
         if arrays:
             return Unknown()
-    return applied(operator, node.arguments, context)
+    is_mixed = operator in _OF_ONE_FRAME and not check_one_frame(node.arguments, context)
+    return Unknown() if is_mixed else applied(operator, node.arguments, context)
 
 
 def _stopping(node: ast.Call, type_: Type, context: Context) -> Type:

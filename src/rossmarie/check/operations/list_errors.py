@@ -23,9 +23,9 @@ class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
 
 
 class NotOfTheElement(Error, code="ROSS240", name="not-of-the-element"):
-    """Something that changes, and is no part of the element, where elements are looked at."""
+    """A part that stands neither for the element nor for a number where elements are looked at."""
 
-    title = "behind `{variable} in {text}:` only `{variable}` and constants may stand"
+    title = "behind `{variable} in {text}:` may stand `{variable}`, constants, numbers of messages"
     label = "{found}"
     note = (
         "`{function}` looks at the elements of one list, one by one, while their message is there"
@@ -48,6 +48,12 @@ class NotOfTheElement(Error, code="ROSS240", name="not-of-the-element"):
         called: str
         variable: str
         text: str
+
+    class Number(Remark):
+        says = "compare the result with it, as in `min({variable} in {text}: ...) < {number}`"
+        variable: str
+        text: str
+        number: str
 
     class OneLevel(Remark):
         says = "rules look at one list at a time: join two such questions by `and` or `or`"

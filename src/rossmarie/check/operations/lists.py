@@ -1,7 +1,7 @@
 """Questions about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
 
 What stands behind the colon is an expression like any other, in which a name stands for the
-element. It may rest on the element and on constants.
+element. It may rest on the element, on constants, and on numbers of other messages.
 """
 
 from __future__ import annotations
@@ -12,6 +12,13 @@ from dslkit.diagnostics import Edit, Fix, Remark
 from rossmarie.check.model import Value
 from rossmarie.check.names.fields import lists_in
 from rossmarie.check.names.references import is_value
+from rossmarie.check.operations.beside import (
+    CONDITIONAL,
+    EXTREMES,
+    OF_SAMPLES,
+    QUANTIFIERS,
+    nature_of_call,
+)
 from rossmarie.check.operations.list_errors import NotOfTheElement, NotOverAList, UnboundedList
 from rossmarie.check.operations.operands import require_condition, scalar_operand
 from rossmarie.check.operations.rewriting import rewritten
@@ -21,7 +28,6 @@ from rossmarie.check.scopes.errors import DuplicateName
 from rossmarie.check.scopes.trees import quoted, root_of, stripped, text_of
 from rossmarie.check.units.quantities import end_of_field
 from rossmarie.check.wording.describe import describe
-from rossmarie.core import Sampling
 from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import children, walk
@@ -30,12 +36,9 @@ from rossmarie.units import DIMENSIONLESS
 
 USUAL_BOUND = 64
 USUAL_POINTS = 65_536
-"""The bounds that are proposed where there is none, for lists of messages and for clouds."""
+USUAL_BEAMS = 1_440
+"""The bounds that are proposed where there is none: for lists of messages, clouds and scans."""
 
-_QUANTIFIERS = frozenset({"any", "all"})
-_CONDITIONAL = _QUANTIFIERS | {"count"}
-_EXTREMES = frozenset({"min", "max"})
-_OF_SAMPLES = frozenset(each.value for each in Sampling) | {"changed"}
 _MOST_LISTS = 4
 
 
@@ -43,14 +46,14 @@ def type_of_list_fold(node: ast.ListFold, context: Context) -> Type:
     """The type of a fold whose list and body have theirs."""
     function = node.function.text
     _check_variable(node, context)
-    if function not in _CONDITIONAL | _EXTREMES:
+    if function not in CONDITIONAL | EXTREMES:
         finding = NotOverAList(variable=node.variable.text, found=f"`{function}`")
         context.collector.add(finding.at(node.function.span))
         return Unknown()
     _check_list(node, context)
     if not _check_body(node, context):
         return Unknown()
-    if function in _CONDITIONAL:
+    if function in CONDITIONAL:
         require_condition(node.body, context)
         return Quantity(DIMENSIONLESS) if function == "count" else Boolean()
     value = scalar_operand(node.body, context)
@@ -100,7 +103,8 @@ def _check_list(node: ast.ListFold, context: Context) -> None:
     used = None if root is None else context.inputs.get(root.name.text)
     if used is None or used.declaration.bound is not None:
         return
-    bound = USUAL_POINTS if type_.is_of_points else USUAL_BOUND
+    bound = USUAL_BEAMS if type_.is_of_beams else USUAL_BOUND
+    bound = USUAL_POINTS if type_.is_of_points else bound
     finding = UnboundedList(text=text_of(node.list), bound=bound)
     fix = None
     if root is not None and root.name.text not in context.proposed_bounds:
@@ -127,17 +131,18 @@ def _report_no_list(node: ast.ListFold, type_: Type, context: Context) -> None:
 
 
 def _check_body(node: ast.ListFold, context: Context) -> bool:
-    """Report all that is neither a part of the element nor a constant; False if the body is the
-    same for all elements.
+    """Report all that may not stand beside the element; False if the body is the same for all
+    elements.
     """
-    others = list(_others(node, context))
+    naming = _naming(node, context)
+    others = list(_others(node, naming, context))
     for part, found, help in others:
         finding = _finding(node, found)
         fix = None
         if isinstance(part, ast.Held):
             help, fix = _held(node, part, context)
         context.collector.add(finding.at(part.span, help=help, fix=fix))
-    is_open = _names_element(node) or counts_all(node, context.types, context.values)
+    is_open = node.body in naming or counts_all(node, context.types, context.values)
     if others or is_open or isinstance(context.type_of(node.body), Unknown):
         return True
     finding = _finding(node, "this is the same for all elements")
@@ -146,11 +151,24 @@ def _check_body(node: ast.ListFold, context: Context) -> bool:
     return False
 
 
+def _naming(fold: ast.ListFold, context: Context) -> NodeMap[bool]:
+    """The parts of the body in which the element is named."""
+    found: NodeMap[bool] = NodeMap()
+    for part in walk(fold.body):
+        if not isinstance(part, ast.Reference) or part.name.text != fold.variable.text:
+            continue
+        around: ast.Expression | None = part
+        while around is not None and around is not fold and around not in found:
+            found[around] = True
+            around = context.parents.get(around)
+    return found
+
+
 def counts_all(fold: ast.ListFold, types: NodeMap[Type], values: NodeMap[Value]) -> bool:
-    """Say whether this is `count(p in cloud: true)`: how many points there are."""
+    """Say whether this is `count(p in cloud: true)`: how many points, or beams, there are."""
     its_list, value = types.get(fold.list), values.get(fold.body)
-    is_of_points = isinstance(its_list, List) and its_list.is_of_points
-    return is_of_points and fold.function.text == "count" and bool(value and value.boolean)
+    can_count = isinstance(its_list, List) and (its_list.is_of_points or its_list.is_of_beams)
+    return can_count and fold.function.text == "count" and bool(value and value.boolean)
 
 
 def _finding(node: ast.ListFold, found: str) -> NotOfTheElement:
@@ -167,28 +185,44 @@ _Other = tuple[str, Remark | None]
 
 
 def _others(
-    fold: ast.ListFold, context: Context
+    fold: ast.ListFold, naming: NodeMap[bool], context: Context
 ) -> Iterator[tuple[ast.Expression, str, Remark | None]]:
-    """The outermost parts of the body that neither the element has nor constants are."""
+    """The outermost parts of the body that may not stand in it."""
     pending = [fold.body]
     while pending:
         node = pending.pop()
         if node in context.values or node in context.regions:
             continue
-        other = _other(node, fold, context)
-        if other is None:
-            pending.extend(reversed(children(node)))
-        elif not isinstance(node, _NAMES) or not isinstance(context.type_of(node), Unknown):
+        other = _other(node, fold, naming, context)
+        if other is not None:
             yield (node, *other)
+        elif node in naming:
+            pending.extend(reversed(children(node)))
+        else:
+            yield from _same_for_all(node, fold, naming, context)
 
 
-_NAMES = ast.Reference | ast.Member
+def _same_for_all(
+    node: ast.Expression, fold: ast.ListFold, naming: NodeMap[bool], context: Context
+) -> Iterator[tuple[ast.Expression, str, Remark | None]]:
+    """The parts that may not stand in a part that is the same for all elements: numbers may."""
+    type_ = context.type_of(node)
+    if isinstance(type_, Boolean) and node is not fold.body:
+        yield node, "this is one truth for all elements", None
+    elif isinstance(type_, Array | List):
+        yield node, "this is no part of the element", None
+    elif not isinstance(type_, Boolean | Unknown):
+        for part in walk(node):
+            other = _other(part, fold, naming, context)
+            if other is not None:
+                yield (part, *other)
+                return
 
 
-def _other(node: ast.Expression, fold: ast.ListFold, context: Context) -> _Other | None:
+def _other(
+    node: ast.Expression, fold: ast.ListFold, naming: NodeMap[bool], context: Context
+) -> _Other | None:
     match node:
-        case ast.Reference(name=name) if name.text != fold.variable.text:
-            return "this is no part of the element", None
         case ast.Member() if not is_value(node, context):
             return "this is one truth for all elements", None
         case ast.Doing():
@@ -200,41 +234,34 @@ def _other(node: ast.Expression, fold: ast.ListFold, context: Context) -> _Other
         case ast.ListFold():
             return "this looks at another list", NotOfTheElement.OneLevel()
         case ast.Call():
-            return _other_call(node, fold)
+            return _other_call(node, fold, naming, context)
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-            | ast.Member() | ast.Index() | ast.Unary() | ast.Binary() | ast.Membership()
-            | ast.Parenthesized() | ast.Broken()
+            | ast.Member() | ast.Index() | ast.Sector() | ast.Unary() | ast.Binary()
+            | ast.Membership() | ast.Parenthesized() | ast.Broken()
         ):  # fmt: skip
             return None
 
 
-def _other_call(node: ast.Call, fold: ast.ListFold) -> _Other | None:
-    name = node.function.text
-    if any(isinstance(argument, ast.Edges) for argument in node.arguments):
-        return "this follows one element over time", None
-    if name in _CONDITIONAL or (name in _EXTREMES and len(node.arguments) == 1):
-        return "this looks at another array", NotOfTheElement.OneLevel()
-    if name == "age":
-        return "this is the age of a whole message", None
-    if name in _OF_SAMPLES:
-        variable, text = fold.variable.text, text_of(fold.list)
-        help = NotOfTheElement.Samples(called=name, variable=variable, text=text)
-        return "this looks at several messages", help
-    return None
+def _other_call(
+    node: ast.Call, fold: ast.ListFold, naming: NodeMap[bool], context: Context
+) -> _Other | None:
+    name, nature = node.function.text, nature_of_call(node, context)
+    if nature is None:
+        return None
+    variable, text = fold.variable.text, text_of(fold.list)
+    if name in OF_SAMPLES and node in naming:
+        return nature, NotOfTheElement.Samples(called=name, variable=variable, text=text)
+    if name in OF_SAMPLES | EXTREMES:
+        number = text_of(node)
+        return nature, NotOfTheElement.Number(variable=variable, text=text, number=number)
+    return nature, NotOfTheElement.OneLevel() if name in CONDITIONAL else None
 
 
 def _held(fold: ast.ListFold, held: ast.Held, context: Context) -> tuple[Remark, Fix | None]:
-    if stripped(fold.body) is not held or fold.function.text not in _QUANTIFIERS:
+    if stripped(fold.body) is not held or fold.function.text not in QUANTIFIERS:
         return NotOfTheElement.NotWatched(), None
     head = f"{fold.function.text}({fold.variable.text} in {fold.list.span.text}"
     meant = f"{head}: {held.condition.span.text}) for {held.duration.span.text}"
     help = NotOfTheElement.WatchedTogether(meant=quoted(meant))
     return help, rewritten(fold, meant, context)
-
-
-def _names_element(fold: ast.ListFold) -> bool:
-    return any(
-        isinstance(part, ast.Reference) and part.name.text == fold.variable.text
-        for part in walk(fold.body)
-    )

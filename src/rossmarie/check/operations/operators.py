@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from dslkit.diagnostics import Edit, Fix, Remark, Write
+from rossmarie.check.names.frames import check_one_frame
 from rossmarie.check.operations.angles import warn_of_difference
 from rossmarie.check.operations.edges import type_of_edge_comparison
 from rossmarie.check.operations.errors import (
@@ -51,6 +52,7 @@ EQUALITY = frozenset({Operator.EQUAL, Operator.NOT_EQUAL})
 ARITHMETIC = frozenset(
     {Operator.ADD, Operator.SUBTRACT, Operator.MULTIPLY, Operator.DIVIDE, Operator.NEGATE}
 )
+ADDITIVE = frozenset({Operator.ADD, Operator.SUBTRACT})
 PURPOSES: Mapping[Operator, str] = {
     Operator.ADD: "added",
     Operator.SUBTRACT: "subtracted",
@@ -67,6 +69,8 @@ def type_of_binary(node: ast.Binary, context: Context) -> Type:
         if operator is Operator.SUBTRACT:
             warn_of_difference(node, context)
         type_ = applied(operator, (node.left, node.right), context)
+        if operator in ADDITIVE and not check_one_frame((node.left, node.right), context):
+            return Unknown()
         is_by_zero = operator is Operator.DIVIDE and _is_zero(node.right, context)
         return Unknown() if is_by_zero else type_
     return _comparison(operator, node, context)
@@ -154,6 +158,8 @@ def _comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
         return _report_incomparable(node, context)
     for fault in outcome.faults:
         _report(fault, operator, (node.left, node.right), context)
+    if not outcome.faults and not check_one_frame((node.left, node.right), context):
+        return Unknown()
     if not outcome.faults:
         check_ratio(node.left, node.right, context)
         check_ratio(node.right, node.left, context)

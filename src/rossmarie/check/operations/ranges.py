@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dslkit.diagnostics import Edit, Fix, Label, Remark, Write
 from rossmarie.check.model import Value
-from rossmarie.check.names.regions import check_frame
+from rossmarie.check.names.regions import check_frame_of_region
 from rossmarie.check.operations.constants import record
 from rossmarie.check.operations.operands import (
     report_not_a_number,
@@ -135,7 +135,7 @@ def type_of_membership(node: ast.Membership, context: Context) -> Type:
     if Fault.UNITS in outcome.faults or Fault.UNSTATED_UNIT in outcome.faults:
         check_fit_of(node.value, node.container, "compared", context)
     if not outcome.faults and isinstance(container, Region):
-        check_frame(node.value, context)
+        check_frame_of_region(node.value, node.container, context)
     elif not outcome.faults:
         check_ratio(node.value, node.container, context)
     return outcome.type

@@ -85,9 +85,9 @@ def _operands(node: ast.Expression) -> Sequence[ast.Expression]:
             return (body,)
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-            | ast.Member() | ast.Index() | ast.Call() | ast.Edges() | ast.Oscillates()
-            | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership() | ast.Since()
-            | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
+            | ast.Member() | ast.Index() | ast.Sector() | ast.Call() | ast.Edges()
+            | ast.Oscillates() | ast.ListFold() | ast.Unary() | ast.Binary() | ast.Membership()
+            | ast.Since() | ast.Once() | ast.Response() | ast.Doing() | ast.Broken()
         ):  # fmt: skip
             return ()
 
@@ -141,7 +141,7 @@ def _reason(node: ast.Expression, context: Context) -> str | None:
             return f"`{function.text}` gives true or false"
         case (
             ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
-            | ast.Member() | ast.Index() | ast.Edges() | ast.ListFold() | ast.Unary()
+            | ast.Member() | ast.Index() | ast.Sector() | ast.Edges() | ast.ListFold() | ast.Unary()
             | ast.Held() | ast.Doing() | ast.Parenthesized()
         ):  # fmt: skip
             return f"`{text_of(node)}` is true or false"

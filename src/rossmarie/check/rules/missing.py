@@ -60,7 +60,8 @@ def warn_of_missing_timeouts(
         for name in sorted(reached - warned):
             declaration = context.inputs[name].declaration
             # One that could not be read is reported already; it may well have a timeout.
-            if declaration.timeout is None and declaration.topic.text:
+            is_topic = declaration.topic.text and declaration.setting is None
+            if declaration.timeout is None and is_topic:
                 warned.add(name)
                 finding = MissingTimeout(identifier=name)
                 context.collector.add(finding.at(declaration.name.span, place))

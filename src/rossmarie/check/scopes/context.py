@@ -9,6 +9,7 @@ from functools import cached_property
 
 from dslkit.diagnostics import Collector, Template
 from dslkit.source import Span
+from rossmarie.check.frames import FrameTree
 from rossmarie.check.model import (
     CheckedDoing,
     CheckedInput,
@@ -25,6 +26,7 @@ from rossmarie.syntax import ast
 from rossmarie.syntax.node_map import NodeMap
 from rossmarie.syntax.walk import walk
 from rossmarie.types import MessageCatalog, Type, Unknown
+from rossmarie.types import Region as RegionType
 
 
 @dataclass
@@ -44,9 +46,10 @@ class Context:
 
     `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
     of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
-    what each question to the skills asks, `regions` the places of each class that is named,
-    `motions` the motions that are right. `entity` and `uses` belong to what is being checked at
-    the moment.
+    what each question to the skills asks, `regions` the places of each class and zone that is
+    named, `motions` the motions that are right, `zones` the zones that are, `frames` the frames,
+    and `frame_inputs` the inputs that they come by, by the frame. `entity` and `uses` belong to
+    what is being checked at the moment.
     """
 
     collector: Collector
@@ -66,6 +69,9 @@ class Context:
     doing: NodeMap[CheckedDoing] = field(default_factory=NodeMap)
     regions: NodeMap[Region] = field(default_factory=NodeMap)
     motions: dict[str, CheckedMotion] = field(default_factory=dict)
+    zones: dict[str, tuple[Region, RegionType]] = field(default_factory=dict)
+    frames: FrameTree = field(default_factory=FrameTree)
+    frame_inputs: dict[str, CheckedInput] = field(default_factory=dict)
     entity: str | None = None
     uses: Uses = field(default_factory=Uses)
 
@@ -80,6 +86,12 @@ class Context:
         ]
         ranges = [stripped(part.container) for part in parts if isinstance(part, ast.Membership)]
         return frozenset(_counted(parts) - _counted(ranges))
+
+    @property
+    def told(self) -> dict[str, CheckedInput]:
+        """All inputs by name, those that frames come by as well."""
+        frames = {each.declaration.name.text: each for each in self.frame_inputs.values()}
+        return frames | self.inputs
 
     def may_suggest(self) -> bool:
         """Say whether to look for what a misspelt name may have meant."""

@@ -14,7 +14,7 @@ from rossmarie.check.scopes.exemptions import with_exemptions
 from rossmarie.syntax import ast
 from rossmarie.syntax.walk import expressions
 
-Named = ast.Action | ast.Constant | ast.Input | ast.Entity | ast.Motion
+Named = ast.Action | ast.Constant | ast.Input | ast.Entity | ast.Motion | ast.Zone
 
 KINDS: Mapping[type[object], str] = {
     ast.Action: "action",
@@ -22,6 +22,7 @@ KINDS: Mapping[type[object], str] = {
     ast.Input: "input",
     ast.Entity: "entity",
     ast.Motion: "motion",
+    ast.Zone: "zone",
 }
 ARTICLES: Mapping[str, str] = {
     "action": "an action",
@@ -30,19 +31,21 @@ ARTICLES: Mapping[str, str] = {
     "input": "an input",
     "entity": "an entity",
     "motion": "a motion",
+    "zone": "a zone",
 }
 
 
 def kind_of(item: Named) -> str:
     """`constant` for a constant."""
-    is_parameter = isinstance(item, ast.Constant) and item.parameter is not None
+    constant = item.setting if isinstance(item, ast.Input) else item
+    is_parameter = isinstance(constant, ast.Constant) and constant.parameter is not None
     return "parameter" if is_parameter else KINDS[type(item)]
 
 
 @dataclass(frozen=True)
 class Declarations:
-    """The declarations. `names` is the one namespace of constants, inputs, entities, motions and
-    actions; `conditions` are those of each entity. `items` holds every item, also second
+    """The declarations. `names` is the one namespace of constants, inputs, entities, motions,
+    zones and actions; `conditions` are those of each entity. `items` holds every item, also second
     declarations; `rules` are all rules, imported files first, each before those that its
     exemptions stand for. `is_whole` is False if a file could not be read: what is not declared here
     may be there.
@@ -107,7 +110,7 @@ def _report_second(item: Named, first: Named, collector: Collector) -> None:
         identifier=item.name.text,
         kind=kind_of(item),
         other=ARTICLES[kind_of(first)],
-        reason="constants, inputs, entities, motions and actions share one set of names",
+        reason="constants, inputs, entities, motions, zones and actions share one set of names",
     )
     collector.add(finding.at(item.name.span, finding.First().at(first.name.span)))
 

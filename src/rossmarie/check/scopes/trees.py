@@ -29,7 +29,7 @@ def stripped(node: ast.Expression) -> ast.Expression:
 
 def root_of(node: ast.Expression) -> ast.Reference | None:
     """The name that a chain of fields and indices starts from."""
-    while isinstance(node, ast.Parenthesized | ast.Member | ast.Index):
+    while isinstance(node, ast.Parenthesized | ast.Member | ast.Index | ast.Sector):
         node = node.inner if isinstance(node, ast.Parenthesized) else node.value
     return node if isinstance(node, ast.Reference) else None
 
@@ -60,7 +60,7 @@ def literal_of(node: ast.Expression, declarations: Declarations) -> ast.Number |
 def path_of(node: ast.Expression) -> tuple[str, ...]:
     """The fields that a chain of fields and indices goes through, the first first."""
     path: list[str] = []
-    while isinstance(node, ast.Parenthesized | ast.Member | ast.Index):
+    while isinstance(node, ast.Parenthesized | ast.Member | ast.Index | ast.Sector):
         if isinstance(node, ast.Member):
             path.insert(0, node.member.text)
         node = node.inner if isinstance(node, ast.Parenthesized) else node.value

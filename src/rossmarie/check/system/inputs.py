@@ -20,6 +20,7 @@ from rossmarie.check.system.errors import (
     TopicWithoutType,
 )
 from rossmarie.check.system.field_units import FieldKey, check_one_unit
+from rossmarie.check.system.input_frames import framed, with_frame_for_unit
 from rossmarie.check.system.model import (
     SystemModel,
     Topic,
@@ -47,12 +48,17 @@ def resolve_inputs(model: SystemModel, context: Context) -> dict[FieldKey, Check
     """
     stated: dict[str, ast.Input] = {}
     units: dict[FieldKey, CheckedInput] = {}
-    for declaration in context.declarations.inputs:
+    sources: dict[str, ast.Name] = {}
+    for written in context.declarations.inputs:
+        if written.setting is not None:
+            continue  # its value is known when constants are
+        declaration = with_frame_for_unit(written, context)
         if declaration.number is not None:
             number = resolve_number(declaration, declaration.number, context)
             context.inputs.setdefault(declaration.name.text, number)
             continue
         found = _resolve(declaration, model, context.collector)
+        found = framed(found, model.find(declaration.topic.text), sources, context)
         _check_one_type(found, stated, model, context.collector)
         check_one_unit(found, units, context.collector)
         if found.topic == _DIAGNOSTICS:
@@ -72,7 +78,7 @@ def resolve_timeouts(context: Context) -> None:
         infer(declaration.timeout, context)
         timeout_ns = duration_ns(declaration.timeout, "a timeout", context)
         found = context.inputs[declaration.name.text]
-        if found.declaration is declaration:
+        if found.declaration.name is declaration.name:
             resolved = dataclasses.replace(found, timeout_ns=timeout_ns)
             context.inputs[declaration.name.text] = resolved
 
@@ -106,7 +112,8 @@ def _resolve(declaration: ast.Input, model: SystemModel, collector: Collector) -
     type_ = with_names(type_, field, declaration, collector)
     most = read_bound(declaration, type_, field, collector)
     type_ = _in_unit(type_, field, declaration, topic, collector)
-    return CheckedInput(declaration, name, message.name, path, type_, None, most)
+    whole = message_value(message)
+    return CheckedInput(declaration, name, message.name, path, type_, None, most, whole=whole)
 
 
 def _message(

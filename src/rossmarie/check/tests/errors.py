@@ -91,6 +91,9 @@ class NotSettable(Error, code="ROSS131", name="not-settable"):
         says = "set its elements, `{field}[0]. ... = ...`, or write `{field} = []` for none"
         field: str
 
+    class Beams(Remark):
+        says = "set what the scan measures, as in `scan.ranges[-10 deg .. 10 deg] = 0.5 m`"
+
     class NoFields(Remark):
         says = "leave it out"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TypeAlias
 
 from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.check.actions.whole_numbers import is_whole
@@ -12,12 +13,13 @@ from rossmarie.check.names.fields import members, select, unit_of
 from rossmarie.check.names.parts import Part, part_at
 from rossmarie.check.operations.indexes import element_of, no_element
 from rossmarie.check.operations.operands import require_constant
+from rossmarie.check.operations.sectors import checked_sector, report_no_sectors
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.tests.errors import NotSettable, SettingMismatch, UnknownTestInput
 from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import ANGLE, read_unit
 from rossmarie.check.wording.describe import describe, is_plain
-from rossmarie.ir.path import Path
+from rossmarie.ir.path import Path, Sector
 from rossmarie.ir.script import Setting, SettingValue
 from rossmarie.syntax import ast
 from rossmarie.types import (
@@ -35,6 +37,7 @@ from rossmarie.types import (
 )
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
+Step: TypeAlias = ast.Name | ast.Position | ast.Arc
 _ANGLES = ("roll", "pitch", "yaw")
 _RADIANS = Quantity(parse_unit("rad"))
 
@@ -73,11 +76,16 @@ class _SettingChecker:
         if found is None:
             return None
         type_, path, angle = found
+        if isinstance(type_, List) and type_.is_of_beams and self._sets():
+            self._report_whole(type_)
+            return None
         if self._setting.is_unknown:
             return self._unknown(type_, path, angle)
         if self._setting.value is None:
             return () if len(self._setting.path.steps) == 1 else self._without_value()
-        value = self._value(self._setting.value, type_)
+        is_sector = bool(path) and isinstance(path[-1], Sector)
+        is_each = is_sector and not isinstance(self._setting.value, ast.Bracket)
+        value = self._value(self._setting.value, _each_of(type_) if is_each else type_)
         if value is None:
             return None
         if isinstance(type_, Vector) and isinstance(value, tuple):
@@ -85,10 +93,13 @@ class _SettingChecker:
             return tuple(self._made((*path, name), number, None) for name, number in parts)
         return (self._made(path, value, angle),)
 
+    def _sets(self) -> bool:
+        return self._setting.is_unknown or self._setting.value is not None
+
     def _made(self, path: Path, value: SettingValue, angle: str | None) -> Setting:
         name = self._setting.path.steps[0]
         assert isinstance(name, ast.Name)
-        topic = self._context.inputs[name.text].topic
+        topic = self._context.told[name.text].topic
         return Setting(name.text, topic, path, value, angle, span=self._setting.span)
 
     # --- fields ------------------------------------------------------------------------------
@@ -96,25 +107,31 @@ class _SettingChecker:
     def _input_type(self) -> Type | None:
         name = self._setting.path.steps[0]
         assert isinstance(name, ast.Name)
-        found = self._context.inputs.get(name.text)
+        found = self._context.told.get(name.text)
         if found is not None:
             return found.type
         if self._context.declarations.is_whole:
             finding = UnknownTestInput(identifier=name.text)
-            self._context.report_unknown(finding, name, self._context.inputs)
+            self._context.report_unknown(finding, name, self._context.told)
         return None
 
     def _field(self, type_: Type) -> tuple[Type, Path, str | None] | None:
         """The type of the field, the path from the message, and the angle that is meant."""
         first, *rest = self._setting.path.steps
         assert isinstance(first, ast.Name)
-        used = self._context.inputs[first.text]
+        used = self._context.told[first.text]
         if _names_header(rest, type_):
             type_, part = self._message(used, type_)
         else:
-            part = part_at(used.base, type_)
+            type_, part = self._whole_scan(used, type_, rest)
         text, before = first.text, first.span
         for step in rest:
+            if isinstance(step, ast.Arc):
+                sector = self._sector(step, type_, text)
+                return None if sector is None else (type_, part.sector(sector).path, None)
+            if isinstance(type_, List) and type_.is_of_beams:
+                self._report_whole(type_)
+                return None
             if isinstance(step, ast.Position):
                 element = _element_of(type_, step.index)
                 if element is None:
@@ -133,6 +150,32 @@ class _SettingChecker:
             part = part.field(step.text, type_)
         return type_, part.path, None
 
+    def _sector(self, arc: ast.Arc, type_: Type, text: str) -> Sector | None:
+        infer(arc.first, self._context)
+        infer(arc.last, self._context)
+        if isinstance(type_, Array) and type_.has_sectors:
+            return checked_sector(arc, self._context)
+        report_no_sectors(type_, arc, text, self._context)
+        return None
+
+    def _whole_scan(
+        self, used: CheckedInput, type_: Type, steps: Sequence[Step]
+    ) -> tuple[Type, Part]:
+        """The scan, if a setting names a field of it beside the part that the input reads: all that
+        rules read of a scan rests on all of its fields.
+        """
+        first = steps[0] if steps else None
+        is_of_beams = isinstance(type_, List) and type_.is_of_beams
+        is_of_scan = is_of_beams or (isinstance(type_, Array) and type_.has_sectors)
+        messages = self._context.messages
+        if is_of_scan and isinstance(first, ast.Name) and messages is not None:
+            scan: Type | None = messages.find(used.message_type)
+            for name in used.path[:-1]:
+                scan = None if scan is None else members(scan).get(name)
+            if scan is not None:
+                return scan, Part(used.path[:-1])
+        return type_, part_at(used.base, type_)
+
     def _message(self, used: CheckedInput, type_: Type) -> tuple[Type, Part]:
         """The whole message of an input, and where it begins; a number of a skill is in none."""
         messages = self._context.messages
@@ -149,7 +192,7 @@ class _SettingChecker:
         if isinstance(type_, Message):
             self._report_whole(type_)
             return None
-        if isinstance(type_, Array):
+        if isinstance(type_, Array) and not isinstance(path[-1], Sector):
             return (self._made(path, (), None),)
         return (self._made(path, None, None),)  # of a list as well: it is not known
 
@@ -166,6 +209,8 @@ class _SettingChecker:
         help: Remark = finding.NoFields()
         if isinstance(type_, Quaternion):
             help = finding.Angle(field=self._text)
+        elif isinstance(type_, List) and type_.is_of_beams:
+            help = finding.Beams()
         elif isinstance(type_, List):
             help = finding.Elements(field=self._text)
         elif inside:
@@ -280,7 +325,7 @@ class _SettingChecker:
         self._context.collector.add(finding)
 
 
-def _names_header(steps: Sequence[ast.Name | ast.Position], type_: Type) -> bool:
+def _names_header(steps: Sequence[Step], type_: Type) -> bool:
     """Say whether a setting names the header of the message, of which an input selects a part."""
     first = steps[0] if steps else None
     is_header = isinstance(first, ast.Name) and first.text == "header"
@@ -292,3 +337,8 @@ def _element_of(owner: Type, index: int | str) -> Type | None:
     if isinstance(owner, List) and isinstance(index, int):
         return owner.element
     return element_of(owner, index)
+
+
+def _each_of(type_: Type) -> Type:
+    """The type of one reading of a sector: all of its beams are set alike."""
+    return type_.element if isinstance(type_, Array) else type_

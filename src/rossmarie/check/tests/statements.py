@@ -22,11 +22,6 @@ from rossmarie.ir import script
 from rossmarie.syntax import ast
 from rossmarie.types import Quantity, Unknown
 
-MOST_MESSAGES = 100_000
-"""Of one repetition."""
-
-_LATEST_S = 1e6
-
 
 def check_tests(
     commands: CommandChecker, context: Context, *, is_parsed: bool
@@ -111,7 +106,7 @@ class _TestChecker:
             self._is_right = False
             return None
         inputs = tuple(dict.fromkeys(map(_input, written)))
-        topics = [self._context.inputs[name].topic for name in inputs]
+        topics = [self._context.told[name].topic for name in inputs]
         told = () if self._context.skills is None else (self._context.skills.file.topic,)
         topics += told if repeated or skills else ()
         names = (*inputs, DOING) if repeated else inputs
@@ -131,8 +126,8 @@ class _TestChecker:
         if period_ns is None or ends is None:
             return None
         count = (ends[1] - ends[0]) // period_ns + 1
-        if count > MOST_MESSAGES:
-            finding = TooManyMessages(count=count, limit=MOST_MESSAGES)
+        if count > script.MOST_MESSAGES:
+            finding = TooManyMessages(count=count, limit=script.MOST_MESSAGES)
             self._context.collector.add(finding.at(statement.span))
             return None
         return (*ends, period_ns)
@@ -197,7 +192,7 @@ class _TestChecker:
         """An instant in nanoseconds; None, after reporting, if it is none."""
         type_ = infer(node, self._context)
         seconds = self._seconds(node) if _is_time(type_) else None
-        if seconds is not None and 0 <= seconds <= _LATEST_S:
+        if seconds is not None and 0 <= seconds <= script.LATEST_NS / 1e9:
             return round(seconds * 1e9)
         self._is_right = False
         is_reported = isinstance(type_, Unknown) or (_is_time(type_) and seconds is None)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from rossmarie.types import (
     Array,
+    Beam,
     Boolean,
     Box,
     Entry,
@@ -15,6 +16,7 @@ from rossmarie.types import (
     Quantity,
     Quaternion,
     Region,
+    ScanPoint,
     Text,
     Type,
     Unknown,
@@ -40,20 +42,23 @@ def describe(type_: Type) -> str:
         case Quantity():
             return _quantity(type_)
         case Vector(element=element):
-            what = "a point of a cloud" if isinstance(type_, Point) else "a vector"
-            return f"{what}{_in_unit(element)}"
+            return f"{_vector(type_)}{_in_unit(element)}"
         case Array(element=element):
             return _array(element)
         case List(element=element):
             return f"a list of {_plural(element)}"
+        case Beam():
+            return "a beam of a scan"
         case Message(name=name):
             return f"a message {name}"
         case Entry(message=message):
             return f"all that {message.name} has under one name"
         case Motion(name=name):
             return f"the motion {name}"
-        case Region(owl_class=owl_class, has_area=has_area):
-            return f"the {'places' if has_area else 'points'} of {owl_class}"
+        case Region(name=name, is_zone=True):
+            return f"the zone {name}"
+        case Region(name=name, has_area=has_area):
+            return f"the {'places' if has_area else 'points'} of {name}"
         case (
             Boolean() | Text() | Quaternion() | Interval() | Box() | Unsupported() | Unknown()
         ):  # fmt: skip
@@ -78,12 +83,26 @@ def _quantity(quantity: Quantity) -> str:
     return "a plain number" if is_plain(quantity) else f"a number in {quantity.unit.symbol}"
 
 
+def _vector(type_: Vector) -> str:
+    match type_:
+        case Point():
+            return "a point of a cloud"
+        case ScanPoint():
+            return "a point of a scan"
+        case _:  # open: any other vector
+            return "a vector"
+
+
 def _plural(element: Message | Vector | Quaternion) -> str:
     match element:
+        case Beam():
+            return "beams of a scan"
         case Message(name=name):
             return f"{name} messages"
         case Point(element=part):
             return f"points of a cloud{_in_unit(part)}"
+        case ScanPoint(element=part):
+            return f"points of a scan{_in_unit(part)}"
         case Vector(element=part):
             return f"vectors{_in_unit(part)}"
         case Quaternion():

@@ -54,7 +54,8 @@ void Guard::subscribe()
         });
     };
     inputs_ = make_inputs({middleware_, clock_, values_, arrays_, by_stamp,
-                           [this](int channel, int64_t at_ns) { take(channel, at_ns); }});
+                           [this](int channel, int64_t at_ns) { arrived_ns_[channel] = at_ns; },
+                           [this](int64_t at_ns) { take(at_ns); }});
 }
 
 void Guard::check(const Middleware &middleware, const Settings &settings)
@@ -123,9 +124,8 @@ void Guard::pass_time(int64_t at_ns)
 }
 
 // A message has come, and its fields are in values_.
-void Guard::take(int channel, int64_t at_ns)
+void Guard::take(int64_t at_ns)
 {
-    arrived_ns_[channel] = at_ns;
     if (!begin_when_ready(at_ns))
         return;
     core::step(&monitor_, at_ns, &values_);

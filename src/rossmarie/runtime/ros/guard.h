@@ -72,7 +72,7 @@ private:
     void pass_time(int64_t at_ns);
     void subscribe();
     void serve();
-    void take(int channel, int64_t at_ns);
+    void take(int64_t at_ns);
     bool begin_when_ready(int64_t at_ns);
     void follow(int64_t at_ns);
     void open_when_ready(int64_t at_ns);

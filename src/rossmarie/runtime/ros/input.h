@@ -42,6 +42,14 @@ private:
     Throttle throttle_;
 };
 
+// An input whose messages come by the subscription of another one.
+class SharedInput : public AnyInput {
+public:
+    SharedInput(std::string topic, std::string type) : AnyInput(std::move(topic), std::move(type))
+    {
+    }
+};
+
 template <class Message> class Input : public AnyInput {
 public:
     using Take = std::function<void(const Message &, int64_t at_ns)>;

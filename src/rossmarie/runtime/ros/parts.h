@@ -3,9 +3,12 @@
 // What the generated rules.cpp makes for the guard: inputs, filters and tasks.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
+#include <type_traits>
 #include <vector>
 
 #include "any_filter.h"
@@ -21,14 +24,16 @@
 
 using Inputs = std::vector<std::unique_ptr<AnyInput>>;
 
-// Where the fields of messages go; then `take` is called.
+// Where the fields of messages go. `arrive` is called for each channel that a message is for, then
+// `take`.
 struct Listener {
     Middleware &middleware;
     Clock &clock;
     core::Values &values;
     Arrays &arrays;
     std::function<bool(const char *topic)> by_stamp;
-    std::function<void(int channel, int64_t at_ns)> take;
+    std::function<void(int channel, int64_t at_ns)> arrive;
+    std::function<void(int64_t at_ns)> take;
 };
 
 // An input for each channel.
@@ -50,27 +55,64 @@ struct Performers {
 Performers make_performers(Host &host, const Filtering &filtering);
 
 // A list of structs. Each describes a topic that the node listens to: its `Message`, its `topic`,
-// its `timeout_ns`, and `fill(values, arrays, message)`.
+// its `timeout_ns`, and `fill(values, arrays, message)`. One that `has(message)` shares its topic
+// with others: a message is for those of them of which it has something.
 template <class... Each> struct Channels {};
 
-template <class Channel> void add_input(Inputs &inputs, const Listener &listener)
+template <class Channel> auto shares(int) -> decltype(&Channel::has, std::true_type());
+template <class Channel> std::false_type shares(long);
+template <class Channel> constexpr bool is_shared = decltype(shares<Channel>(0))::value;
+
+// Takes over what a message has for a channel, if it shares its topic with the one that listens.
+template <class Listening, class Channel>
+bool take_over(const Listener &listener, const typename Listening::Message &message, int channel,
+               int64_t at_ns)
+{
+    if constexpr (is_shared<Channel>)
+        if (std::string(Channel::topic) == Listening::topic && Channel::has(message)) {
+            Channel::fill(listener.values, listener.arrays, message);
+            listener.arrive(channel, at_ns);
+            return true;
+        }
+    return false;
+}
+
+template <class Channel, class... Each>
+void add_input(Inputs &inputs, const Listener &listener, std::vector<std::string> &heard)
 {
     using Message = typename Channel::Message;
     const int channel = static_cast<int>(inputs.size());
-    inputs.push_back(std::make_unique<Input<Message>>(
-        listener.middleware, listener.clock, Channel::topic, Channel::timeout_ns,
-        listener.by_stamp(Channel::topic),
-        [&values = listener.values, &arrays = listener.arrays, take = listener.take,
-         channel](const Message &message, int64_t at_ns) {
-            Channel::fill(values, arrays, message);
-            take(channel, at_ns);
-        }));
+    std::function<void(const Message &, int64_t)> take = [listener, channel](const Message &message,
+                                                                             int64_t at_ns) {
+        Channel::fill(listener.values, listener.arrays, message);
+        listener.arrive(channel, at_ns);
+        listener.take(at_ns);
+    };
+    if constexpr (is_shared<Channel>) {
+        if (std::find(heard.begin(), heard.end(), Channel::topic) != heard.end()) {
+            inputs.push_back(std::make_unique<SharedInput>(
+                listener.middleware.resolved(Channel::topic), Middleware::type<Message>()));
+            return;
+        }
+        heard.emplace_back(Channel::topic);
+        take = [listener](const Message &message, int64_t at_ns) {
+            int each = 0;
+            bool is_for_any = false;
+            ((is_for_any |= take_over<Channel, Each>(listener, message, each++, at_ns)), ...);
+            if (is_for_any)
+                listener.take(at_ns);
+        };
+    }
+    inputs.push_back(std::make_unique<Input<Message>>(listener.middleware, listener.clock,
+                                                      Channel::topic, Channel::timeout_ns,
+                                                      listener.by_stamp(Channel::topic), take));
 }
 
 template <class... Each> Inputs inputs_of(Channels<Each...>, const Listener &listener)
 {
     Inputs inputs;
-    (add_input<Each>(inputs, listener), ...);
+    std::vector<std::string> heard; // the topics that several channels share
+    (add_input<Each, Each...>(inputs, listener, heard), ...);
     return inputs;
 }
 

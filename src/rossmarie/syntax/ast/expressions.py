@@ -115,6 +115,24 @@ class Index:
 
 
 @dataclass(frozen=True)
+class Arc:
+    """`[-30 deg .. 30 deg]`: from one angle counter-clockwise to another."""
+
+    first: Expression
+    last: Expression
+    span: Span
+
+
+@dataclass(frozen=True)
+class Sector:
+    """`scan.ranges[-30 deg .. 30 deg]`: what a scan has measured between two angles."""
+
+    value: Expression
+    arc: Arc
+    span: Span
+
+
+@dataclass(frozen=True)
 class Call:
     """`norm(v)` or `orientation.pitch()`; the receiver of a method call is its first argument."""
 
@@ -267,6 +285,7 @@ Expression = (
     | Reference
     | Member
     | Index
+    | Sector
     | Call
     | Edges
     | Oscillates

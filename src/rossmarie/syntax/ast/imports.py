@@ -33,7 +33,8 @@ class Import:
 class Parameter:
     """`parameter braking = 1.2 m/s^2;`, `parameter gap in m;` or `parameter scan = topic /scan;`.
 
-    `default` is a topic if it is a name; without one there is a `unit`.
+    `default` is a topic if it is a name; without one there is a `unit`. `tightens` is the word
+    behind `tightens` of a number that the running node may set, None if it may not.
     """
 
     name: Name
@@ -41,3 +42,4 @@ class Parameter:
     unit: Unit | None
     documentation: str | None
     span: Span
+    tightens: Name | None = None

@@ -6,15 +6,15 @@ from dataclasses import dataclass
 
 from dslkit.source import SourceFile, Span
 from rossmarie.syntax.ast.effects import Effect
-from rossmarie.syntax.ast.expressions import Doing, Expression, Name, Number, Text, Unit
+from rossmarie.syntax.ast.expressions import Bracket, Doing, Expression, Name, Number, Text, Unit
 from rossmarie.syntax.ast.imports import Import, Parameter
 from rossmarie.syntax.ast.tests import Test
 
 
 @dataclass(frozen=True)
 class TopicDeclaration:
-    """`topic Wrench = /ft/wrench : geometry_msgs/Wrench at 100 Hz;` -- alias, unit and rate are
-    optional.
+    """`topic Wrench = /ft/wrench : geometry_msgs/Wrench from tool at 100 Hz;` -- alias, unit, frame
+    and rate are optional. `source` is the frame that the headers of its messages say.
     """
 
     alias: Name | None
@@ -23,6 +23,7 @@ class TopicDeclaration:
     unit: Unit | None
     rate: Expression | None
     span: Span
+    source: Name | None = None
 
 
 @dataclass(frozen=True)
@@ -75,6 +76,22 @@ class UnitDeclaration:
 
 
 @dataclass(frozen=True)
+class FrameDeclaration:
+    """`frame camera = "front/camera_link" in base_link at [0.3, 0, 0.5] m turned [0, 20, 180] deg;`
+    -- `at` and `turned` where it stays there; else the frame comes with /tf (it has a timeout) or
+    with /tf_static.
+    """
+
+    alias: Name | None
+    frame: Name
+    parent: Name
+    at: Expression | None
+    turned: Expression | None
+    timeout: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
 class MessagesDeclaration:
     """`messages "msg";` -- a folder of .msg, .srv and .action files, relative to the declaring
     file.
@@ -92,6 +109,7 @@ SystemMember = (
     | ResourceDeclaration
     | UnitDeclaration
     | MessagesDeclaration
+    | FrameDeclaration
 )
 
 
@@ -174,7 +192,10 @@ class Input:
 
     In the printed form `topic Wrench.force` the topic is a plain name and `message_type` is None:
     a system model knows it. `bound` is the number behind `up to`. `number` is what stands behind
-    `= doing` instead of a topic, which has no text then.
+    `= doing` instead of a topic, which has no text then. `source` is the frame behind `from`,
+    `frame` the one behind `in`; a bare name behind the only `in` is the `unit`, though it may be
+    meant as a frame. A `setting` is the value of a parameter that the running node may set, which
+    is no message of a topic.
     """
 
     name: Name
@@ -188,6 +209,9 @@ class Input:
     span: Span
     bound: Number | None = None
     number: SkillNumber | None = None
+    source: Name | None = None
+    frame: Name | None = None
+    setting: Constant | None = None
 
 
 @dataclass(frozen=True)
@@ -216,6 +240,29 @@ class Motion:
 
     name: Name
     parts: tuple[Condition, ...]
+    documentation: str | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Shape:
+    """`box [0.2, 0.9, -0.4, 0.4] m`, `circle [0.9, 0] m radius 0.4 m` or `polygon [0, 1], [1, 1],
+    [1, 2] m`; `word` is the first one, `radius` that of a circle.
+    """
+
+    word: Name
+    brackets: tuple[Bracket, ...]
+    radius: Expression | None
+    span: Span
+
+
+@dataclass(frozen=True)
+class Zone:
+    """`zone stopZone in base_link { ... }`: some shapes in the x-y plane of a frame."""
+
+    name: Name
+    frame: Name
+    shapes: tuple[Shape, ...]
     documentation: str | None
     span: Span
 
@@ -357,6 +404,7 @@ Item = (
     | Input
     | Entity
     | Motion
+    | Zone
     | Rule
     | Priority
     | Hazard

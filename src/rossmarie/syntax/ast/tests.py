@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from dslkit.source import Span
-from rossmarie.syntax.ast.effects import FieldPath
-from rossmarie.syntax.ast.expressions import Doing, Expression, Name, Text
+from rossmarie.syntax.ast.effects import FieldPath, Position
+from rossmarie.syntax.ast.expressions import Arc, Doing, Expression, Name, Text
 
 
 @dataclass(frozen=True)
@@ -19,13 +19,20 @@ class Stretch:
 
 
 @dataclass(frozen=True)
-class Setting:
-    """`orientation.pitch = 12 deg`; `speed = unknown`; a bare `speed` keeps what was set.
-
-    The first step of `path` is the name of an input.
+class SettingPath:
+    """`ranges[3]`, `joints["elbow"].effort`, `scan.ranges[-30 deg .. 30 deg]`; the first step is
+    the name of an input.
     """
 
-    path: FieldPath
+    steps: tuple[Name | Position | Arc, ...]
+    span: Span
+
+
+@dataclass(frozen=True)
+class Setting:
+    """`orientation.pitch = 12 deg`; `speed = unknown`; a bare `speed` keeps what was set."""
+
+    path: SettingPath
     value: Expression | None
     is_unknown: bool
     span: Span

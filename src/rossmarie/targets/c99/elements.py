@@ -1,7 +1,7 @@
 """Loops over arrays and lists: one pass for all that is asked of the elements of one of them.
 
 Takes a layout and the expressions of its machine; gives statements. Elementwise nodes use one
-array, or columns of one list, and constants only.
+array, or columns of one list, and numbers that are known before.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ class Elements:
     def _signal(self, loop: _Loop, index: int) -> str:
         """The number of the element at hand, as a local computed once."""
         if self._layout.elements.signals[index] is None:
-            return self._expressions.operand(index)
+            return self._beside(loop, index)
         if index not in loop.signals:
             node = self._machine.signals[index].node
             if isinstance(node, ir.Element):
@@ -136,6 +136,16 @@ class Elements:
                 text = self._expressions.applied(node, lambda operand: self._signal(loop, operand))
             loop.signals[index] = f"ELEMENT_{index}"
             loop.inside.append(f"const double ELEMENT_{index} = {text};")
+        return loop.signals[index]
+
+    def _beside(self, loop: _Loop, index: int) -> str:
+        """A number beside the elements (S74), as a local as well."""
+        if isinstance(self._machine.signals[index].node, ir.Constant):
+            return self._expressions.operand(index)
+        if index not in loop.signals:
+            loop.signals[index] = f"BESIDE_{index}"
+            kept = self._expressions.operand(index)
+            loop.before.append(f"const double BESIDE_{index} = {kept};")
         return loop.signals[index]
 
     def _truth(self, loop: _Loop, index: int) -> str:

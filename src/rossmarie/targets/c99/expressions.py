@@ -34,6 +34,7 @@ class Expressions:
         self._layout = layout
         self._machine = layout.machine
         self.functions: set[str] = set()
+        self._prepared = ir.made_beside(self._machine)
         self._infinite: list[bool] = []
         for signal in self._machine.signals:
             self._infinite.append(self._may_be_infinite(signal.node))
@@ -58,12 +59,16 @@ class Expressions:
         return f"{self.kept(self._layout.value_of_slot[slot])} = {text};"
 
     def signals(self) -> Iterator[Piece]:
-        """The computed signals, but those over arrays, and what remembers their samples."""
+        """The computed signals, but those over arrays and beside elements, and what remembers their
+        samples.
+        """
         remembered: set[str] = set()
         for index, signal in enumerate(self._machine.signals):
             if isinstance(signal.node, ir.Fold | ir.Count) or index not in self._computed():
                 continue
             channels = self._layout.supports.signals[index].channels
+            if channels and index in self._prepared:
+                continue
             if isinstance(signal.node, ir.Sampled):
                 if not channels:
                     continue  # a constant is never sampled: its rate stays unknown
@@ -77,6 +82,14 @@ class Expressions:
                 replaced = f"sample(m, {self._layout.sampled.index(index)}, {target}, t_ns);"
                 remembered.add(replaced)
                 yield Piece(channels, (replaced,))
+
+    def prepared(self) -> Iterator[Piece]:
+        """The signals beside elements, which are computed before anything is asked of these."""
+        for index, signal in enumerate(self._machine.signals):
+            channels = self._layout.supports.signals[index].channels
+            if channels and index in self._prepared and isinstance(signal.node, ir.Apply):
+                target = self.kept(self._layout.value_of_signal[index])
+                yield Piece(channels, (f"{target} = {self._signal(index, signal.node)};",))
 
     def tests(self) -> Iterator[Piece]:
         """Comparisons without fixed limits, as numbers."""

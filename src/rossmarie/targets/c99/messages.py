@@ -9,6 +9,7 @@ import re
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
+from rossmarie import ir
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import types
 from rossmarie.targets.c99.coverage import covered_values, is_seen_by_guards
@@ -27,6 +28,7 @@ class Messages:
         self.expressions = Expressions(layout)
         self._elements = Elements(layout, self.expressions)
         self._covered = covered_values(layout)
+        self._beside = ir.beside(self._machine)
         self.fields = [
             types.fields_of(self._machine, channel) for channel in range(len(layout.channel_names))
         ]
@@ -71,10 +73,11 @@ class Messages:
 
     def functions(self) -> str:
         """The functions of all channels, and the one for several at once."""
-        parts = [self._constants(), self._compute()]
+        parts = [self._constants(), *self._prepare(), self._compute()]
         for channel, name in enumerate(self._layout.channel_names):
             parts += [
                 self._receive(channel, name),
+                *self._fold(channel, name),
                 self._take(channel, name),
                 self._update(channel, name),
             ]
@@ -82,12 +85,30 @@ class Messages:
         return "\n".join(parts)
 
     def _constants(self) -> str:
-        """Compute, once, what rests on constants only."""
+        """Compute, once, what rests on constants only, or on a parameter that has its default."""
         pieces = (*self.expressions.signals(), *self.expressions.tests())
-        lines = [line for piece in pieces if not piece.channels for line in piece.lines]
+        given = {each.channel for each in ir.settings_of(self._layout.machine)}
+        lines = [
+            line
+            for piece in pieces
+            if not piece.channels or piece.channels & given
+            for line in piece.lines
+        ]
         if not lines:
             return "static void set_constants(monitor *m) { (void)m; }\n"
         return f"static void set_constants(monitor *m)\n{{\n{indented(lines)}\n}}\n"
+
+    def _prepare(self) -> Iterator[str]:
+        """Compute what elements are looked at beside, where there is such, after all numbers of
+        messages are stored and before anything is asked of elements.
+        """
+        lines = list(self._guarded(self.expressions.prepared()))
+        if lines:
+            yield (
+                "/* Numbers that stand beside elements. */\n"
+                "INLINE void prepare(monitor *m, const bool arrived[])\n"
+                f"{{\n{block(lines)}}}\n"
+            )
 
     def _compute(self) -> str:
         """Compute what rests on the numbers of messages, once all of them are stored."""
@@ -127,6 +148,40 @@ class Messages:
             f"{indented([*lines, *unused])}\n}}\n"
         )
 
+    def _fold(self, channel: int, name: str) -> Iterator[str]:
+        """Ask of elements what rests on numbers beside them, too."""
+        lines = [
+            line
+            for field in self.fields[channel]
+            if self._is_beside_numbers(field)
+            for line in self._loop(field, channel)
+        ]
+        if lines:
+            yield f"{self._fold_head(channel, name)}\n{{\n{indented(lines)}\n}}\n"
+
+    def _folded(self, channel: int) -> list[types.Field]:
+        """The arrays of a channel whose elements are looked at beside numbers."""
+        return [field for field in self.fields[channel] if self._is_beside_numbers(field)]
+
+    def _fold_head(self, channel: int, name: str) -> str:
+        parameters = ["monitor *m"]
+        for field in self._folded(channel):
+            parameters += types.plain_parameters(field)
+        return call(f"INLINE void fold_{name}", parameters)
+
+    def _folds(self, channel: int, name: str, prefix: str = "") -> Iterator[str]:
+        """The call of that function, if there is one."""
+        if not self._folded(channel):
+            return
+        arguments = ["m"]
+        for field in self._folded(channel):
+            arguments += types.arguments(field, prefix)
+        yield f"{call(f'fold_{name}', arguments)};"
+
+    def _preparing(self) -> Iterator[str]:
+        if any(True for _ in self.expressions.prepared()):
+            yield "prepare(m, arrived);"
+
     def _take(self, channel: int, name: str) -> str:
         calm = "is_calm(m, t_ns)"
         if not is_seen_by_guards(self._layout, channel):
@@ -144,6 +199,8 @@ class Messages:
             "if (UNLIKELY(before == REFUSED))",
             "    return REFUSED;",
             f"{self._call(f'receive_{name}', channel)};",
+            *self._preparing(),
+            *self._folds(channel, name),
             "compute(m, arrived, t_ns);",
             f"if ({' && '.join(unchanged)})",
             "    return 0;",
@@ -160,18 +217,20 @@ class Messages:
     def _step(self) -> str:
         monitor, names = self._layout.name, self._layout.channel_names
         arrived = ", ".join(f"v->has_{name}" for name in names) or "v->has_nothing"
-        received = []
+        received, folded = list[str](), list[str]()
         for channel, name in enumerate(names):
-            received += [
-                f"if (v->has_{name})",
-                f"    {self._call(f'receive_{name}', channel, f'v->{name}.')};",
-            ]
+            arrives = f"if (v->has_{name})"
+            received += [arrives, f"    {self._call(f'receive_{name}', channel, f'v->{name}.')};"]
+            for folds in self._folds(channel, name, f"v->{name}."):
+                folded += [arrives, f"    {folds}"]
         lines = [
             f"const bool arrived[] = {{{arrived}}};",
             "const int before = are_calm(m, arrived, t_ns) ? (int)CALM : begin(m, arrived, t_ns);",
             "if (before == REFUSED)",
             "    return REFUSED;",
             *received,
+            *self._preparing(),
+            *folded,
             "compute(m, arrived, t_ns);",
             f"if ({' && '.join(self._unchanged())})",
             "    return 0;",
@@ -217,9 +276,23 @@ class Messages:
         if field.slot is not None:
             is_raw = self._layout.value_of_slot[field.slot] in self._covered
             return [self.expressions.arrival(field.slot, field.name, is_raw=is_raw)]
+        if self._is_beside_numbers(field):
+            return [f"(void){name};" for name in types.arguments(field)]
+        return self._loop(field, channel)
+
+    def _is_beside_numbers(self, field: types.Field) -> bool:
+        return field.array is not None and self._first(field.array) in self._beside
+
+    def _first(self, array: int) -> int:
+        """The first column of a list that an array belongs to; the array if it stands alone."""
+        its_list = self._machine.arrays[array].list
+        return array if its_list is None else ir.columns_of(self._machine, its_list)[0]
+
+    def _loop(self, field: types.Field, channel: int) -> list[str]:
+        """The loop over the elements of an array; of a list, where its last column stands."""
         assert field.array is not None, "a field is a slot or an array"
         if field.count is None:
-            return []  # a column: the loop stands where the last one of its list is
+            return []
         columns = {
             each.array: each.name
             for each in self.fields[channel]

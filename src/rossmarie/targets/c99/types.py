@@ -46,7 +46,7 @@ def fields_of(machine: ir.Machine, channel: int) -> tuple[Field, ...]:
     # The functions that have fields as parameters call functions named after channels.
     called = [
         f"{step}_{c_identifier(topic.topic)}"
-        for step in ("receive", "settle", "late", "take")
+        for step in ("receive", "fold", "settle", "late", "take")
         for topic in machine.channels
     ]
     family = names.Family(taken=called)

@@ -86,7 +86,9 @@ def _take(layout: Layout, channel: int, function: Function) -> None:
         function.assign(f"x{slot}", f"a{slot}")
     for array in layout.arrays(channel):
         columns = layout.beside(array)
-        if array == columns[0]:
+        if layout.is_kept(array):
+            function.assign(f"kept_{array}", f"a_{array}")
+        elif array == columns[0]:
             function.line(f"look_{array}({', '.join(f'a_{column}' for column in columns)})")
 
 
@@ -143,7 +145,8 @@ class _Calm:
                 self._users.setdefault(layout.value(operand), []).append((index, node))
         compared = {s for _, node in self._unguarded for s in ir.compared_signals(node)}
         sampled = {*layout.sampled, *(node.signal for _, node in layout.oscillations)}
-        self._looked_at = {layout.value(signal) for signal in compared | sampled}
+        looked_at = compared | sampled | layout.made_beside
+        self._looked_at = {layout.value(signal) for signal in looked_at}
 
     def write(self, function: Function) -> None:
         """The conditions, and what is done if they hold."""

@@ -1,5 +1,5 @@
 """Functions over the elements of an array or a list: one pass for all that is asked of it (S22 to
-S26, S51 to S54).
+S26, S51 to S54), beside numbers that are known before (S74).
 
 Takes a layout. What is found stays until the next message or the expiry of its input.
 """
@@ -24,6 +24,12 @@ def results(layout: Layout, array: int) -> dict[str, str]:
         **{f"s{signal}": "NAN" for signal in (*_folds(layout, array), *_counts(layout, array))},
         **{f"q{truth}": "2" for truth in _quantifiers(layout, array)},
     }
+
+
+def inputs_of(layout: Layout, variable: str) -> frozenset[int]:
+    """The inputs that such a variable rests on: of elements, and of numbers beside these."""
+    supports = layout.supports.signals if variable[0] == "s" else layout.supports.truths
+    return supports[int(variable[1:])].inputs
 
 
 def look(layout: Layout, array: int) -> list[str]:
@@ -116,7 +122,9 @@ class _Element:
         node = self._layout.machine.signals[signal].node
         if isinstance(node, ir.Element):
             return f"e{_ending(self._layout, node.array)}"
-        return number(node.value) if isinstance(node, ir.Constant) else f"e{signal}"
+        if self._layout.elements.signals[signal] is None:
+            return self._layout.value(signal)
+        return f"e{signal}"
 
     def truth(self, index: int) -> str:
         return self._layout.truth(index)

@@ -52,9 +52,17 @@ def _parts(layout: Layout) -> list[Function]:
 
 
 def _steps(layout: Layout) -> Iterator[Function]:
-    """The signals, the truths and the rules."""
+    """The signals, the truths and the rules. Before all others come the numbers beside elements,
+    and what is asked of these.
+    """
     for index in layout.signals:
-        yield _signal(layout, index)
+        if index in layout.made_beside:
+            yield _signal(layout, index)
+    for array in layout.numbers_beside:
+        yield _look(layout, array)
+    for index in layout.signals:
+        if index not in layout.made_beside:
+            yield _signal(layout, index)
     for guard in layout.guards:
         yield _guard(layout, guard)
     for index in layout.kept:
@@ -66,6 +74,16 @@ def _steps(layout: Layout) -> Iterator[Function]:
 
 def _remark(function: Function, thing: ir.Signal | ir.Truth | ir.Rule, text: str) -> None:
     function.line(f"# {comments.after_hash(f'{names.place(thing.span)}  {text}')}")
+
+
+def _look(layout: Layout, array: int) -> Function:
+    """S74: elements that arrived are looked at beside numbers of this evaluation."""
+    function = Function("step()")
+    channel = layout.channel(layout.machine.arrays[array].input)
+    elements = ", ".join(f"kept_{column}" for column in layout.beside(array))
+    function.line(f"if updated & {1 << channel}:")
+    function.line(f"look_{array}({elements})", 1)
+    return function
 
 
 # --- signals ---------------------------------------------------------------------------------

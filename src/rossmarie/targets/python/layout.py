@@ -59,6 +59,8 @@ class Layout:
         self.signals = [i for i, array in enumerate(self.elements.signals) if array is None]
         self.truths = [i for i, array in enumerate(self.elements.truths) if array is None]
         self.terms = {term for rule in machine.rules for term in rule.terms}
+        self.numbers_beside = ir.beside(machine)
+        self.made_beside = ir.made_beside(machine)
 
     # --- names -------------------------------------------------------------------------------
 
@@ -130,6 +132,10 @@ class Layout:
         """The columns of the list that an array belongs to; the array itself if it stands alone."""
         its_list = self.machine.arrays[array].list
         return (array,) if its_list is None else ir.columns_of(self.machine, its_list)
+
+    def is_kept(self, array: int) -> bool:
+        """Say whether an array is looked at in the evaluation, beside numbers of that (S74)."""
+        return self.beside(array)[0] in self.numbers_beside
 
     def is_timed(self, inputs: Iterable[int]) -> bool:
         """Say whether any of the inputs expires."""

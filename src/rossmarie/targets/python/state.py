@@ -10,7 +10,8 @@ from collections.abc import Iterator
 from rossmarie import ir
 from rossmarie.core import sampling_row
 from rossmarie.targets.python.channels import calm_channels
-from rossmarie.targets.python.elements import results
+from rossmarie.targets.python.elements import inputs_of, results
+from rossmarie.targets.python.expressions import applied
 from rossmarie.targets.python.function import Function
 from rossmarie.targets.python.layout import Group, Layout
 
@@ -23,11 +24,11 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     yield from ((f"calm_{channel}", "EARLIEST") for channel in calm_channels(layout))
     yield from ((f"stamp_{channel}", "0") for channel in sorted(layout.stamped))
     yield from ((f"x{slot}", "NAN") for slot in range(len(layout.machine.slots)))
-    for index in layout.signals:
-        if not isinstance(layout.machine.signals[index].node, ir.Constant | ir.Read):
-            yield f"s{index}", "NAN"
+    yield from _signals(layout)
     for array in range(len(layout.machine.arrays)):
         yield from (pair for pair in results(layout, array).items() if pair[0].startswith("q"))
+        if layout.is_kept(array):
+            yield f"kept_{array}", "()"
     for name, sampled in layout.memories.items():
         has_window = sampling_row(sampled.function).has_window
         yield name, f"Samples({sampled.window_ns if has_window else ''})"
@@ -46,6 +47,19 @@ def variables(layout: Layout) -> Iterator[tuple[str, str]]:
     yield from ((f"active_{rule}", "False") for rule in range(len(layout.machine.rules)))
 
 
+def _signals(layout: Layout) -> Iterator[tuple[str, str]]:
+    """They are unknown, but for what a parameter of the node alone decides (S87)."""
+    given = {each.channel for each in ir.settings_of(layout.machine)}
+    for index in layout.signals:
+        node = layout.machine.signals[index].node
+        if isinstance(node, ir.Constant | ir.Read):
+            continue
+        if isinstance(node, ir.Apply) and layout.supports.signals[index].channels & given:
+            yield f"s{index}", applied(layout, node, layout.value)
+        else:
+            yield f"s{index}", "NAN"
+
+
 # --- inputs that grow old --------------------------------------------------------------------
 
 
@@ -60,9 +74,9 @@ def expire(layout: Layout, function: Function) -> None:
         for index, slot in enumerate(layout.machine.slots):
             if slot.input in group.inputs:
                 function.assign(f"x{index}", "NAN", 1)
-        for index, array in enumerate(layout.machine.arrays):
-            if array.input in group.inputs:
-                for variable, unknown in results(layout, index).items():
+        for array in range(len(layout.machine.arrays)):
+            for variable, unknown in results(layout, array).items():
+                if inputs_of(layout, variable) & group.inputs:
                     function.assign(variable, unknown, 1)
         for name in _sampled(layout, group):
             function.line(f"{name}.forget()", 1)

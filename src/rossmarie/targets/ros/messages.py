@@ -17,7 +17,7 @@ from rossmarie.targets.ros.dialect import Dialect, Interface
 
 def types_of(machine: ir.Machine) -> list[str]:
     """The types of all messages that come in or go through the filter, sorted."""
-    used = {channel.message_type for channel in machine.channels}
+    used = {channel.source_type for channel in machine.channels}
     return sorted(used | {command.message_type for command in machine.reactions.commands})
 
 
@@ -52,19 +52,42 @@ def _channel(layout: Layout, dialect: Dialect, channel: int, word: str) -> str:
     fields = types.fields_of(layout.machine, channel)
     lines = [line for field in fields for line in _field(layout, name, field)]
     lines += [line for field in fields for line in _points(layout, name, field, fields)]
+    lines += [line for field in fields for line in _beams(layout, name, field, fields)]
     has_array = any(field.array is not None for field in fields)
-    message = f"const Message &{'message' if fields else ''}"
+    edge = topic.edge
+    message = "const Message &"
+    if fields:
+        message += "message" if edge is None else "all"
+    if edge is not None and fields:
+        lines.insert(0, f"const auto &message = *{_transform(edge)};")
     timeout = types.duration(_timeout(layout, channel))
     arrays = "Arrays &arrays" if has_array else "Arrays &"
     return (
         f"// {topic.topic}: {topic.message_type}\n"
         f"struct {word} {{\n"
-        f"    using Message = {dialect.cpp_type(topic.message_type, Interface.MESSAGE)};\n"
-        f"    static constexpr const char *topic = {names.relative(topic.topic)};\n"
+        f"    using Message = {dialect.cpp_type(topic.source_type, Interface.MESSAGE)};\n"
+        f"    static constexpr const char *topic = {names.heard(topic)};\n"
         f"    static constexpr int64_t timeout_ns = {timeout};\n\n"
         f"    static void fill({layout.name}_values &values, {arrays}, {message})\n"
-        f"    {{\n{indented([f'values.has_{name} = true;', *lines], 2)}\n    }}\n}};\n\n"
+        f"    {{\n{indented([f'values.has_{name} = true;', *lines], 2)}\n    }}\n"
+        f"{_has(edge)}}};\n\n"
     )
+
+
+def _has(edge: ir.Edge | None) -> str:
+    """The function that says whether a message has the transform of a channel."""
+    if edge is None:
+        return ""
+    return (
+        "\n    static bool has(const Message &all)\n"
+        f"    {{\n        return {_transform(edge)} != nullptr;\n    }}\n"
+    )
+
+
+def _transform(edge: ir.Edge) -> str:
+    """The transform in the message `all`, as C++."""
+    frames = c99_names.string(edge.parent), c99_names.string(edge.child)
+    return f"transform_in(all, {', '.join(frames)})"
 
 
 def _timeout(layout: Layout, channel: int) -> int:
@@ -82,7 +105,14 @@ def _field(layout: Layout, channel: str, field: types.Field) -> Iterator[str]:
     assert field.array is not None, "a field is a slot or an array"
     array = layout.machine.arrays[field.array]
     kept = f"arrays.{channel}_{field.name}"
-    if ir.POINTS in array.path:
+    sector = array.path[-1] if array.path else ""
+    if isinstance(sector, ir.Sector):
+        scan = f"message{names.member(array.path[:-2])}"
+        yield f"sector({scan}, {types.number(sector.first)}, {types.number(sector.width)}, {kept});"
+        yield f"{target} = {kept}.data();"
+        yield f"values.{channel}.{field.count} = {kept}.size();"
+        return
+    if ir.POINTS in array.path or _beams_on(array.path) is not None:
         yield f"{target} = {kept}.data();"
         return
     if array.list is not None:
@@ -116,12 +146,40 @@ def _points(
     yield "});"
 
 
+def _beams(
+    layout: Layout, channel: str, last: types.Field, fields: Sequence[types.Field]
+) -> Iterator[str]:
+    """The lines that take the beams of a scan over, behind the last of their fields."""
+    machine = layout.machine
+    its_list = None if last.array is None else machine.arrays[last.array].list
+    if its_list is None or last.count is None:
+        return
+    whole = machine.lists[its_list]
+    kind = _beams_on(whole.path)
+    if kind is None:
+        return
+    scan = f"message{names.member(whole.path[:-1])}"
+    are_points = "true" if kind == ir.RETURNS else "false"
+    yield f"values.{channel}.{last.count} = beams({scan}, {are_points}, {whole.most}, {{"
+    for field in fields:
+        if field.array is not None and machine.arrays[field.array].list == its_list:
+            word = str(machine.arrays[field.array].path[-1]).upper()
+            yield f"    {{BeamField::{word}, arrays.{channel}_{field.name}.data()}},"
+    yield "});"
+
+
+def _beams_on(path: ir.Path) -> ir.Beams | None:
+    """The beams through which a path leads."""
+    return next((step for step in path if isinstance(step, ir.Beams)), None)
+
+
 def _scalar(slot: ir.Slot) -> str:
     """A field as a double."""
     last = slot.path[-1] if slot.path else ""
     if isinstance(last, ir.Doing | ir.Quantity):
         return skill_question(last)
-    assert not isinstance(last, ir.Each | ir.Points), "all elements are no scalar"
+    several = ir.Each | ir.Points | ir.Sector | ir.Beams
+    assert not isinstance(last, several), "all elements are no scalar"
     if not isinstance(last, str):
         whole = f"message{names.member(slot.path[:-1])}"
         return f"element({whole}, {_element_place(last, whole)})"

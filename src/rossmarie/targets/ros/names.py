@@ -22,6 +22,13 @@ def relative(name: str) -> str:
     return names.string(name.removeprefix("/"))
 
 
+def heard(channel: ir.Channel) -> str:
+    """The topic of a channel as C++. Transforms come on one topic, whatever namespace the node is
+    in, as for every listener of tf2.
+    """
+    return relative(channel.topic) if channel.edge is None else names.string(channel.source)
+
+
 def channel_classes(layout: Layout) -> tuple[str, ...]:
     """For each input topic the struct that describes it: `ImuDataChannel`."""
     return tuple(f"{_capitalized(name)}Channel" for name in layout.channel_names)

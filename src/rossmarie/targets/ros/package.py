@@ -8,6 +8,7 @@ from __future__ import annotations
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
+from rossmarie.ir.scans import is_of_scan
 from rossmarie.naming import node_name
 from rossmarie.targets import c99, comments
 from rossmarie.targets.c99.layout import Layout, lay_out
@@ -162,7 +163,9 @@ class PackageWriter:
         used = ["messages.h", "parts.h", "task.h", f"{self._dialect.folder}/interfaces.h"]
         used += ["command_task.h"] if self._machine.reactions.commands else []
         used += ["clouds.h"] if any(ir.POINTS in each.path for each in self._machine.lists) else []
+        used += ["scans.h"] if any(is_of_scan(each) for each in self._machine.arrays) else []
         used += ["skills.h"] if self._asks_skills() else []
+        used += ["transforms.h"] if any(each.edge for each in self._machine.channels) else []
         used += [part.header for part in self._parts()]
         return sorted(["hooks.h", *(f"{runtime.FOLDER}/{header}" for header in used)])
 

@@ -95,13 +95,14 @@ def _of_node(machine: ir.Machine) -> Iterator[_Grant]:
     sent = [
         each.topic for each in effects if isinstance(each, reactions.Publish | reactions.Retrace)
     ]
-    inputs = [each.topic for each in machine.channels]
+    inputs = [each.topic for each in machine.channels if each.edge is None]
+    frames = dict.fromkeys(each.source for each in machine.channels if each.edge is not None)
     relayed = relayed_servers(machine)
     goals = reactions.SendGoal | reactions.CancelGoal
     servers = [each.server for each in effects if isinstance(each, goals)]
     used = (*_PUBLISHED_BY_EACH, *_PUBLISHED)
     yield _Grant("publish", (*used, *_relative(commands), *_relative(sent)))
-    heard = (*_SUBSCRIBED_BY_EACH, *_SUBSCRIBED)
+    heard = (*_SUBSCRIBED_BY_EACH, *_SUBSCRIBED, *frames)
     yield _Grant("subscribe", (*heard, *_relative(inputs), *_relative(_in_front(commands))))
     yield _Grant("reply", _own((*_SERVICES_OF_EACH, *_SERVICES)))
     yield _Grant("request", _relative(_asked(effects)))

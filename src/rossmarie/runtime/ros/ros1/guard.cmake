@@ -33,7 +33,7 @@ target_include_directories(${_guard_node} PRIVATE
   ${_guard_folder}/runtime/ros1 ${_guard_includes})
 target_include_directories(${_guard_node} SYSTEM PRIVATE
   ${CATKIN_DEVEL_PREFIX}/include ${catkin_INCLUDE_DIRS})
-target_compile_options(${_guard_node} PRIVATE -Wall -Wextra -Wpedantic)
+target_compile_options(${_guard_node} PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic)
 set_target_properties(${_guard_node} PROPERTIES
   CXX_STANDARD 17
   CXX_STANDARD_REQUIRED ON

@@ -25,7 +25,7 @@ endif()
 add_library(${_guard_node}_node SHARED
   ${_guard_folder}/src/component.cpp
   ${_guard_sources})
-target_compile_options(${_guard_node}_node PRIVATE -Wall -Wextra -Wpedantic)
+target_compile_options(${_guard_node}_node PRIVATE -ffp-contract=off -Wall -Wextra -Wpedantic)
 set_target_properties(${_guard_node}_node PROPERTIES
   CXX_STANDARD 17
   CXX_STANDARD_REQUIRED ON

@@ -1,0 +1,248 @@
+"""Drive the course with rules and with Nav2's collision monitor; write the figures as a page."""
+
+from __future__ import annotations
+
+import math
+import statistics
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import ExitStack, contextmanager, nullcontext
+from dataclasses import dataclass, replace
+from itertools import chain
+from pathlib import Path
+
+import nav2_node
+import rules_node
+from course import (
+    BEAMS,
+    COMMAND_TICKS,
+    DELAY_TICKS,
+    NEAR_M,
+    SCAN_TICKS,
+    SILENCE_S,
+    TICK_S,
+    Contender,
+    Outcome,
+    outcomes,
+    unguarded,
+)
+from course_rules import RANGES
+from course_scenes import BRAKING, HALF_LENGTH, HALF_WIDTH, SCENES, SPEED
+from machine import processor
+from nav2_model import CollisionMonitor
+from nav2_settings import ALL, LATENCY_S, STOP_M, Settings
+from written_page import written_page
+
+RUNS = 10
+COST_SCENES = ("wall ahead", "someone behind")
+FOLDER = Path(__file__).parents[1] / "build" / "bench" / "course"
+
+PREFACE = """\
+# Rules beside Nav2's collision monitor
+
+Written by `benchmarks/beside_nav2.py`; do not edit. The same course for all guards, {runs} runs of
+each scene with other numbers, from a seed.
+
+**The base** is {length:g} m long and {width:g} m wide, drives at {speed:g} m/s, and brakes at
+{braking:g} m/s². A lidar in its middle sends {beams} readings, {scans:g} times a second; a scan
+arrives {delay:g} ms after its stamp. A planner that knows nothing of walls and people sends
+{commands:g} commands a second, and a guard may change each.
+
+**The guards.** {guards}
+
+**The columns.** *Hits*: runs in which the base drove into something. *Reaction*: from the instant
+at which the brakes of an unguarded base need all of the way that is free, to the first reduced
+command: the median, and the latest of all runs; below 0 it comes before. *Gap*: the least of all
+runs. *Stops*: a run, on average; *false* are those while nothing is closer ahead than
+{near:.2f} m and the lidar is not silent for {silence:g} s, and all of them where nothing asks for
+a stop. *Slow*: seconds of a run in which commands are reduced, and would not have to be.
+*Way*: what the base covers. *Goal*: runs in which it gets where it should.
+"""
+
+GUARDS = """\
+Nav2's collision monitor {how}, without the correction for
+the motion since a scan, which asks for transforms. It has the settings of `nav2_bringup`, which
+approach (with the outline of this base), or zones: one as long as the way of braking after
+{latency:g} s, {stop:.2f} m, in which it stops, and one twice as long in which it is slow. Rules
+stop and slow down at the same distances ahead, by the least of all readings: `min(ranges)`."""
+
+HEAD = "| guard | hits | reaction, s | gap, m | stops | false | slow, s | way, m | goal |"
+
+
+@dataclass(frozen=True)
+class Comparison:
+    """How many runs of the node were compared with the model, and in how many both did the same."""
+
+    runs: int = 0
+    same: int = 0
+
+
+def modelled(settings: Settings) -> Contender:
+    """The model of Nav2's collision monitor."""
+    return Contender(settings.name, lambda: nullcontext(CollisionMonitor(settings)))
+
+
+@contextmanager
+def nav2_nodes(folder: Path, *, is_checked: bool) -> Iterator[list[Contender]]:
+    """The node itself, with each of the settings."""
+    with ExitStack() as stack:
+        found = []
+        for number, settings in enumerate(ALL):
+            node = nav2_node.Node(settings, folder / f"nav2_{number}", is_checked=is_checked)
+            stack.callback(node.end)
+            found.append(node.contender)
+        yield found
+
+
+def drive(contenders: Sequence[Contender]) -> Mapping[tuple[str, str], list[Outcome]]:
+    """All runs, by scene and guard."""
+    return {
+        (scene, each.name): list(outcomes(each, scene, RUNS))
+        for scene in SCENES
+        for each in contenders
+    }
+
+
+def compared(one: Sequence[Outcome], other: Sequence[Outcome]) -> Comparison:
+    """Compare runs of the node with those of the model; the time that they take is another."""
+    pairs = zip(map(_driven, one), map(_driven, other), strict=True)
+    return Comparison(len(one), sum(left == right for left, right in pairs))
+
+
+def _driven(outcome: Outcome) -> str:
+    return str(replace(outcome, cpu_ns_of_scan=0.0))  # NaN is like NaN there
+
+
+def row(name: str, runs: Sequence[Outcome]) -> str:
+    """One guard in one scene."""
+    reactions = [each.reaction_s for each in runs if not math.isnan(each.reaction_s)]
+    latest = f"{statistics.median(reactions):+.2f}, {max(reactions):+.2f}" if reactions else ""
+    hits = sum(each.contact_speed > 0.0 for each in runs)
+    goals = sum(each.is_at_goal for each in runs)
+    figures = [
+        f"{min(each.least_gap_m for each in runs):.2f}",
+        *(f"{statistics.mean(numbers):.1f}" for numbers in _means(runs)),
+    ]
+    cells = [name, _of(hits, runs), latest, *figures, _of(goals, runs)]
+    return "| " + " | ".join(cells) + " |"
+
+
+def _means(runs: Sequence[Outcome]) -> Iterator[list[float]]:
+    yield [each.stops for each in runs]
+    yield [each.false_stops for each in runs]
+    yield [each.falsely_slow_s for each in runs]
+    yield [each.way_m for each in runs]
+
+
+def _of(count: int, runs: Sequence[Outcome]) -> str:
+    return f"{count}/{len(runs)}"
+
+
+def scene_lines(found: Mapping[tuple[str, str], list[Outcome]]) -> Iterator[str]:
+    """A table for each scene, under what happens in it."""
+    for scene, make in SCENES.items():
+        rows = {guard: runs for (where, guard), runs in found.items() if where == scene}
+        yield f"## {scene.capitalize()}"
+        yield ""
+        yield (make.__doc__ or "").replace("\n    ", "\n").strip()
+        yield ""
+        yield HEAD
+        yield "|---|---|---|---|---|---|---|---|---|"
+        yield from (row(guard, runs) for guard, runs in rows.items())
+        blind = {guard: [each.blind_s for each in runs] for guard, runs in rows.items()}
+        if any(map(math.isfinite, chain(*blind.values()))):
+            yield ""
+            yield from _blind_lines(blind)
+        yield ""
+
+
+def _blind_lines(blind: Mapping[str, Sequence[float]]) -> Iterator[str]:
+    yield "From the silence to the first reduced command, at most:"
+    yield ""
+    for guard, seconds in blind.items():
+        if all(map(math.isfinite, seconds)):
+            yield f"- {guard}: {max(seconds):.2f} s"
+
+
+def cost_lines(folder: Path) -> Iterator[str]:
+    """The CPU time of nodes."""
+    yield "## What a scan costs"
+    yield ""
+    lacking = nav2_node.missing()
+    if lacking:
+        yield f"Not measured: {lacking}."
+        yield ""
+        return
+    yield "CPU time of the process of a node of ROS 2 for a scan and the two commands that come"
+    yield "with it, transport included, at the pace of the world: the mean of the scenes"
+    yield f"{' and '.join(COST_SCENES)}, on {processor()}."
+    yield ""
+    yield "| node | of a scan |"
+    yield "|---|---|"
+    node = rules_node.Node(RANGES, folder / "rules")
+    try:
+        with nav2_nodes(folder, is_checked=False) as contenders:
+            for each in (*contenders, node.contender):
+                runs = [run for scene in COST_SCENES for run in outcomes(each, scene, 1)]
+                spent = statistics.mean(run.cpu_ns_of_scan for run in runs)
+                yield f"| {each.name} | {spent / 1e3:.0f} µs |"
+    finally:
+        node.end()
+    yield ""
+
+
+def model_lines(lacking: str | None, found: Sequence[Comparison]) -> Iterator[str]:
+    """How good the model is."""
+    yield "## Node and model"
+    yield ""
+    if lacking:
+        yield f"The node did not run here ({lacking}). The figures are those of the model,"
+        yield "`benchmarks/nav2_model.py`, which says what it follows."
+        return
+    runs, same = sum(each.runs for each in found), sum(each.same for each in found)
+    yield "The figures are those of the node. A model of it, `benchmarks/nav2_model.py`, drives the"
+    yield f"same runs: in {same} of {runs} it does the same in all columns."
+
+
+def lines(folder: Path) -> Iterator[str]:
+    """The page."""
+    lacking = nav2_node.missing()
+    how = "is the model of it" if lacking else f"{nav2_node.version()} is the node itself"
+    guards = GUARDS.format(how=how, latency=LATENCY_S, stop=STOP_M)
+    yield PREFACE.format(
+        runs=RUNS,
+        length=2 * HALF_LENGTH,
+        width=2 * HALF_WIDTH,
+        speed=SPEED,
+        braking=BRAKING,
+        beams=BEAMS,
+        scans=1 / (SCAN_TICKS * TICK_S),
+        delay=1e3 * DELAY_TICKS * TICK_S,
+        commands=1 / (COMMAND_TICKS * TICK_S),
+        guards=guards,
+        near=NEAR_M,
+        silence=SILENCE_S,
+    )
+    nobody = Contender("no guard", lambda: nullcontext(unguarded))
+    models = [modelled(each) for each in ALL]
+    ours = RANGES.contender(folder)
+    if lacking:
+        found, comparisons = drive([nobody, *models, ours]), []
+    else:
+        with nav2_nodes(folder, is_checked=True) as nodes:
+            found = drive([nobody, *nodes, ours])
+        twins = drive(models)
+        comparisons = [compared(found[place], runs) for place, runs in twins.items()]
+    yield from scene_lines(found)
+    yield from cost_lines(folder)
+    yield from model_lines(lacking, comparisons)
+
+
+def main() -> None:
+    """Drive, and write the page."""
+    out = written_page(__doc__)
+    text = "\n".join(lines(FOLDER)) + "\n"
+    out.write_text(text, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,159 @@
+"""The scenes of the course: what stands and walks there, and what the planner of the base wants."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from course_shapes import Outline, Pose, Round, Wall
+
+HALF_LENGTH, HALF_WIDTH = 0.25, 0.2
+OUTLINE = Outline(HALF_LENGTH, HALF_WIDTH)
+"""The outline of the base (m), whose middle is the origin of its frame."""
+
+SPEED, BRAKING, GAINING = 0.8, 1.2, 0.8
+"""The speed that the planner wants on free ground (m/s), the brakes and the drive (m/s^2)."""
+
+PERSON_M = 0.25
+ORIGIN = Pose(0.0, 0.0, 0.0)
+SECONDS_TO_SPEED, METERS_TO_SPEED = SPEED / GAINING, SPEED**2 / (2 * GAINING)
+
+
+@dataclass(frozen=True)
+class Person:
+    """A person, or another round thing, on a straight way."""
+
+    start: tuple[float, float]
+    velocity: tuple[float, float]
+    begins_s: float
+    stays_s: tuple[float, float] = (math.inf, math.inf)
+    """It stands still between these instants."""
+
+    def at(self, time_s: float, pose: Pose) -> tuple[float, float]:  # noqa: ARG002
+        """Where it is."""
+        walked = max(0.0, time_s - self.begins_s)
+        since, until = self.stays_s
+        walked -= max(0.0, min(time_s, until) - since) if time_s > since else 0.0
+        return self.start[0] + walked * self.velocity[0], self.start[1] + walked * self.velocity[1]
+
+
+@dataclass(frozen=True)
+class Follower:
+    """A person who walks behind the base, always as far from it."""
+
+    behind_m: float
+
+    def at(self, time_s: float, pose: Pose) -> tuple[float, float]:  # noqa: ARG002
+        """Where it is."""
+        far = HALF_LENGTH + self.behind_m + PERSON_M
+        return pose.x - far * math.cos(pose.heading), pose.y - far * math.sin(pose.heading)
+
+
+@dataclass(frozen=True)
+class Scene:
+    """One scene, with the numbers of one run."""
+
+    walls: tuple[Wall, ...] = ()
+    people: tuple[Person | Follower, ...] = ()
+    start: Pose = ORIGIN
+    goal_m: float = 20.0
+    """The planner stops there; it knows nothing of walls and people."""
+    creep_m: float = 0.0
+    """So much of the way before the goal the planner takes slowly."""
+    seconds: float = 12.0
+    is_passable: bool = False
+    """Nothing in it asks for a stop."""
+    no_return: float = math.inf
+    """What the lidar says of a beam that sees nothing."""
+    lost_share: float = 0.0
+    """The share of the other beams that come back as such."""
+    silent_from_s: float = math.inf
+
+    def people_at(self, time_s: float, pose: Pose) -> list[Round]:
+        """The people at an instant."""
+        return [(*person.at(time_s, pose), PERSON_M) for person in self.people]
+
+
+def arrival_s(way_m: float) -> float:
+    """When the front of an unhindered base has made a way of so many m."""
+    return SECONDS_TO_SPEED + (way_m - METERS_TO_SPEED) / SPEED
+
+
+def wall_ahead(random: np.random.Generator) -> Scene:
+    """A wall across the way, not quite square to it."""
+    x, tilt = random.uniform(4.0, 5.0), random.uniform(-0.5, 0.5)
+    return Scene(((x - tilt, -3.0, x + tilt, 3.0),))
+
+
+def person_crosses(random: np.random.Generator) -> Scene:
+    """A person crosses an empty hall. Unhindered, the base would run into the person."""
+    x, lead = random.uniform(3.5, 4.5), random.uniform(0.6, 0.8)
+    pace, begin = 0.7, 3.0
+    enters_s = arrival_s(x - PERSON_M - lead - HALF_LENGTH)
+    walk_s = (begin - HALF_WIDTH - PERSON_M) / pace
+    person = Person((x, -begin), (0.0, pace), enters_s - walk_s)
+    return Scene(people=(person,), goal_m=7.0, seconds=16.0)
+
+
+def person_steps_out(random: np.random.Generator) -> Scene:
+    """A person steps out from behind the end of a wall, stands in the way, and goes on."""
+    x, lead = random.uniform(3.5, 4.5), random.uniform(0.6, 0.8)
+    pace, begin = 1.4, 1.2
+    enters_s = arrival_s(x - PERSON_M - lead - HALF_LENGTH)
+    begins_s = enters_s - (begin - HALF_WIDTH - PERSON_M) / pace
+    stays_s = begins_s + begin / pace
+    person = Person((x, -begin), (0.0, pace), begins_s, (stays_s, stays_s + 3.0))
+    wall = (-2.0, -0.6, x - 0.4, -0.6)
+    return Scene((wall,), (person,), goal_m=7.0, seconds=18.0)
+
+
+def narrow_corridor(random: np.random.Generator) -> Scene:
+    """A corridor little wider than the base, which enters it a little askew."""
+    half = HALF_WIDTH + 0.15
+    sides = [(2.0, side * half, 7.0, side * half) for side in (1, -1)]
+    fronts = [(2.0, side * half, 2.0, side * 3.0) for side in (1, -1)]
+    start = Pose(0.0, random.uniform(-0.03, 0.03), random.uniform(-0.03, 0.03))
+    return Scene((*sides, *fronts), start=start, goal_m=8.5, seconds=24.0, is_passable=True)
+
+
+def readings_of_zero(random: np.random.Generator) -> Scene:
+    """A wall ahead, and a lidar that says 0 where a beam does not come back."""
+    x = random.uniform(4.0, 5.0)
+    return Scene(((x, -3.0, x, 3.0),), no_return=0.0, lost_share=0.05)
+
+
+def silent_lidar(random: np.random.Generator) -> Scene:
+    """A wall ahead; the lidar falls silent while the wall is further away than any zone reaches."""
+    x = random.uniform(4.5, 5.0)
+    silent_s = arrival_s(x - HALF_LENGTH - random.uniform(1.9, 2.1))
+    return Scene(((x, -3.0, x, 3.0),), silent_from_s=silent_s)
+
+
+def someone_behind(random: np.random.Generator) -> Scene:
+    """A person follows the base closely; nothing stands in its way."""
+    follower = Follower(random.uniform(0.2, 0.3))
+    return Scene(people=(follower,), goal_m=6.0, seconds=12.0, is_passable=True)
+
+
+def docking_station(random: np.random.Generator) -> Scene:
+    """The base creeps into a station until it nearly touches, as docking asks for."""
+    x, half = random.uniform(3.0, 3.5), HALF_WIDTH + 0.08
+    face = [(x, -half, x, half)]
+    sides = [(x - 0.35, side * half, x, side * half) for side in (1, -1)]
+    goal = x - HALF_LENGTH - 0.03
+    return Scene((*face, *sides), goal_m=goal, creep_m=0.5, seconds=16.0, is_passable=True)
+
+
+SCENES: Mapping[str, Callable[[np.random.Generator], Scene]] = {
+    "wall ahead": wall_ahead,
+    "person crosses": person_crosses,
+    "person steps out": person_steps_out,
+    "narrow corridor": narrow_corridor,
+    "readings of 0": readings_of_zero,
+    "lidar falls silent": silent_lidar,
+    "someone behind": someone_behind,
+    "docking station": docking_station,
+}
+"""Each scene by its name; the generator gives the numbers of one run."""

@@ -1,0 +1,145 @@
+"""Mistakes about frames."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template
+
+
+class UnknownFrame(Error, code="ROSS150", name="unknown-frame"):
+    """A frame that no system model declares, where a way to it is needed."""
+
+    title = "no system model declares the frame `{identifier}`"
+    label = "nobody says where this frame is"
+    help = "declare it in the system model: `frame {identifier} in PARENT;`"
+    identifier: str
+
+
+class FrameConflict(Error, code="ROSS151", name="frame-conflict"):
+    """Two statements of the frame in which one thing is."""
+
+    title = "{thing} cannot be both in `{found}` and in `{expected}`"
+    label = "{words}"
+    note = "each message says one frame, and each frame lies in one other frame"
+    help = "say the same frame in both places, or leave one of them out"
+    thing: str
+    found: str
+    expected: str
+    words: str
+
+
+class CircularFrames(Error, code="ROSS152", name="circular-frames"):
+    """Frames that lie in each other."""
+
+    title = "the frame `{identifier}` lies in itself: {cycle}"
+    label = "this frame is one of them"
+    note = "frames are a tree: the root, such as `map` or `odom`, lies in no other frame"
+    help = "leave out the declaration of the frame that is the root"
+    identifier: str
+    cycle: str
+
+
+class Seen(Remark):
+    """The label of one of two things in different frames."""
+
+    says = "`{text}` is in `{frame}`"
+    text: str
+    frame: str
+
+
+class MixedFrames(Error, code="ROSS275", name="mixed-frames"):
+    """Two things of different frames where one frame is needed."""
+
+    title = "`{text}` is in the frame `{found}`, and `{other}` in `{expected}`"
+    label = "`{text}` is in `{found}`"
+    note = "coordinates of one frame are other coordinates in another frame"
+    text: str
+    found: str
+    other: str
+    expected: str
+
+    class Transform(Remark):
+        says = "write `in {expected}` behind the input `{name}`"
+        name: str
+        expected: str
+
+    class Declare(Remark):
+        says = (
+            "declare in the system model how `{found}` lies in `{expected}` (`frame {found} in "
+            "{expected};`), and write `in {expected}` behind the input `{name}`"
+        )
+        name: str
+        found: str
+        expected: str
+
+
+class NothingToTransform(Error, code="ROSS276", name="nothing-to-transform"):
+    """`in FRAME` at an input that has nothing that is seen from a frame."""
+
+    title = "`{field}` cannot be transformed to `{frame}`"
+    label = "{reason}"
+    note = "positions, orientations and vectors are seen from a frame"
+    field: str
+    frame: str
+    reason: str
+
+    class Whole(Remark):
+        says = "choose all of it: `.{field}`"
+        field: str
+
+    class LeaveOut(Remark):
+        says = "leave `in {frame}` out"
+        frame: str
+
+    class Field(Remark):
+        says = "make an input of its own for `.{field}`, with `from` the frame that it is in"
+        field: str
+
+
+class UnknownSource(Error, code="ROSS277", name="unknown-source"):
+    """`in FRAME` at an input of which nobody says the frame that it comes in."""
+
+    title = "the frame in which `{field}` arrives is not known"
+    label = "there is no way from an unknown frame"
+    note = "the way between frames is worked out beforehand; a message in another frame is lost"
+    help = "write the frame that its messages say: `from FRAME in {frame}`"
+    field: str
+    frame: str
+
+
+class UnfitPlacement(Error, code="ROSS278", name="unfit-placement"):
+    """A frame that is declared in a way in which none can lie."""
+
+    title = "`{word}` of the frame `{frame}` {reason}"
+    label = "this is {found}"
+    help = "write {form}"
+    word: str
+    frame: str
+    reason: str
+    found: str
+    form: str
+
+
+class NoWay(Error, code="ROSS279", name="no-way-between-frames"):
+    """Two frames that no declarations connect."""
+
+    title = "no declared frame leads from `{source}` to `{target}`"
+    label = "wanted here"
+    help = "declare in the system model which frame connects them: `frame {source} in {target};`"
+    source: str
+    target: str
+
+    class From(Remark):
+        says = "`{source}` is said here"
+        source: str
+
+
+ALL: tuple[type[Template], ...] = (
+    UnknownFrame,
+    FrameConflict,
+    CircularFrames,
+    MixedFrames,
+    NothingToTransform,
+    UnknownSource,
+    UnfitPlacement,
+    NoWay,
+)

@@ -1,0 +1,184 @@
+"""The frame in which an expression is, and expressions that must be in one frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from rossmarie.check.model import CheckedInput
+from rossmarie.check.names.frame_errors import MixedFrames, Seen
+from rossmarie.check.scopes.context import Context
+from rossmarie.check.scopes.trees import path_of, root_of, stripped, text_of
+from rossmarie.syntax import ast
+from rossmarie.types import List, Message, Quaternion, Text, Type, Vector
+
+HEADER = ("header", "frame_id")
+CHILD = "child_frame_id"
+"""The field of a nav_msgs/Odometry that says the frame of its twist."""
+
+_KEEPING = frozenset(
+    {"previous", "rate", "median", "mean", "low_pass", "abs", "min", "max", "roll", "pitch", "yaw"}
+)
+"""Functions whose result is in the frame of what they are called on."""
+
+
+class Framed(NamedTuple):
+    """A frame, and the input that brings what is in it."""
+
+    frame: str
+    used: CheckedInput
+
+
+def frame_field(whole: Type | None, path: Sequence[object]) -> tuple[str, ...] | None:
+    """The field that says the frame of a part of a message; None if no field does. It is that of
+    the innermost header around the part.
+    """
+    found: tuple[str, ...] | None = None
+    type_ = whole
+    before: tuple[str, ...] = ()
+    for step in (*path, None):
+        if not isinstance(type_, Message):
+            break
+        if _has_header(type_):
+            is_twist = step == "twist" and isinstance(type_.fields.get(CHILD), Text)
+            found = (*before, CHILD) if is_twist else (*before, *HEADER)
+        if not isinstance(step, str):
+            break
+        type_ = type_.fields.get(step)
+        before = (*before, step)
+    return found
+
+
+def _has_header(message: Message) -> bool:
+    header = message.fields.get(HEADER[0])
+    return isinstance(header, Message) and isinstance(header.fields.get(HEADER[1]), Text)
+
+
+def is_told(used: CheckedInput, path: Sequence[object]) -> bool:
+    """Say whether what an input says of its frame holds for the part at a path: it is the same
+    field of the message that would say so.
+    """
+    return frame_field(used.whole, path) == frame_field(used.whole, used.path)
+
+
+def has_frame(type_: Type) -> bool:
+    """Say whether values of a type are seen from a frame, or hold some that are."""
+    match type_:
+        case Vector() | Quaternion():
+            return True
+        case Message(fields=fields):
+            return any(has_frame(part) for name, part in fields.items() if name != HEADER[0])
+        case List(element=element):
+            return has_frame(element)
+        case _:  # open: numbers, truths and texts alone have no frame
+            return False
+
+
+def frame_of(node: ast.Expression, context: Context) -> Framed | None:
+    """The frame in which an expression is; None if nobody says one, or it is in none."""
+    node = stripped(node)
+    match node:
+        case ast.Reference() | ast.Member() | ast.Index():
+            return _of_part(node, context)
+        case ast.Unary(operand=operand):
+            return frame_of(operand, context)
+        case ast.Binary(operator=ast.BinaryOperator.ADD | ast.BinaryOperator.SUBTRACT):
+            return _of_sum(node, context)
+        case ast.Binary(
+            operator=ast.BinaryOperator.MULTIPLY | ast.BinaryOperator.DIVIDE, left=left, right=right
+        ):
+            found = [frame_of(side, context) for side in (left, right)]
+            known = [each for each in found if each is not None]
+            return known[0] if len({each.frame for each in known}) == 1 else None
+        case ast.Call(function=function, arguments=arguments) if function.text in _KEEPING:
+            frames = (frame_of(each, context) for each in arguments)
+            return next((each for each in frames if each is not None), None)
+        case _:  # open: a length, a truth or a literal is in no frame
+            return None
+
+
+def _of_sum(node: ast.Binary, context: Context) -> Framed | None:
+    """Along a chain `a + b - c`, without recursion along the chain."""
+    current: ast.Expression = node
+    while isinstance(current, ast.Binary) and current.operator in (
+        ast.BinaryOperator.ADD,
+        ast.BinaryOperator.SUBTRACT,
+    ):
+        found = frame_of(current.right, context)
+        if found is not None:
+            return found
+        current = stripped(current.left)
+    return frame_of(current, context)
+
+
+def _of_part(node: ast.Reference | ast.Member | ast.Index, context: Context) -> Framed | None:
+    owner = stripped(node.value) if isinstance(node, ast.Member) else None
+    if owner is not None and isinstance(context.type_of(owner), Vector | Quaternion):
+        return frame_of(owner, context)  # a component is as its vector is
+    root = root_of(node)
+    if root is None or not has_frame(context.type_of(node)):
+        return None
+    path = path_of(node)
+    fold = context.folds_around(node).get(root.name.text)
+    if fold is not None:
+        root = root_of(fold.list)
+        path = (*path_of(fold.list), *path)
+    used = None if root is None else context.inputs.get(root.name.text)
+    if used is None or used.frame is None or not is_told(used, (*used.path, *path)):
+        return None
+    return Framed(used.frame, used)
+
+
+def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> bool:
+    """Say whether no two expressions are in frames that differ; two that are get reported."""
+    first: tuple[ast.Expression, Framed] | None = None
+    for node in operands:
+        found = frame_of(node, context)
+        if found is None:
+            continue
+        if first is None:
+            first = node, found
+        elif found.frame != first[1].frame:
+            _report(node, found, *first, context)
+            return False
+    return True
+
+
+def check_frame_is(
+    node: ast.Expression, frame: str, other: ast.Expression, context: Context
+) -> bool:
+    """Say whether an expression is not known to be in another frame than that of something else;
+    it is reported if it is.
+    """
+    found = frame_of(node, context)
+    if found is None or found.frame == frame:
+        return True
+    _report_in(node, found, other, frame, context)
+    return False
+
+
+def _report(
+    node: ast.Expression,
+    found: Framed,
+    other: ast.Expression,
+    expected: Framed,
+    context: Context,
+) -> None:
+    _report_in(node, found, other, expected.frame, context)
+
+
+def _report_in(
+    node: ast.Expression, found: Framed, other: ast.Expression, expected: str, context: Context
+) -> None:
+    finding = MixedFrames(
+        text=text_of(node), found=found.frame, other=text_of(other), expected=expected
+    )
+    place = Seen(text=text_of(other), frame=expected).at(other.span)
+    name, source = found.used.declaration.name.text, found.used.source or found.frame
+    is_known = context.frames.way(source, expected) is not None
+    help = (
+        finding.Transform(name=name, expected=expected)
+        if is_known
+        else finding.Declare(name=name, found=source, expected=expected)
+    )
+    context.collector.add(finding.at(node.span, place, help=help))

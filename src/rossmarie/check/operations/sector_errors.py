@@ -1,0 +1,63 @@
+"""Mistakes in sectors of laser scans, and readings that no sector bounds."""
+
+from __future__ import annotations
+
+from dslkit.diagnostics import Error, Remark, Template, Warning
+
+
+class NoSectors(Error, code="ROSS271", name="no-sectors"):
+    """A sector of something that no scan measured."""
+
+    title = "`{text}` has no sectors"
+    label = "this is {found}"
+    note = "only the `ranges` of a sensor_msgs/LaserScan come with the angle of each reading"
+    text: str
+    found: str
+
+    class Ranges(Remark):
+        says = "write `{text}.ranges[{sector}]`"
+        text: str
+        sector: str
+
+    class Points(Remark):
+        says = "look at the angle of each: `any(p in {text}: p.angle in [-30, 30] deg and ...)`"
+        text: str
+
+
+class NoSector(Error, code="ROSS272", name="no-sector"):
+    """Two ends between which no sector lies."""
+
+    title = "a sector goes from one angle to another"
+    label = "{found}"
+    note = "it goes counter-clockwise; 0 deg is straight ahead of the scanner, 90 deg to its left"
+    help = "write two angles: `[-30 deg .. 30 deg]`"
+    found: str
+
+
+class LongWay(Warning, code="ROSS273", name="long-way-round"):
+    """A sector whose ends were probably exchanged."""
+
+    title = "this sector has {width} deg"
+    label = "counter-clockwise, and so through 180 deg"
+    help = "if the sector ahead is meant, exchange its ends: `[{last} .. {first}]`"
+    note = "to say that it is meant, let the second angle be the greater one: `{greater}`"
+    width: str
+    first: str
+    last: str
+    greater: str
+
+
+class RawReadings(Warning, code="ROSS274", name="raw-readings"):
+    """All readings of a scan, those included that are no distances."""
+
+    title = "`{text}` has readings that are no distances"
+    label = "a reading of 0 counts as something at 0 m"
+    note = (
+        "many lidars say 0 where nothing returns; only the scan itself says from which distance on "
+        "a reading is one (`range_min`)"
+    )
+    help = "take those that are distances: `{text}[-180 deg .. 180 deg]`, or the sector that counts"
+    text: str
+
+
+ALL: tuple[type[Template], ...] = (NoSectors, NoSector, LongWay, RawReadings)

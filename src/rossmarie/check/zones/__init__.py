@@ -1,0 +1,1 @@
+"""Zones: boxes, circles and polygons in the plane of a frame."""

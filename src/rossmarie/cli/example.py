@@ -1,0 +1,50 @@
+"""`rossmarie example`: the robots in the box, listed or copied."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+
+from rossmarie.cli.output import output
+from rossmarie.driver.robots import (
+    FilesAreThereError,
+    Robot,
+    UnknownRobotError,
+    copy_robot,
+    robot,
+    robots,
+)
+
+
+def run_example(name: str | None, folder: Path | None) -> None:
+    """List the robots, or copy the one of a name into a folder."""
+    if name is None:
+        _list_robots()
+        return
+    try:
+        wanted = robot(name)
+    except UnknownRobotError as error:
+        output.fail(str(error), exit_code=2)
+    _copy(wanted, folder or Path(wanted.name))
+
+
+def _list_robots() -> None:
+    there_are = robots()
+    width = max(len(each.name) for each in there_are)
+    for each in there_are:
+        typer.echo(f"{each.name:{width}}  {each.summary}")
+
+
+def _copy(wanted: Robot, folder: Path) -> None:
+    output.try_folder(folder)
+    try:
+        with output.writing_to(folder):
+            written = copy_robot(wanted, folder)
+    except FilesAreThereError as error:
+        paths = ", ".join(map(str, error.paths))
+        output.fail(f"nothing is written, because these are there: {paths}", exit_code=2)
+    for path in written:
+        typer.echo(f"wrote {path}")
+    rules, recording = (folder / path.name for path in (wanted.rules, wanted.recording))
+    typer.echo(f"now try: rossmarie replay {rules} {recording}")

@@ -1,0 +1,60 @@
+"""The numbers beside elements (S74): of slots and constants, which are read when elements of an
+array or of a list arrive.
+
+Takes a machine whose operands stand before their users.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from rossmarie.ir import model as ir
+from rossmarie.ir.support import compared_signals, element_arrays, signal_operands
+
+
+def stand_beside(machine: ir.Machine) -> tuple[bool, ...]:
+    """Say of each signal whether it may stand beside elements: it rests on slots and constants,
+    by functions alone, so that it is known before anything is asked of elements.
+    """
+    found: list[bool] = []
+    for signal in machine.signals:
+        match signal.node:
+            case ir.Constant() | ir.Read():
+                found.append(True)
+            case ir.Apply(operands=operands):
+                found.append(all(found[operand] for operand in operands))
+            case ir.Sampled() | ir.Element() | ir.Fold() | ir.Count():
+                found.append(False)
+    return tuple(found)
+
+
+def beside(machine: ir.Machine) -> Mapping[int, tuple[int, ...]]:
+    """The signals beside the elements of each array, constants left out, in index order. All
+    columns of a list are told by the first one; arrays without such signals are left out.
+    """
+    arrays = element_arrays(machine)
+    found: dict[int, set[int]] = {}
+
+    def take(array: int | None, signals: Iterable[int]) -> None:
+        for signal in signals:
+            is_constant = isinstance(machine.signals[signal].node, ir.Constant)
+            if array is not None and arrays.signals[signal] is None and not is_constant:
+                found.setdefault(array, set()).add(signal)
+
+    for index, each in enumerate(machine.signals):
+        take(arrays.signals[index], signal_operands(each.node))
+    for index, truth in enumerate(machine.truths):
+        take(arrays.truths[index], compared_signals(truth.node))
+    return {array: tuple(sorted(signals)) for array, signals in sorted(found.items())}
+
+
+def made_beside(machine: ir.Machine) -> frozenset[int]:
+    """The signals that stand beside elements, and all that they are made of."""
+    waiting = [signal for signals in beside(machine).values() for signal in signals]
+    found: set[int] = set()
+    while waiting:
+        signal = waiting.pop()
+        if signal not in found:
+            found.add(signal)
+            waiting += signal_operands(machine.signals[signal].node)
+    return frozenset(found)

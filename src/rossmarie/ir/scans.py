@@ -1,0 +1,210 @@
+"""The beams of a `sensor_msgs/LaserScan`: sectors (S71), points (S72), and beams that tell nothing
+(S73).
+
+A scan says itself at which angles its beams are, and between which distances it measures. Nothing
+of that is trusted: of a scan that contradicts itself nothing is known (S70).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeGuard
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rossmarie.core.angles import HALF_TURN, RIGHT_ANGLE
+from rossmarie.ir.model import Array, Machine
+from rossmarie.ir.path import INVALID, RETURNS, Beams, Path, Sector
+
+TURN = 2.0 * HALF_TURN
+
+SLACK = 0.01
+"""The share of an increment by which beams may miss an angle: scans have numbers of 32 bits."""
+
+_MISCOUNT = 1.5
+"""The increments by which `angle_max` may be off: drivers disagree by one beam on what it is."""
+
+
+USUAL_DISTANCES = (0.05, 30.0)
+"""The distances in m between which a scan of a test measures, if the test does not say another."""
+
+
+class Scan(Protocol):
+    """An object with the fields of the message, however it was made."""
+
+    angle_min: float
+    angle_max: float
+    angle_increment: float
+    range_min: float
+    range_max: float
+    ranges: Any
+    intensities: Any
+
+
+class UnreadableScanError(Exception):
+    """The reason why nothing is known of what is asked of a scan."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Measured:
+    """The beams of a scan that does not contradict itself. `step` is the angle between two beams,
+    and `least` that of the first or the last, whichever is less.
+    """
+
+    ranges: NDArray[np.float64]
+    angles: NDArray[np.float64]
+    step: float
+    least: float
+    returns: NDArray[np.bool_]
+    is_close: NDArray[np.bool_]
+    sees_nothing: NDArray[np.bool_]
+
+    @property
+    def tells(self) -> NDArray[np.bool_]:
+        """The beams that are not left out."""
+        return self.returns | self.is_close | self.sees_nothing
+
+
+def is_scan(value: object) -> TypeGuard[Scan]:
+    """Say whether something looks like the message of a scan."""
+    return hasattr(value, "angle_increment") and hasattr(value, "ranges")
+
+
+def is_of_scan(array: Array) -> bool:
+    """Say whether an array has to be taken from a whole scan."""
+    return scan_path(array.path) is not None
+
+
+def scan_path(path: Path) -> Path | None:
+    """The path of the scan in whose beams a path ends; None if it is no such path."""
+    for place, step in enumerate(path):
+        if isinstance(step, Sector):
+            return path[: place - 1]  # in front of `ranges`
+        if isinstance(step, Beams):
+            return path[:place]
+    return None
+
+
+def taken(scan: Scan, array: Array, most: int) -> NDArray[np.float64]:
+    """The numbers of an array that is of a scan; `most` is the bound of its list, if it has one.
+
+    Raises `UnreadableScanError`.
+    """
+    for step in array.path:
+        if isinstance(step, Sector):
+            return sector(scan, step)
+        if isinstance(step, Beams):
+            return beams(scan, step, str(array.path[-1]), most)
+    raise AssertionError(f"{array.path} is of no scan")
+
+
+def all_taken(machine: Machine, scan: Scan, arrays: Sequence[int]) -> dict[int, list[float]]:
+    """The numbers of these arrays of a machine, which are of this scan; those of which nothing is
+    known are left out.
+    """
+    found: dict[int, list[float]] = {}
+    for index in arrays:
+        array = machine.arrays[index]
+        most = 0 if array.list is None else machine.lists[array.list].most
+        with suppress(UnreadableScanError):
+            found[index] = list(map(float, taken(scan, array, most)))
+    return found
+
+
+def sector(scan: Scan, wanted: Sector) -> NDArray[np.float64]:
+    """The readings of a sector that tell something; +inf where nothing is in reach.
+
+    Raises `UnreadableScanError` if there are none, or if beams do not reach over all of the sector.
+    """
+    measured = _measured(scan)
+    if not _reaches_over(measured, wanted):
+        raise UnreadableScanError(f"it does not reach over {wanted}")
+    is_inside = _inside(measured.angles, measured.step, wanted) & measured.tells
+    found = np.where(measured.sees_nothing, math.inf, measured.ranges)[is_inside]
+    if not len(found):
+        raise UnreadableScanError(f"no beam tells anything in {wanted}")
+    return found
+
+
+def beams_inside(scan: Scan, wanted: Sector) -> NDArray[np.bool_]:
+    """The beams of a scan that are in a sector, whatever they tell."""
+    angles = _angles(float(scan.angle_min), float(scan.angle_increment), len(scan.ranges))
+    return _inside(angles, abs(float(scan.angle_increment)), wanted)
+
+
+def beams(scan: Scan, kind: Beams, field: str, most: int) -> NDArray[np.float64]:
+    """One field of the points of a scan, or of the beams that tell nothing.
+
+    Raises `UnreadableScanError`, also if the scan has more than `most` beams.
+    """
+    measured = _measured(scan)
+    if len(measured.ranges) > most:
+        raise UnreadableScanError(f"it has more than {most} beams")
+    which = measured.returns | measured.is_close if kind == RETURNS else ~measured.tells
+    if field == "angle":
+        angles = measured.angles[which]
+        turned: NDArray[np.float64] = angles - np.floor((angles + HALF_TURN) / TURN) * TURN
+        return turned
+    assert kind != INVALID, "all that is known of these is where they point"
+    if field == "range":
+        return np.where(measured.is_close, math.nan, measured.ranges)[which]
+    intensities = np.asarray(scan.intensities, np.float64)
+    if len(intensities) != len(measured.ranges):
+        count = len(measured.ranges)
+        raise UnreadableScanError(f"it has {len(intensities)} intensities for {count} beams")
+    return intensities[which]
+
+
+def _measured(scan: Scan) -> _Measured:
+    ranges = np.asarray(scan.ranges, np.float64)
+    first, last, step = (
+        float(each) for each in (scan.angle_min, scan.angle_max, scan.angle_increment)
+    )
+    low, high = float(scan.range_min), float(scan.range_max)
+    count, size = len(ranges), abs(step)
+    if not count:
+        raise UnreadableScanError("it has no beams")
+    if not all(map(math.isfinite, (first, last, step))):
+        raise UnreadableScanError("its angles are no numbers")
+    if count > 1 and not 0.0 < size <= RIGHT_ANGLE:
+        raise UnreadableScanError(f"its `angle_increment` is {step:g}")
+    if abs((last - first) - step * (count - 1)) > _MISCOUNT * size:
+        raise UnreadableScanError(f"it has {count} beams, which do not fit its angles")
+    if not (0.0 <= low <= high and high > 0.0 and low < math.inf):
+        raise UnreadableScanError(f"it measures from {low:g} m to {high:g} m")
+    sees_nothing = (ranges > high) | (ranges == math.inf)
+    return _Measured(
+        ranges,
+        _angles(first, step, count),
+        size,
+        min(first, first + (count - 1) * step),
+        (ranges >= low) & (ranges <= high) & ~sees_nothing,
+        ranges == -math.inf,
+        sees_nothing,
+    )
+
+
+def _angles(first: float, step: float, count: int) -> NDArray[np.float64]:
+    return first + np.arange(count, dtype=np.float64) * step
+
+
+def _inside(angles: NDArray[np.float64], step: float, wanted: Sector) -> NDArray[np.bool_]:
+    slack = SLACK * step
+    ahead = angles - wanted.first
+    ahead = ahead - np.floor(ahead / TURN) * TURN
+    return (ahead <= wanted.width + slack) | (ahead >= TURN - slack)
+
+
+def _reaches_over(measured: _Measured, wanted: Sector) -> bool:
+    """To within one increment at each end."""
+    span = measured.step * (len(measured.ranges) - 1)
+    step = (1.0 + SLACK) * measured.step
+    if span + step >= TURN:
+        return True
+    ahead = (wanted.first - measured.least) + step
+    ahead = ahead - math.floor(ahead / TURN) * TURN
+    return (ahead - step) + wanted.width <= span + step

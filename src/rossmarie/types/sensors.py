@@ -1,0 +1,56 @@
+"""The messages of sensors of which rules see more than their definitions say: clouds and scans."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+from rossmarie.types.definitions import Definition, Field
+from rossmarie.types.model import Array, Beam, List, Quantity, ScanPoint, Type
+
+CLOUD = "sensor_msgs/PointCloud2"
+POINTS = "points"
+"""The name of the points of a cloud, which its definition does not have: there they are bytes."""
+SCAN = "sensor_msgs/LaserScan"
+RETURNS, INVALID = POINTS, "invalid"
+"""The names of the points of a scan, and of the beams that tell nothing."""
+
+LAYOUT_OF_POINTS = {
+    "height": Field("uint32", is_array=False),
+    "width": Field("uint32", is_array=False),
+    "fields": Field("sensor_msgs/PointField", is_array=True),
+    "is_bigendian": Field("bool", is_array=False),
+    "point_step": Field("uint32", is_array=False),
+    "row_step": Field("uint32", is_array=False),
+    "data": Field("uint8", is_array=True),
+}
+LAYOUT_OF_BEAMS = {
+    **{
+        name: Field("float32", is_array=False)
+        for name in ("angle_min", "angle_max", "angle_increment", "range_min", "range_max")
+    },
+    **{name: Field("float32", is_array=True) for name in ("ranges", "intensities")},
+}
+
+
+def tells(definition: Definition, layout: Mapping[str, Field]) -> bool:
+    """Say whether a cloud or a scan has all that says where its points are; another definition of
+    it may stand on the search path.
+    """
+    return all(definition.fields.get(name) == each for name, each in layout.items())
+
+
+def beams_of(fields: Mapping[str, Type]) -> Mapping[str, Type]:
+    """The readings of a scan with its angles, and the lists of its beams."""
+    ranges, angle, intensities = (fields[name] for name in ("ranges", "angle_min", "intensities"))
+    assert isinstance(ranges, Array), "the layout says so"
+    assert isinstance(intensities, Array), "the layout says so"
+    assert isinstance(angle, Quantity), "the layout says so"
+    assert isinstance(ranges.element, Quantity), "the layout says so"
+    assert isinstance(intensities.element, Quantity), "the layout says so"
+    seen = {"range": ranges.element, "angle": angle, "intensity": intensities.element}
+    return {
+        "ranges": replace(ranges, has_sectors=True),
+        RETURNS: List(ScanPoint(ranges.element, fields=seen)),
+        INVALID: List(Beam(f"{SCAN} beam", {"angle": angle})),
+    }

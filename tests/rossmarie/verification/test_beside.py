@@ -1,0 +1,91 @@
+"""Numbers beside elements (S74) in the generated C, proved by CBMC; what they mean is not what they
+mean after a change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import pytest
+
+from dslkit.writing import write_texts
+from rossmarie import ir
+from rossmarie.driver import compile_file
+from rossmarie.targets import c99
+from rossmarie.verification.harness import harness
+from rossmarie.verification.prover import Outcome, Prover, Verdict
+from support.damage import damaged
+from support.depth import deep
+from support.provers import real_prover
+
+SECONDS = 120
+RULES = """\
+input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
+input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.2 sec;
+action stop;
+rule near: if any(ranges < abs(speed) * 1 sec) then { stop; };
+"""
+NO_CHANGE = ("", "")
+
+
+@pytest.fixture(scope="module")
+def prover() -> Prover:
+    return real_prover()
+
+
+@pytest.fixture(scope="module")
+def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
+    path = tmp_path_factory.mktemp("rules") / "beside.ross"
+    path.write_text(RULES)
+    return compile_file(path).machine
+
+
+def asked(
+    prover: Prover, machine: ir.Machine, change: tuple[str, str], parts: Sequence[str]
+) -> Iterator[Outcome]:
+    """What comes of some checks after a change of the generated C."""
+    program = harness(machine)
+    with prover.workshop() as folder:
+        files = c99.generate(machine)
+        write_texts(folder, files if change == NO_CHANGE else damaged(files, "monitor", *change))
+        prover.compile(folder, program)
+        for check in program.checks:
+            if check.name.startswith(tuple(parts)):
+                yield prover.run(program, check, folder, SECONDS)
+
+
+@pytest.mark.parametrize(
+    "part",
+    ["numbers_scan", "handed_scan", *deep(["tick", "step", "update_scan", "update_odom"])],
+)
+def test_they_are_what_they_mean(prover: Prover, machine: ir.Machine, part: str) -> None:
+    found = list(asked(prover, machine, NO_CHANGE, [part]))
+    assert found
+    assert {each.verdict for each in found} == {Verdict.PROVED}
+
+
+@pytest.mark.parametrize(
+    ("change", "part", "expected"),
+    [
+        (("    prepare(m, arrived);\n    fold_scan(m", "    fold_scan(m"), "handed_scan",
+         "what stands beside elements is there before"),
+        (("    fold_scan(m, ranges, ranges_count);\n    compute(m, arrived, t_ns);",
+          "    compute(m, arrived, t_ns);\n    fold_scan(m, ranges, ranges_count);"), "handed_scan",
+         "what stands beside elements is there before"),
+        *deep([
+            (("    fold_scan(m, ranges, ranges_count);\n    compute", "    compute"), "handed_scan",
+             "what is not refused is asked once"),
+            (("        VALUE_ANY_RANGES_ABS_SPEED_1_SEC,\n};", "        VALUE_SPEED,\n};"), "tick",
+             "is forgotten with what stands beside elements"),
+            (("const double BESIDE_4 = ", "const double BESIDE_4 = 1.0 + "), "numbers_scan",
+             "is what it means"),
+            (("    prepare(m, arrived);\n    if (v->has_scan)\n", "    if (v->has_scan)\n"),
+             "step_numbers_odom", "is what it means"),
+        ]),
+    ],
+)  # fmt: skip
+def test_a_seeded_fault_is_refuted(
+    prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
+) -> None:
+    reasons = {each for one in asked(prover, machine, change, [part]) for each in one.reasons}
+    assert any(expected in reason for reason in reasons)

@@ -1,0 +1,141 @@
+"""A Franka Research 3 with its gripper: all that its rules are there for happens to it, in 32 s."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from rossmarie.driver.robots import robot
+from support.simulated.base import curve
+from support.simulated.motion import Floats, Motion, about_x, about_z, joint_state, moved, pose
+from support.simulated.recording import Sensor, during, every, rounded, store_of
+
+SECONDS = 32.0
+CONTACT = (4.0, 5.0)
+CHATTER = (11.0, 12.0)  # a peg on the rim of its hole
+SLIPPED = (14.5, 16.0)  # the gripper closes on nothing
+USER_STOP = (17.0, 19.0)
+REFLEX = (20.0, 21.5)
+GUIDING = (22.5, 24.5)
+SILENT = (25.5, 26.1)
+LATE = (27.5, 29.0)  # commands that come too late
+
+JOINTS = tuple(f"fr3_joint{number}" for number in range(1, 8))
+FINGERS = ("fr3_finger_joint1", "fr3_finger_joint2")
+READY = (0.0, -0.785, 0.0, -2.356, 0.0, 1.571, 0.785)
+REACHING = (0.4, -0.3, 0.1, -1.9, 0.0, 1.7, 0.9)
+SWUNG = (-1.4, -0.5, 0.0, -2.1, 0.0, 1.6, 0.8)
+STRETCHED = (0.4, 0.6, 0.1, -0.22, 0.0, 1.2, 0.9)
+MOTION = Motion(
+    (
+        (1.0, READY),
+        (3.0, REACHING),
+        (6.0, REACHING),
+        (7.5, SWUNG),  # too fast for its first joint
+        (8.5, REACHING),
+        (9.5, STRETCHED),
+        (10.0, STRETCHED),
+        (11.0, REACHING),
+        (13.0, READY),
+        (22.5, READY),
+        (24.5, REACHING),
+        (30.0, READY),
+    )
+)
+STORE = store_of(robot("franka"))
+
+# The lengths and turns of its links (m, rad), by the convention of Craig: about x, then along
+# x and z, a turn about z.
+LINKS = (
+    (0.0, 0.0, 0.333),
+    (-math.pi / 2, 0.0, 0.0),
+    (math.pi / 2, 0.0, 0.316),
+    (math.pi / 2, 0.0825, 0.0),
+    (-math.pi / 2, -0.0825, 0.384),
+    (math.pi / 2, 0.0, 0.0),
+    (math.pi / 2, 0.088, 0.0),
+)
+FLANGE_TO_HAND = 0.107 + 0.1034
+
+
+def hand(t: float) -> Floats:
+    """Where the hand is, as a matrix."""
+    found = np.eye(4)
+    for angle, (twist, length, offset) in zip(MOTION.positions(t), LINKS, strict=True):
+        found = found @ about_x(twist) @ moved(length, offset) @ about_z(angle)
+    return found @ moved(0.0, FLANGE_TO_HAND)
+
+
+def force(t: float) -> float:
+    """What pushes the hand, downwards (N)."""
+    chatter = 11.0 * math.sin(2 * math.pi * 5.0 * t) if during(t, CHATTER) else 0.0
+    contact = curve(t, (3.98, 0.0), (4.2, 32.0), (4.8, 32.0), (5.0, 0.0))
+    return 2.0 + contact + chatter
+
+
+def mode(t: float) -> int:
+    """The mode of the robot: it moves, unless something stops it, or somebody leads it."""
+    if during(t, USER_STOP):
+        return 5
+    return 4 if during(t, REFLEX) else 3 if during(t, GUIDING) else 2
+
+
+def state(t: float) -> dict[str, Any]:
+    """The state of the robot; most of its fields stay zero."""
+    pushed = force(t)
+    torques = (0.2, 0.55 * pushed, 0.1, 0.5 * pushed, 0.05, 0.1, 0.0)
+    weights = (0.1, -12.0, 0.2, 18.0, 0.6, 2.1, 0.1)
+    reflex = during(t, REFLEX)
+    return {
+        **joint_state(JOINTS, MOTION, t, weights, "measured_joint_state__"),
+        "tau_ext_hat_filtered__name": list(JOINTS),
+        "tau_ext_hat_filtered__effort": [rounded(each, 6) for each in torques],
+        **pose(hand(t), "o_t_ee__"),
+        "o_t_ee__header__frame_id": "fr3_link0",
+        "o_f_ext_hat_k__header__frame_id": "fr3_link0",
+        "o_f_ext_hat_k__wrench__force__z": rounded(-pushed, 6),
+        "collision_indicators__is_cartesian_linear_contact__z": float(pushed > 20.0),
+        "time": t,
+        "control_command_success_rate": 0.78 if during(t, LATE) else 0.99,
+        "robot_mode": mode(t),
+        "current_errors__cartesian_reflex": reflex,
+    }
+
+
+def gripper(t: float) -> dict[str, Any]:
+    """The gripper holds a peg, which slips away; later it opens."""
+    half = curve(t, (12.0, 0.04), (13.0, 0.012), SLIPPED_FROM, (14.7, 0.0), (15.8, 0.0), OPENED)
+    return {
+        "name": list(FINGERS),
+        "position": [rounded(half, 14)] * 2,
+        "velocity": [0.0, 0.0],
+        "effort": [0.0, 0.0],
+    }
+
+
+SLIPPED_FROM = (SLIPPED[0], 0.012)
+OPENED = (SLIPPED[1], 0.03)
+
+
+def sensors() -> Sequence[Sensor]:
+    """All topics."""
+    return [
+        Sensor(
+            "/franka_robot_state_broadcaster/robot_state",
+            "franka_msgs/FrankaRobotState",
+            every(50, SECONDS),
+            state,
+            "fr3_link0",
+            [SILENT],
+        ),
+        Sensor(
+            "/franka_gripper/joint_states",
+            "sensor_msgs/JointState",
+            every(50, SECONDS),
+            gripper,
+            "",
+        ),
+    ]

@@ -1,0 +1,216 @@
+"""A TurtleBot 4 in a room: all that its rules are there for happens to it once, in 40 s."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from rossmarie.driver.robots import robot
+from support.made_messages import made
+from support.simulated.base import Base, Leg, command, curve, imu, odometry
+from support.simulated.frames import Frame, of_odometry, transforms
+from support.simulated.recording import Sensor, during, every, header, rounded, store_of
+from support.simulated.world import Lidar, Pillar, Thing, Wall, room
+
+SECONDS = 40.0
+PERSON = (5.0, 9.0)  # somebody steps in front of it, and goes on
+SPEEDING = (10.5, 12.5)  # as with the safety override: the robot reaches 0.46 m/s
+BUMP = (14.0, 14.6)  # against something that the lidar does not see
+BACKED_UP = (15.6, 16.2)
+SILL = (18.0, 20.0)  # it climbs
+STALL = (21.0, 23.0)
+LIFTED = (25.0, 27.0)
+UNPLUGGED = (29.0, 30.2)  # the lidar
+DOCKED = 36.0
+
+# Beams as in turtlebot/turtlebot4#664: less than a whole turn, 7.7 times a second. The lidar is
+# mounted with a quarter turn: ahead of the robot is at -90 degrees of the scan.
+PERIOD = 0.13
+LIDAR = Lidar(
+    angles=np.linspace(-3.1241393, 3.1415927, 269),
+    least=0.15,
+    most=12.0,
+    x=-0.04,
+    yaw=math.pi / 2,
+)
+BASE = Base(
+    legs=(
+        Leg(1.0),
+        Leg(5.6, 0.25),
+        Leg(9.5),
+        Leg(10.5, 0.25),
+        Leg(12.5, 0.45),
+        Leg(14.0, 0.25),
+        Leg(14.6),
+        Leg(16.2, -0.1),
+        Leg(17.0),
+        Leg(17.8, 0.0, -1.9),
+        Leg(20.6, 0.2),
+        Leg(23.0, 0.2),
+        Leg(24.0),
+        Leg(28.0),
+        Leg(28.8, 0.0, -1.9),
+        Leg(33.0, 0.25),
+        Leg(34.0),
+        Leg(DOCKED, 0.1),
+        Leg(SECONDS),
+    ),
+    start=(0.0, 0.0, 0.0),
+    acceleration=0.9,
+    held=(BUMP, STALL, (24.0, 28.0)),
+)
+# The room has a door through which the lidar sees nothing.
+THINGS: Sequence[Thing] = [
+    *room(-1.2, -2.6, 4.4, 2.4)[:3],
+    Wall(-1.2, 2.4, -1.2, 0.6),
+    Wall(-1.2, -0.4, -1.2, -2.6),
+    Pillar(0.8, 1.5, 0.3),
+    *room(2.2, -2.0, 2.8, -1.6),
+]
+STORE = store_of(robot("turtlebot4"))
+
+
+def scan(t: float) -> dict[str, Any]:
+    """Somebody comes from the left, stands 0.3 m in front of the robot, and goes on."""
+    person = Pillar(
+        1.65, curve(t, (PERSON[0], 1.4), (6.2, 0.0), (7.8, 0.0), (PERSON[1], -1.4)), 0.2
+    )
+    things = [*THINGS, person] if during(t, PERSON) else THINGS
+    return LIDAR.fields(LIDAR.scan(BASE.at(t).place, things), PERIOD)
+
+
+def tilt(t: float) -> tuple[float, float]:
+    """Its roll and its pitch: a sill at both of its ends, and hands that lift it."""
+    pitch = curve(
+        t, (18.0, 0.0), (18.3, -14.0), (19.0, -14.0), (19.4, 0.0), (19.8, 9.0), (20.1, 0.0)
+    )
+    roll = curve(t, (25.0, 0.0), (25.4, 24.0), (26.6, 24.0), (27.0, 0.0))
+    return math.radians(roll), math.radians(pitch)
+
+
+HAZARDS = {
+    "bump_front_center": (1, BUMP),
+    "base_link": (0, BACKED_UP),
+    "left_wheel": (3, STALL),
+    "right_wheel": (3, STALL),
+    "wheel_drop_left": (4, LIFTED),
+    "wheel_drop_right": (4, LIFTED),
+    "cliff_front_left": (2, (25.2, LIFTED[1])),
+}
+"""Where hazards are detected, of which types, and when."""
+
+
+def hazards(t: float) -> dict[str, Any]:
+    """All that are there."""
+    at_ns = round(t * 1e9)
+    found = [
+        made(STORE, "irobot_create_msgs/HazardDetection", type=kind, **header(at_ns, frame))
+        for frame, (kind, stretch) in HAZARDS.items()
+        if during(t, stretch)
+    ]
+    return {"detections": found}
+
+
+def battery(t: float) -> dict[str, Any]:
+    """A battery that runs low, and is charged at the dock; hours pass in seconds."""
+    percentage = curve(t, (0.0, 0.23), (DOCKED, 0.17), (SECONDS - 1.5, 0.24))
+    return {
+        "voltage": rounded(12.0 + 14.0 * percentage),
+        "temperature": rounded(curve(t, (0.0, 28.0), (SECONDS, 31.0))),
+        "current": 1.5 if t > DOCKED else -0.8,
+        "percentage": rounded(percentage),
+        "present": True,
+    }
+
+
+def wheels(t: float) -> dict[str, Any]:
+    """The motors strain where the wheels do not turn."""
+    current = 900 if during(t, STALL) else round(400 * abs(BASE.at(t).speed))
+    return {
+        "current_ma_left": current,
+        "current_ma_right": current,
+        "pwm_left": round(30000 * BASE.wanted(t).speed),
+        "pwm_right": round(30000 * BASE.wanted(t).speed),
+        "wheels_enabled": True,
+    }
+
+
+FRAMES = (
+    Frame("shell_link", "base_link", (0.0, 0.0, 0.0942)),
+    Frame("rplidar_link", "shell_link", (-0.04, 0.0, 0.098715), (0.0, 0.0, math.pi / 2)),
+)
+
+
+def sensors() -> Sequence[Sensor]:
+    """All topics."""
+    names = "irobot_create_msgs"
+    return [
+        Sensor("/tf_static", "tf2_msgs/TFMessage", [0.0], lambda t: transforms(STORE, t, *FRAMES)),
+        Sensor(
+            "/tf",
+            "tf2_msgs/TFMessage",
+            every(20, SECONDS),
+            lambda t: transforms(STORE, t, of_odometry(BASE.at(t))),
+        ),
+        Sensor(
+            "/scan",
+            "sensor_msgs/LaserScan",
+            every(1 / PERIOD, SECONDS),
+            scan,
+            "rplidar_link",
+            [UNPLUGGED],
+        ),
+        Sensor(
+            "/imu",
+            "sensor_msgs/Imu",
+            every(62.5, SECONDS),
+            lambda t: imu(BASE.at(t), *tilt(t)),
+            "imu_link",
+        ),
+        Sensor(
+            "/odom",
+            "nav_msgs/Odometry",
+            every(20, SECONDS),
+            lambda t: odometry(BASE.at(t)),
+            "odom",
+        ),
+        Sensor(
+            "/hazard_detection",
+            f"{names}/HazardDetectionVector",
+            every(10, SECONDS),
+            hazards,
+            "base_link",
+        ),
+        Sensor(
+            "/kidnap_status",
+            f"{names}/KidnapStatus",
+            every(1, SECONDS),
+            lambda t: {"is_kidnapped": during(t, (LIFTED[0] + 0.3, LIFTED[1] + 0.6))},
+            "base_link",
+        ),
+        Sensor(
+            "/dock_status",
+            f"{names}/DockStatus",
+            every(1, SECONDS),
+            lambda t: {"dock_visible": t > DOCKED - 4, "is_docked": t > DOCKED},
+            "base_link",
+        ),
+        Sensor(
+            "/slip_status",
+            f"{names}/SlipStatus",
+            every(20, SECONDS),
+            lambda t: {"is_slipping": during(t, STALL)},
+            "base_link",
+        ),
+        Sensor("/wheel_status", f"{names}/WheelStatus", every(20, SECONDS), wheels, "base_link"),
+        Sensor("/battery_state", "sensor_msgs/BatteryState", every(1, SECONDS), battery, "base"),
+        Sensor(
+            "/cmd_vel",
+            "geometry_msgs/Twist",
+            every(20, SECONDS),
+            lambda t: command(BASE.wanted(t)),
+        ),
+    ]
