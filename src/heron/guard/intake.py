@@ -33,7 +33,7 @@ from rossmarie.ir import (
     field_names,
     scan_names,
 )
-from rossmarie.ir.scans import scan_path
+from rossmarie.ir.beams import scan_path
 from rossmarie.ir.skills import answer
 
 Watch = Callable[..., "int | None"]

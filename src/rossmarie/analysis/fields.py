@@ -11,8 +11,8 @@ import z3
 
 from rossmarie import ir
 from rossmarie.analysis.terms import constant, within
+from rossmarie.ir.beams import USUAL_DISTANCES
 from rossmarie.ir.carried import si_ends
-from rossmarie.ir.scans import USUAL_DISTANCES
 
 _LEAST_ROOM = 1e-10
 _ROUNDING = 4e-16

@@ -23,8 +23,8 @@ from rossmarie.ir import (
     Sector,
     Slot,
 )
+from rossmarie.ir.beams import is_of_scan
 from rossmarie.ir.reactions import Publish, Scalar
-from rossmarie.ir.scans import is_of_scan
 from rossmarie.ir.skills import SkillContext, answer
 
 

@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from typing import Any
 
 from rossmarie.ir import Array, ChannelValues, Kind, Machine, Path, ScanFields, Slot
-from rossmarie.ir.scans import Scan, all_taken, is_of_scan
+from rossmarie.ir.beams import is_of_scan
+from rossmarie.ir.scans import Scan, all_taken
 
 
 def values_of_scan(machine: Machine, fields: ScanFields, scan: Scan) -> tuple[int, ChannelValues]:

@@ -13,9 +13,9 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
+from rossmarie.ir.beams import scan_path
 from rossmarie.ir.model import Array, List, Machine, Slot
 from rossmarie.ir.path import Path, path_names
-from rossmarie.ir.scans import scan_path
 
 
 @dataclass(frozen=True)

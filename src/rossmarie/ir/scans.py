@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from rossmarie.core.angles import HALF_TURN, RIGHT_ANGLE
 from rossmarie.ir.model import Array, Machine
-from rossmarie.ir.path import INVALID, RETURNS, Beams, Path, Sector
+from rossmarie.ir.path import INVALID, RETURNS, Beams, Sector
 
 TURN = 2.0 * HALF_TURN
 
@@ -27,10 +27,6 @@ SLACK = 0.01
 
 _MISCOUNT = 1.5
 """The increments by which `angle_max` may be off: drivers disagree by one beam on what it is."""
-
-
-USUAL_DISTANCES = (0.05, 30.0)
-"""The distances in m between which a scan of a test measures, if the test does not say another."""
 
 
 class Scan(Protocol):
@@ -72,21 +68,6 @@ class _Measured:
 def is_scan(value: object) -> TypeGuard[Scan]:
     """Say whether something looks like the message of a scan."""
     return hasattr(value, "angle_increment") and hasattr(value, "ranges")
-
-
-def is_of_scan(array: Array) -> bool:
-    """Say whether an array has to be taken from a whole scan."""
-    return scan_path(array.path) is not None
-
-
-def scan_path(path: Path) -> Path | None:
-    """The path of the scan in whose beams a path ends; None if it is no such path."""
-    for place, step in enumerate(path):
-        if isinstance(step, Sector):
-            return path[: place - 1]  # in front of `ranges`
-        if isinstance(step, Beams):
-            return path[:place]
-    return None
 
 
 def taken(scan: Scan, array: Array, most: int) -> NDArray[np.float64]:

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Diagnostic
 from rossmarie import ir
 from rossmarie.check.instances.errors import CannotTighten
+from rossmarie.core import row
 from rossmarie.ir import Comparison, Function
 
 _Moves = frozenset[int]
@@ -21,7 +22,6 @@ _UP: _Moves = frozenset({1})
 _DOWN: _Moves = frozenset({-1})
 _BOTH = _UP | _DOWN
 _LIKE_BOTH = frozenset({Function.ADD, Function.MINIMUM, Function.MAXIMUM})
-_LENGTHS = frozenset({Function.ABSOLUTE, Function.NORM, Function.HYPOT})
 _LESS = frozenset({Comparison.LESS, Comparison.LESS_OR_EQUAL})
 _GREATER = frozenset({Comparison.GREATER, Comparison.GREATER_OR_EQUAL})
 
@@ -124,7 +124,7 @@ class _MovesOf:
         if not isinstance(node, ir.Apply):
             return None
         is_square = node.function is Function.MULTIPLY and len(set(node.operands)) == 1
-        if is_square or node.function in _LENGTHS:
+        if is_square or row(node.function).range[0] >= 0.0:
             return 1
         signs = [self._signs[each] for each in node.operands]
         match node.function, signs:

@@ -17,7 +17,7 @@ from rosbags.typesys.store import Typestore
 
 from dslkit.diagnostics import Collector, Diagnostic, Remark
 from rossmarie.ir import EARLIEST_NS, LATEST_NS, Array, Batch, Machine, Slot
-from rossmarie.ir.scans import is_of_scan
+from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings.batches import Assembly
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.decoding import Decoder

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from difflib import SequenceMatcher
 
 from rossmarie.ir import EACH, Array, Listed, Machine, Slot
-from rossmarie.ir.scans import is_of_scan
+from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.matching import Match
 from rossmarie.recordings.skills import question_of

@@ -26,7 +26,7 @@ from typing import TextIO
 from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Batch, Machine
-from rossmarie.ir.scans import is_of_scan
+from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings.batches import batched
 from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks, stamps_of
 from rossmarie.recordings.clouds import is_of_points

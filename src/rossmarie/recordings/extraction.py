@@ -31,7 +31,7 @@ from rossmarie.ir import (
     SkillStep,
     Slot,
 )
-from rossmarie.ir.scans import scan_path
+from rossmarie.ir.beams import scan_path
 from rossmarie.ir.skills import answer
 from rossmarie.recordings.clouds import CloudReader, cloud_readers, holds_cloud, is_of_points
 from rossmarie.recordings.definitions import full_type

@@ -9,7 +9,7 @@ from rosbags.interfaces import Nodetype
 from rosbags.typesys.store import Typestore
 
 from rossmarie.ir import ByName, Doing, Kind, Listed, Path, Quantity
-from rossmarie.ir.scans import is_of_scan
+from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings import extraction
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.plan import (

@@ -14,6 +14,7 @@ from rosbags.typesys.base import normalize_fieldname
 from rosbags.typesys.store import Typestore
 
 from rossmarie.ir import Array, List, Path, scans
+from rossmarie.ir.beams import scan_path
 
 _SCAN = "sensor_msgs/msg/LaserScan"
 _FLOAT = (Nodetype.BASE, ("float32", 0))
@@ -48,13 +49,13 @@ def scan_readers(arrays: Mapping[int, Array], lists: Sequence[List]) -> Iterator
     """A reader for each sector, and for each list of beams."""
     by_list: dict[int, dict[int, Array]] = {}
     for index, array in arrays.items():
-        path = scans.scan_path(array.path)
+        path = scan_path(array.path)
         if path is not None and array.list is None:
             yield ScanReader(path, 0, {index: array})
         elif path is not None and array.list is not None:
             by_list.setdefault(array.list, {})[index] = array
     for number, found in by_list.items():
-        path = scans.scan_path(lists[number].path)
+        path = scan_path(lists[number].path)
         assert path is not None, "its columns are of a scan"
         yield ScanReader(path, lists[number].most, found)
 

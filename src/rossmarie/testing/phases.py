@@ -13,8 +13,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rossmarie import ir
+from rossmarie.ir.beams import USUAL_DISTANCES, is_of_scan
 from rossmarie.ir.carried import carries, holds_flags
-from rossmarie.ir.scans import USUAL_DISTANCES, is_of_scan
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.goals import visible_step
 from rossmarie.testing.skills import told_by_skills

@@ -29,9 +29,9 @@ from rossmarie.ir import (
     Slot,
     columns_of,
 )
+from rossmarie.ir.beams import is_of_scan, scan_path
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.path import extent
-from rossmarie.ir.scans import is_of_scan, scan_path
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.ir.skills import RunningSkill, SkillContext, answer
 from rossmarie.testing.frames import asked_frames

@@ -12,15 +12,9 @@ from types import SimpleNamespace
 import numpy as np
 
 from rossmarie.ir import Array, Machine, Path, Sector
+from rossmarie.ir.beams import USUAL_DISTANCES, is_of_scan, scan_path
 from rossmarie.ir.carried import raw_of
-from rossmarie.ir.scans import (
-    USUAL_DISTANCES,
-    UnreadableScanError,
-    beams_inside,
-    is_of_scan,
-    scan_path,
-    taken,
-)
+from rossmarie.ir.scans import UnreadableScanError, beams_inside, taken
 from rossmarie.ir.script import SettingValue
 
 BEAMS = 360

@@ -8,7 +8,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from rossmarie import ir
 from rossmarie.ir import EACH, Listed, Path, path_text
-from rossmarie.ir.scans import scan_path
+from rossmarie.ir.beams import scan_path
 from rossmarie.ir.script import Script, ScriptedArrival, Setting
 from rossmarie.testing.errors import SettingUnread
 from rossmarie.testing.scans import FIELDS

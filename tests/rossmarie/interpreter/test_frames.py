@@ -248,7 +248,7 @@ def test_s80_what_is_mounted_comes_with_no_message() -> None:
     assert watched.numbers == pytest.approx([float((matrix(TOOL) @ (1.0, 2.0, 3.0, 1.0))[2])])
 
 
-def test_s65_a_frame_that_moves_may_be_as_old_as_its_timeout() -> None:
+def test_s79_a_frame_that_moves_may_be_as_old_as_its_timeout() -> None:
     """The reaction of a motion counts with it, and with what it travels fastest meanwhile."""
     motion = """
     input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.2 sec;

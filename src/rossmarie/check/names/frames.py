@@ -9,6 +9,7 @@ from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.frame_errors import MixedFrames, NothingToTransform, Seen
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import path_of, root_of, stripped, text_of
+from rossmarie.core import Sampling
 from rossmarie.syntax import ast
 from rossmarie.types import Array, Message, Quaternion, Text, Type, Vector
 
@@ -16,9 +17,7 @@ HEADER = ("header", "frame_id")
 CHILD = "child_frame_id"
 """The field of a nav_msgs/Odometry that says the frame of its twist."""
 
-_KEEPING = frozenset(
-    {"previous", "rate", "median", "mean", "low_pass", "abs", "min", "max", "roll", "pitch", "yaw"}
-)
+_KEEPING = {"abs", "min", "max", "roll", "pitch", "yaw", *(each.value for each in Sampling)}
 """Functions whose result is in the frame of what they are called on."""
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from jinja2 import ChoiceLoader, Environment, PackageLoader, StrictUndefined
 
 from rossmarie import ir
-from rossmarie.ir.scans import is_of_scan
+from rossmarie.ir.beams import is_of_scan
 from rossmarie.naming import node_name
 from rossmarie.targets import c99, comments
 from rossmarie.targets.c99.layout import Layout, lay_out
