@@ -14,8 +14,8 @@ inline bool is_frame(const std::string &text, const char *name)
     return text.compare(first, std::string::npos, name) == 0;
 }
 
-// The transform from the frame `child` to `parent`, the last one if there are several; null if there
-// is none.
+// The transform from the frame `child` to `parent`, the last one if there are several; null if
+// there is none.
 template <class Message>
 auto transform_in(const Message &message, const char *parent, const char *child)
     -> const std::decay_t<decltype(message.transforms[0].transform)> *
