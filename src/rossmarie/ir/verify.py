@@ -328,11 +328,16 @@ def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[in
             pass
         case _:  # open: no other function compares texts
             return ()
-    literal = machine.signals[wanted].node
-    require(kind_of(machine, seen) is ir.Kind.TEXT, where, "a frame that is no text")
-    is_text = isinstance(literal, ir.Constant) and literal.value in range(len(machine.texts))
-    require(is_text, where, "the wanted frame is no text")
+    is_told = kind_of(machine, seen) is ir.Kind.TEXT
+    require(is_told or _is_literal(machine, seen), where, "a frame that is no text")
+    require(_is_literal(machine, wanted), where, "the wanted frame is no text")
     return (seen, wanted)
+
+
+def _is_literal(machine: ir.Machine, signal: int) -> bool:
+    """Say whether a signal is a text of the rules."""
+    node = machine.signals[signal].node
+    return isinstance(node, ir.Constant) and node.value in range(len(machine.texts))
 
 
 def _keeps(node: ir.SignalNode) -> bool:
@@ -349,13 +354,8 @@ def _compares_text(machine: ir.Machine, node: ir.TruthNode) -> bool:
     """Two unknown texts have the same number, so one side has to be a literal."""
     if not isinstance(node, ir.Compare):
         return False
-    literal = machine.signals[node.right].node
-    return (
-        node.comparison in _EQUALITY
-        and kind_of(machine, node.left) is ir.Kind.TEXT
-        and isinstance(literal, ir.Constant)
-        and literal.value in range(len(machine.texts))
-    )
+    is_of_text = kind_of(machine, node.left) is ir.Kind.TEXT
+    return node.comparison in _EQUALITY and is_of_text and _is_literal(machine, node.right)
 
 
 # --- rules -----------------------------------------------------------------------------------

@@ -31,11 +31,9 @@ _METRE = parse_unit("m")
 
 
 def is_in_frame(place: Place) -> bool:
-    """Say whether the rules say the frame of a part of a message. Parts of elements of lists are
-    left as they are.
-    """
+    """Say whether the rules say the frame of a part of a message."""
     used = place.input
-    return used.frame is not None and place.list_path is None and is_told(used, place.path)
+    return used.frame is not None and is_told(used, place.path)
 
 
 class Frames:

@@ -51,6 +51,6 @@ def beams_of(fields: Mapping[str, Type]) -> Mapping[str, Type]:
     seen = {"range": ranges.element, "angle": angle, "intensity": intensities.element}
     return {
         "ranges": replace(ranges, has_sectors=True),
-        RETURNS: List(ScanPoint(ranges.element, fields=seen)),
+        RETURNS: List(ScanPoint(ranges.element, is_position=True, fields=seen)),
         INVALID: List(Beam(f"{SCAN} beam", {"angle": angle})),
     }

@@ -11,7 +11,17 @@ from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import path_of, root_of, stripped, text_of
 from rossmarie.core import Sampling
 from rossmarie.syntax import ast
-from rossmarie.types import Array, Message, Quaternion, Text, Type, Vector
+from rossmarie.types import (
+    Array,
+    Beam,
+    List,
+    Message,
+    Quaternion,
+    ScanPoint,
+    Text,
+    Type,
+    Vector,
+)
 
 HEADER = ("header", "frame_id")
 CHILD = "child_frame_id"
@@ -61,12 +71,12 @@ def is_told(used: CheckedInput, path: Sequence[object]) -> bool:
 
 
 def has_frame(type_: Type) -> bool:
-    """Say whether values of a type are seen from a frame, or hold some that are. Elements of lists
-    do not count: they cannot be transformed.
-    """
+    """Say whether values of a type are seen from a frame, or hold some that are."""
     match type_:
         case Vector() | Quaternion():
             return True
+        case List(element=element):
+            return has_frame(element)
         case Message(fields=fields):
             return any(has_frame(part) for name, part in fields.items() if name != HEADER[0])
         case _:  # open: numbers, truths and texts alone have no frame
@@ -114,41 +124,50 @@ def _of_part(node: ast.Reference | ast.Member | ast.Index, context: Context) -> 
     owner = stripped(node.value) if isinstance(node, ast.Member) else None
     if owner is not None and isinstance(context.type_of(owner), Vector | Quaternion):
         return frame_of(owner, context)  # a component is as its vector is
-    root = root_of(node)
-    if root is None or not has_frame(context.type_of(node)):
+    if not has_frame(context.type_of(node)):
         return None
-    path = path_of(node)
-    fold = context.folds_around(node).get(root.name.text)
-    if fold is not None:
-        root = root_of(fold.list)
-        path = (*path_of(fold.list), *path)
-    used = None if root is None else context.inputs.get(root.name.text)
+    used, path = _brought(node, context)
     if used is None or used.frame is None or not is_told(used, (*used.path, *path)):
         return None
     return Framed(used.frame, used)
 
 
-def is_left_in_its_frame(node: ast.Member, type_: Type, context: Context) -> bool:
-    """Say whether a field goes by the axes of its message, and is asked for in another frame: the
-    covariance of a pose or a twist. It is reported.
+def _brought(
+    node: ast.Expression, context: Context
+) -> tuple[CheckedInput | None, tuple[object, ...]]:
+    """The input that brings a part of a message, or an element of a list, and the way to it."""
+    root, path = root_of(node), path_of(node)
+    fold = None if root is None else context.folds_around(node).get(root.name.text)
+    if fold is not None:
+        root, path = root_of(fold.list), (*path_of(fold.list), *path)
+    return None if root is None else context.inputs.get(root.name.text), path
+
+
+def is_left_in_its_frame(node: ast.Member | ast.Sector, type_: Type, context: Context) -> bool:
+    """Say whether something goes by the axes of its message, and is asked for in another frame: the
+    covariance of a pose or a twist, a sector of a scan, the angle of a beam. It is reported.
     """
-    root = root_of(node)
-    used = None if root is None else context.inputs.get(root.name.text)
-    if used is None or used.target is None or not isinstance(type_, Array):
+    used, path = _brought(node.value, context)
+    if used is None or used.target is None:
         return False
-    is_covariance = node.member.text.endswith("covariance")
-    if is_covariance:
-        reason = "it goes by the axes of its message"
-        finding = NothingToTransform(field=text_of(node), frame=used.target, reason=reason)
-        field = ".".join((*used.path, *path_of(node)))
-        context.collector.add(finding.at(node.member.span, help=finding.Untransformed(field=field)))
-    return is_covariance
+    match node:
+        case ast.Sector():
+            names, span = path, node.arc.span
+        case ast.Member(member=member) if _goes_by_axes(context.type_of(node.value), member, type_):
+            names, span = (*path, member.text), member.span
+        case ast.Member():
+            return False
+    reason = "it goes by the axes of its message"
+    finding = NothingToTransform(field=text_of(node), frame=used.target, reason=reason)
+    field = ".".join(map(str, (*used.path, *names)))
+    context.collector.add(finding.at(span, help=finding.Untransformed(field=field)))
+    return True
 
 
-def report_list(node: ast.Expression, frame: str, context: Context) -> None:
-    """Report a list of things that are wanted in another frame: only single ones can be seen so."""
-    finding = NothingToTransform(field=text_of(node), frame=frame, reason="it is a list")
-    context.collector.add(finding.at(node.span, help=finding.LeaveOut(frame=frame)))
+def _goes_by_axes(owner: Type, member: ast.Name, type_: Type) -> bool:
+    if isinstance(owner, Beam | ScanPoint):
+        return member.text == "angle"
+    return isinstance(type_, Array) and member.text.endswith("covariance")
 
 
 def check_one_frame(operands: Sequence[ast.Expression], context: Context) -> bool:

@@ -11,7 +11,6 @@ from collections.abc import Iterator
 from dslkit.diagnostics import Edit, Fix, Remark
 from rossmarie.check.model import Value
 from rossmarie.check.names.fields import lists_in
-from rossmarie.check.names.frames import has_frame, report_list
 from rossmarie.check.names.references import is_value
 from rossmarie.check.operations.beside import (
     CONDITIONAL,
@@ -102,9 +101,6 @@ def _check_list(node: ast.ListFold, context: Context) -> None:
         return
     root = root_of(node.list)
     used = None if root is None else context.inputs.get(root.name.text)
-    if used is not None and used.target is not None and has_frame(type_.element):
-        report_list(node.list, used.target, context)
-        return
     if used is None or used.declaration.bound is not None:
         return
     bound = USUAL_BEAMS if type_.is_of_beams else USUAL_BOUND

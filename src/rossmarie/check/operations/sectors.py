@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from dslkit.diagnostics import Edit, Fix, Remark
+from rossmarie.check.names.frames import is_left_in_its_frame
 from rossmarie.check.operations.operands import require_constant
 from rossmarie.check.operations.sector_errors import LongWay, NoSector, NoSectors
 from rossmarie.check.scopes.context import Context
@@ -26,7 +27,9 @@ def type_of_sector(node: ast.Sector, context: Context) -> Type:
     if not isinstance(type_, Array) or not type_.has_sectors:
         report_no_sectors(type_, node.arc, text_of(node.value), context)
         return Unknown()
-    return Unknown() if sector is None else Array(type_.element)
+    if sector is None or is_left_in_its_frame(node, type_, context):
+        return Unknown()
+    return Array(type_.element)
 
 
 def checked_sector(arc: ast.Arc, context: Context) -> Sector | None:

@@ -13,7 +13,7 @@ from rossmarie.check.scopes.context import Context
 from rossmarie.check.system.frames import find_frame, report_second_frame
 from rossmarie.check.system.model import Topic
 from rossmarie.syntax import ast
-from rossmarie.types import List, Message, Quantity, Type, Unknown
+from rossmarie.types import Message, Quantity, Type, Unknown
 from rossmarie.units import UnknownUnitError, parse_unit
 
 
@@ -97,8 +97,6 @@ def _trouble(used: CheckedInput, frame: str) -> tuple[str | None, Remark | None]
     """The reason why an input cannot be seen from another frame, and what to do; None if it can."""
     type_, path = used.type, used.declaration.path
     leave_out = NothingToTransform.LeaveOut(frame=frame)
-    if isinstance(type_, List):
-        return "it is a list", leave_out
     if isinstance(type_, Quantity) and len(path) > 1 and path[-1].text in "xyzw":
         whole = ".".join(each.text for each in path[:-1])
         return "it is one component", NothingToTransform.Whole(field=whole)
