@@ -74,7 +74,7 @@ class Frames:
     # --- the frame of the message ------------------------------------------------------------
 
     def _in_source(self, place: Place, arrived: Axis) -> Axis:
-        """What has arrived, unknown where the message says another frame (S77)."""
+        """The components that have arrived, unknown where the message says another frame (S77)."""
         used = place.input
         told = frame_field(used.whole, place.path)
         if told is None or used.source is None:

@@ -67,7 +67,7 @@ def frames_in(
 
 @dataclass
 class _Edge:
-    """How one transform came so far."""
+    """One transform as it has come so far."""
 
     is_static: bool
     count: int = 0

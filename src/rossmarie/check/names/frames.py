@@ -9,6 +9,7 @@ from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.frame_errors import MixedFrames, NothingToTransform, Seen
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import path_of, root_of, stripped, text_of
+from rossmarie.core import Sampling
 from rossmarie.syntax import ast
 from rossmarie.types import Array, Message, Quaternion, Text, Type, Vector
 
@@ -17,7 +18,7 @@ CHILD = "child_frame_id"
 """The field of a nav_msgs/Odometry that says the frame of its twist."""
 
 _KEEPING = frozenset(
-    {"previous", "rate", "median", "mean", "low_pass", "abs", "min", "max", "roll", "pitch", "yaw"}
+    {"abs", "min", "max", "roll", "pitch", "yaw", *(sampling.value for sampling in Sampling)}
 )
 """Functions whose result is in the frame of what they are called on."""
 
