@@ -43,7 +43,7 @@ _PRIVATE = """
     rossmarie
     row rule sampled samples scale seconds set settle shown since size slot stage staged stamp
     start started swings t take task term text texts timeout topic truth truths turn uint16 uint64
-    uint8 unknown unknowns value values wake was watched width window yields
+    uint8 unknown unknowns value values wake was watched width window x yields
 """
 
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())

@@ -23,6 +23,7 @@ from rossmarie.testing.goals import (
     decisions,
     edges,
     goals,
+    stays,
 )
 from rossmarie.testing.history import History, Recorder
 from rossmarie.testing.play import Step, steps_of
@@ -252,7 +253,9 @@ class _Trace:
         for index, rule in enumerate(self._machine.rules):
             if truths[rule.condition] is TruthValue.LOST:
                 for used in rule.inputs:
-                    if states[used] is InputState.EXPIRED:
+                    is_late = stays(self._machine.inputs[used])
+                    lost = InputState.NEVER if is_late else InputState.EXPIRED
+                    if states[used] is lost:
                         self._reached.add(Goal(index, Aspect.LOST, used))
 
     def _look_at_edges(self, decision: _Decision, atom: int, signals: Sequence[float]) -> None:

@@ -25,6 +25,14 @@ from rossmarie.ir.support import (
 )
 from rossmarie.testing.whole import whole_step
 
+LONGEST_SILENCE_NS = 10**16
+"""A silence that no test plays: what outlasts it is lost only until it has come."""
+
+
+def stays(used: ir.Input) -> bool:
+    """Say whether an input is lost only until it has come, as a frame that stays where it is."""
+    return used.timeout_ns is not None and used.timeout_ns > LONGEST_SILENCE_NS
+
 
 class Aspect(enum.Enum):
     """The aspect of a rule, an atom or an input that is to be seen."""

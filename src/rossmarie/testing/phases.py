@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rossmarie import ir
 from rossmarie.ir.beams import USUAL_DISTANCES, is_of_scan
@@ -76,12 +76,25 @@ class Stage:
         events: list[ScriptedArrival | ScriptedReset] = list(self._beats(phases, starts, ends))
         before: dict[Variable, float] = {}
         for phase, start_ns, end_ns in zip(phases, starts, ends, strict=True):
-            events += self._changes(phase, before, start_ns)
-            before = dict(phase.values)
+            told = self._told(phase)
+            events += self._changes(told, before, start_ns)
+            kept = {each: before[each] for each in phase.values if each in before}
+            before = kept | dict(told.values)
             if self.machine.rules[self.rule].release is None:
                 events.append(ScriptedReset(end_ns - self.beat_ns, self.rule))
         events.sort(key=_start)
         return Script(name, told_by_skills(self.machine, events) or (), (), None)
+
+    def _told(self, phase: Phase) -> Phase:
+        """A phase without the numbers that only messages on silent channels could bring."""
+        inputs, slots = self.machine.inputs, self.machine.slots
+        values = {
+            variable: value
+            for variable, value in phase.values.items()
+            if variable.kind != "slot"
+            or inputs[slots[variable.index].input].channel not in phase.silent
+        }
+        return replace(phase, values=values)
 
     # --- messages that keep inputs alive -----------------------------------------------------
 

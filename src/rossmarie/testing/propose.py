@@ -22,6 +22,7 @@ from rossmarie.testing.goals import (
     decisions,
     edges,
     losable_inputs,
+    stays,
 )
 from rossmarie.testing.phases import Phase, Stage, beat_ns, delay_ns, ramp_of, round_up
 from rossmarie.testing.sides import beside
@@ -223,6 +224,11 @@ class _Proposer:
             if values is None:
                 continue
             silent = frozenset({declared.channel})
+            if stays(declared):
+                phases = [self._phase(values, self._hold_ns, silent)]
+                phases.append(self._phase(values, self._hold_ns))
+                yield self._proposal(f"{declared.name} has not come yet", phases)
+                return
             length_ns = round_up(declared.timeout_ns + self._hold_ns, self._beat_ns)
             phases = [
                 self._phase(values, self._hold_ns),

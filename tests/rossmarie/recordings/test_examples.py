@@ -79,7 +79,7 @@ def test_demo_has_the_topics_that_it_promises(demo: Path) -> None:
             "/scan": "sensor_msgs/LaserScan",
         }
         assert 60e9 < recording.end_ns - recording.start_ns < 90e9
-        assert "topic /imu/data : sensor_msgs/Imu;" in write_model(recording)
+        assert "topic /imu/data : sensor_msgs/Imu from imu_link;" in write_model(recording)
 
 
 def test_demo_shows_what_its_rules_say(demo: Path) -> None:
