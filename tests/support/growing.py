@@ -59,6 +59,9 @@ regions = st.sampled_from(
     )
 )
 
+FUNCTIONS = [each for each in ir.Function if each not in (ir.Function.RAISED, ir.Function.LOWERED)]
+"""The functions of any numbers; the other two are of parameters of a node alone (S87)."""
+
 
 class Growing:
     """Adds one random node at a time to a draft."""
@@ -149,7 +152,7 @@ class Growing:
         return self.draft.constant(self.draw(finite))
 
     def _apply(self) -> int:
-        function = self.draw(st.sampled_from(ir.Function))
+        function = self.draw(st.sampled_from(FUNCTIONS))
         operands = [self.one_of(self.numbers) for _ in range(self._arity(function))]
         return self.draft.apply(function, *operands)
 
@@ -220,7 +223,7 @@ class Growing:
         if self._slots_of(ir.Kind.TEXT) and self.draw(st.integers(0, 3)) == 0:
             known.append(self._of_region(Measure.DISTANCE, self.one_of(known)))
             return known[-1]
-        function = self.draw(st.sampled_from(ir.Function))
+        function = self.draw(st.sampled_from(FUNCTIONS))
         operands = [self._beside() for _ in range(self._arity(function))]
         operands[self.draw(st.integers(0, len(operands) - 1))] = self.one_of(known)
         operands[self.draw(st.integers(0, len(operands) - 1))] = self.one_of(known)

@@ -172,7 +172,7 @@ HABITS = (
     _habit(
         r"\[\s[^][;{}]*(?P<x>;)(?=\s[^][;{}]*\])", ",", "a comma stands between two numbers here"
     ),
-    _habit(rf"\d\s(?P<x>\. \.)(?=\s{_NUMBER})", ", ", "a comma stands between two numbers here"),
+    _habit(rf"\d\s(?P<x>\.\.)(?=\s{_NUMBER})", ", ", "a comma stands between two numbers here"),
     _habit(
         rf"{_VALUE}\s(?P<x>between\s(?P<a>{_NUMBER})\sand\s(?P<b>{_NUMBER}))",
         "in [{a}, {b}]",
