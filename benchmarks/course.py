@@ -57,7 +57,7 @@ class Command:
 
 @dataclass(frozen=True)
 class Scan:
-    """What the lidar saw at an instant, in the frame of the base; as `sensor_msgs/LaserScan`."""
+    """Readings of the lidar at an instant in the frame of the base, as `sensor_msgs/LaserScan`."""
 
     stamp_ns: int
     ranges: NDArray[np.float32]

@@ -24,7 +24,7 @@ APART_NS = 100 * NS
 
 
 def missing() -> str | None:
-    """What is not there for it; None if all is."""
+    """The part that it lacks; None if it has all."""
     lacking = ros2_live.missing()
     if lacking:
         return f"ROS 2 is {lacking}"

@@ -66,7 +66,7 @@ class Scene:
     is_passable: bool = False
     """Nothing in it asks for a stop."""
     no_return: float = math.inf
-    """What the lidar says of a beam that sees nothing."""
+    """The reading of a beam that sees nothing."""
     lost_share: float = 0.0
     """The share of the other beams that come back as such."""
     silent_from_s: float = math.inf

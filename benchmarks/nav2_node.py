@@ -30,7 +30,7 @@ POINTS, ZONE = "/collision_monitor/collision_points_marker", "/zone"
 
 
 def missing() -> str | None:
-    """What is not there of it; None if all is."""
+    """The part that it lacks; None if it has all."""
     lacking = course_node.missing()
     if lacking:
         return lacking

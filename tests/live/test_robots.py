@@ -59,7 +59,7 @@ def test_a_node_says_what_a_replay_says(
 
 
 def of_ros2(robot: Robot, folder: Path) -> Path:
-    """What the rules read, of what the robot says."""
+    """The topics of the robot that the rules read."""
     topics = {channel.topic for channel in compile_file(robot.rules).machine.channels}
     store, told = simulated(robot.name)
     write_bag(folder, store, (each for each in told if each[0] in topics))

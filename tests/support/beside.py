@@ -55,7 +55,7 @@ def _question(draw: st.DrawFn, growing: Growing, elements: list[int], numbers: l
             return draft.above(draft.signal(ir.Count(below)), 0.0)
         case "fold":
             return draft.above(_least(draw, growing, element, number), draw(_limits))
-        case _:
+        case _:  # open: "rate", the last of them
             sampled = ir.Sampled(ir.Sampling.RATE, _least(draw, growing, element, number))
             return draft.above(draft.signal(sampled), draw(_limits))
 

@@ -18,7 +18,7 @@ BOUNDARIES = ".boundaries.ross"
 TESTS = ".tests.ross"
 
 LABELS = ("Hazard", "Limit", "Derivation", "Source")
-"""What the documentation of a rule says, in this order; the source is not always needed."""
+"""The labels of the documentation of a rule, in this order; the source is not always needed."""
 
 
 def library_files() -> list[Path]:
@@ -47,7 +47,7 @@ def rules_of(path: Path) -> list[ast.Rule]:
 
 
 def paragraphs(documentation: str) -> dict[str, str]:
-    """What stands behind each label of the documentation of a rule, in one line each."""
+    """The text behind each label of the documentation of a rule, in one line each."""
     words = "|".join(LABELS)
     parts = re.split(rf"(?:^|\n)\s*({words}): ", documentation)
     pairs = zip(parts[1::2], parts[2::2], strict=True)
@@ -189,7 +189,7 @@ def _default(item: ast.Parameter | ast.Constant) -> str:
 
 
 def _comment(item: ast.Parameter | ast.Constant) -> str:
-    """What stands behind a constant on its line."""
+    """The comment behind a constant on its line."""
     rest = item.span.file.text[item.span.end :].partition("\n")[0]
     return rest.partition("// ")[2].strip()
 

@@ -16,7 +16,7 @@ LATEST_NS = 10**15
 """The last instant that a test can name."""
 
 MOST_MESSAGES = 100_000
-"""Of one repetition."""
+"""The most messages of one repetition."""
 
 SettingValue = float | bool | str | tuple[float | bool, ...] | None
 """In SI; a tuple is a whole array, None is unknown."""

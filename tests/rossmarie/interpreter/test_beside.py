@@ -175,7 +175,7 @@ def test_s75_a_rule_is_active_without_the_number() -> None:
 
 
 def test_s75_a_number_that_is_not_known_now_excuses_nothing() -> None:
-    """What was found when the elements came is known; a division by it is not for lack of it."""
+    """A division by a result that is known is not unknown for lack of that result."""
     near = Near(timeout_ns=SECOND)
     draft = near.draft
     inverse = draft.apply(Function.DIVIDE, draft.constant(1.0), near.least)

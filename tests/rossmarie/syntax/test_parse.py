@@ -21,7 +21,7 @@ OVER_TIME = {ast.Held: "for", ast.Since: "since", ast.Once: "once", ast.Response
 
 
 def chosen(node: ast.Index | ast.Sector) -> str:
-    """What stands in brackets behind a value."""
+    """The index in brackets behind a value."""
     value = shape(node.value)
     if isinstance(node, ast.Index):
         return f"{value}[{node.index}]"

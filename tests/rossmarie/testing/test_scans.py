@@ -23,7 +23,7 @@ INF = math.inf
 
 
 def sent(folder: Path, *settings: str) -> list[dict[str, list[float]]]:
-    """What is read of the scans that settings, one after the other, make."""
+    """The numbers that are read of the scans that settings, one after the other, make."""
     statements = [f"at {second} s {each};" for second, each in enumerate(settings)]
     path = folder / "rules.ross"
     path.write_text(f'{RULES}test "a scan" {{ {" ".join(statements)} expect near active at 9 s; }}')

@@ -43,7 +43,7 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
 def asked(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], parts: Sequence[str]
 ) -> Iterator[Outcome]:
-    """What comes of some checks after a change of the generated C."""
+    """The results of some checks after a change of the generated C."""
     program = harness(machine)
     with prover.workshop() as folder:
         files = c99.generate(machine)

@@ -55,7 +55,7 @@ class Base:
     held: Sequence[tuple[float, float]] = ()
 
     def wanted(self, t: float) -> Leg:
-        """What is commanded at an instant."""
+        """The command at an instant."""
         return next((leg for leg in self.legs if t < leg.until), self.legs[-1])
 
     def at(self, t: float) -> Now:

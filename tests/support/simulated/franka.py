@@ -70,7 +70,7 @@ def hand(t: float) -> Floats:
 
 
 def force(t: float) -> float:
-    """What pushes the hand, downwards (N)."""
+    """The force that pushes the hand downwards (N)."""
     chatter = 11.0 * math.sin(2 * math.pi * 5.0 * t) if during(t, CHATTER) else 0.0
     contact = curve(t, (3.98, 0.0), (4.2, 32.0), (4.8, 32.0), (5.0, 0.0))
     return 2.0 + contact + chatter

@@ -94,7 +94,7 @@ def tilt(t: float) -> tuple[float, float]:
 
 
 def jolt(t: float) -> float:
-    """What the bump does to its axles (m/s^2)."""
+    """The acceleration that the bump gives its axles (m/s^2)."""
     return 8.0 * math.sin(2 * math.pi * 10.0 * t) if during(t, BUMP) else 0.0
 
 

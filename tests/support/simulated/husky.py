@@ -84,7 +84,7 @@ def tilt(t: float) -> tuple[float, float]:
 
 
 def jolt(t: float) -> float:
-    """What stones do to it (m/s^2)."""
+    """The acceleration that stones give it (m/s^2)."""
     return 6.0 * math.sin(2 * math.pi * 7.0 * t) if during(t, ROUGH) else 0.0
 
 

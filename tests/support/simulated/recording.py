@@ -30,7 +30,7 @@ Reading = tuple[str, int, str, Any]
 
 @dataclass(frozen=True)
 class Sensor:
-    """What speaks on a topic: the fields of its message at an instant (s)."""
+    """A source of messages on a topic: the fields of its message at an instant (s)."""
 
     topic: str
     type: str
@@ -67,7 +67,7 @@ def store_of(robot: Robot, stores: Stores = Stores.ROS2_HUMBLE) -> Typestore:
 
 
 def readings(store: Typestore, sensors: Sequence[Sensor]) -> Iterator[Reading]:
-    """What sensors say, in the order of time."""
+    """The messages of sensors, in the order of time."""
     due = sorted(
         (round(t * 1e9) + index * SPLIT_NS, index)
         for index, sensor in enumerate(sensors)
