@@ -29,7 +29,7 @@ class Events:
         return "\n".join(map(self._reported, range(len(self._rules))))
 
     def _reported(self, rule: int) -> str:
-        about = f"what is reported of rule {self._rules[rule].name}"
+        about = f"the report of rule {self._rules[rule].name}"
         changed, is_now = self.changed(rule), _bit("m->", rule)
         once = f"reports[{rule}] == ({changed} && m->on_event ? 1u : 0u)"
         lines = "\n".join(claim(f"!reports[{rule}] || {each}", about) for each in self._said(rule))

@@ -206,7 +206,7 @@ class Rewriter:
         spaces = (self._space,) if is_declared else (self._space, self._whole)
         for space in spaces if first not in self._variables else ():
             path, at = space.path, 0
-            while at + 1 < len(words) and words[at] in self._spaces[path].inner:
+            while at + 1 < len(words) and self._leads_on(path, words[at]):
                 path, at = (*path, words[at]), at + 1
             if at:
                 return self._made(path, words[at]), words[at + 1 :]
@@ -214,6 +214,10 @@ class Rewriter:
         is_guess = kind is not None and first not in whole
         is_own = first in own or (is_guess and self._is_meant(first, own))
         return self._made(self._space.path, first) if is_own else first, words[1:]
+
+    def _leads_on(self, path: Path, name: str) -> bool:
+        """Say whether a space has another one in it; a file that cannot be read has no space."""
+        return path in self._spaces and name in self._spaces[path].inner
 
     def _known(self, space: Space, kind: Kind | None) -> Collection[str]:
         return space.rules if kind is Kind.RULE else space.names
