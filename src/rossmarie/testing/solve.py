@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 import z3
 
@@ -40,9 +39,9 @@ from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir.path import extent
 from rossmarie.testing.goals import Edge, edges, signals_of
 from rossmarie.testing.whole import slot_behind
+from rossmarie.testing.wishes import EFFORT, Patience, Wishes
 from rossmarie.units import Unit, parse_unit
 
-TIME_LIMIT_MS = 2000
 _MOST_ELEMENTS = 8
 _CLEAR = 10  # how many steps other values stay away from their thresholds
 _CHOSEN = {Sampling.RATE: "rate", Sampling.PREVIOUS: "previous"}
@@ -93,6 +92,7 @@ class World:
     units: dict[Variable, Unit] = field(default_factory=dict)
     _side: list[z3.BoolRef] = field(default_factory=list)
     _signals: dict[int, z3.ArithRef] = field(default_factory=dict)
+    _patience: Patience = field(default_factory=Patience)
 
     def __post_init__(self) -> None:
         self.length = self._length()
@@ -285,22 +285,21 @@ class World:
         """Values for which all of `wanted` holds, as round as they may be, and as `near` to others
         as they may be. Leaves other than `apart` stay clear of their thresholds where they can.
         """
-        solver = z3.Solver()
-        solver.set("timeout", TIME_LIMIT_MS)
-        solver.add(*self._side, *wanted, *self._bounds())
-        if check(solver) != z3.sat:
+        demands = [*self._side, *wanted, *self._bounds()]
+        wishes = Wishes(demands, tuple(self.variables.values()), self._patience)
+        if wishes.model is None:
             return None
         for clear in self._clear(apart):
-            _prefer(solver, clear)
+            wishes.grant(clear)
         for variable, term in self.variables.items():
             if near is not None and variable in near:
-                _prefer(solver, term == constant(near[variable]))
-        return {variable: self._round(solver, variable) for variable in self.variables}
+                wishes.grant(term == constant(near[variable]), term)
+        return {variable: self._round(wishes, variable) for variable in self.variables}
 
     def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
         """Say whether no values at all, in real arithmetic, make all of `wanted` hold."""
         solver = z3.Solver()
-        solver.set("timeout", TIME_LIMIT_MS)
+        solver.set(rlimit=EFFORT)
         solver.add(*self._side, *wanted)
         return bool(check(solver) == z3.unsat)
 
@@ -333,22 +332,20 @@ class World:
         is_array = isinstance(self.machine.truths[truth].node, ir.Quantified)
         return list(range(self.length)) if is_array else [None]
 
-    def _round(self, solver: z3.Solver, variable: Variable) -> float:
+    def _round(self, wishes: Wishes, variable: Variable) -> float:
         """A value that is as short as it may be in the unit in which it is written; it is kept."""
         term, unit = self.variables[variable], self.unit(variable)
-        _prefer(solver, term >= 0)
-        model = solver.model() if check(solver) == z3.sat else None
-        exact = (
-            Fraction(0) if model is None else exact_number(model.eval(term, model_completion=True))
-        )
+        wishes.grant(term >= 0, term)
+        assert wishes.model is not None, "there are values"
+        exact = exact_number(wishes.model.eval(term, model_completion=True))
         shown = unit.from_si(float(exact))
         candidates = [0.0, 1.0, *(round(shown, digits) for digits in range(7)), shown]
         for candidate in candidates:
             value = unit.to_si(candidate)
-            if _prefer(solver, term == constant(value)):
+            if wishes.grant(term == constant(value), term):
                 return value
         value = float(exact)
-        _prefer(solver, term == constant(value))
+        wishes.grant(term == constant(value), term)
         return value
 
     def unit(self, variable: Variable) -> Unit:
@@ -388,13 +385,3 @@ def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:
     """The signals of a leaf, or of the elements of a quantified one."""
     node = machine.truths[truth].node
     return signals_of(machine, node.element if isinstance(node, ir.Quantified) else truth)
-
-
-def _prefer(solver: z3.Solver, wish: z3.BoolRef) -> bool:
-    """Add a wish if it can be had."""
-    solver.push()
-    solver.add(wish)
-    if check(solver) == z3.sat:
-        return True
-    solver.pop()
-    return False
