@@ -17,6 +17,8 @@ from rossmarie.check.instances.telling import spelled
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.pipeline import Compiled, compile_file
 from rossmarie.driver.testing import tests_beside
+from rossmarie.driver.workspace import LIBRARY
+from rossmarie.ir import Machine
 from rossmarie.ir.script import Script
 from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.goals import Goal
@@ -44,9 +46,11 @@ class Written:
 def generate_tests(
     rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
 ) -> Written:
-    """Tests of all boundaries of the rules. Raises `RulesError`."""
+    """Tests of all boundaries of the rules; those of the library have theirs beside them. Raises
+    `RulesError`.
+    """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders)
-    proposals = list(_renamed(propose(compiled.machine)))
+    proposals = list(_renamed(propose(compiled.machine, tested_rules(compiled.machine, rules))))
     path = tests_beside(rules)
     texts = [write_script(compiled.machine, each.script, compiled.bases) for each in proposals]
     read = compile_file(
@@ -65,6 +69,18 @@ def generate_tests(
     written = spelled("\n\n".join(tests), compiled.instances)
     text = format_text(f"{_HEAD.format(rules=rules.name)}\n\n{written}")
     return Written(path, text, len(tests))
+
+
+def tested_rules(machine: Machine, rules: Path) -> Sequence[int]:
+    """The numbers of the rules that tests of a rules file are written for: not those of files of
+    the library that it imports.
+    """
+    is_shipped = LIBRARY in rules.resolve().parents
+    return [
+        index
+        for index, rule in enumerate(machine.rules)
+        if is_shipped or LIBRARY not in Path(rule.span.file.path).resolve().parents
+    ]
 
 
 def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:
