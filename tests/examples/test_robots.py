@@ -31,7 +31,7 @@ from support.simulated import simulated
 from support.simulated.recording import write
 
 MOST_LINES = 30
-MOST_BYTES = 300_000
+MOST_BYTES = 400_000
 ROUNDING = 1 / 32
 """A step of the coarsest numbers: another C library may round a number the other way."""
 MOST_DIFFERENT = 0.01

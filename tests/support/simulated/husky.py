@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from rossmarie.driver.robots import robot
-from support.simulated.base import Base, Leg, Now, command, curve, imu, odometry
+from support.simulated.base import Base, Leg, Now, command, curve, odometry
 from support.simulated.frames import Frame
 from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, rounded, store_of
+from support.simulated.troubles import Tipping
 from support.simulated.world import Lidar, Pillar, Thing, Wall
 
 SECONDS = 48.0
@@ -28,8 +29,7 @@ DAZZLED = (32.0, 32.8)  # the lidar says nothing
 MUD = (34.0, 36.0)  # the wheels turn, and the base stands
 ICE = (36.2, 37.4)  # it turns otherwise than its wheels
 PUSHED = (39.0, 41.0)  # and rolls on
-TIPPING = (44.0, 44.8)  # over the edge of a dock
-FALLING = (44.4, 44.6)
+TIPPING = Tipping(44.0)  # over the edge of a dock
 LATE = [(10.2 + 0.4 * count, 10.37 + 0.4 * count) for count in range(5)]
 SILENT = (31.2, 31.7)  # the odometry of the wheels
 
@@ -90,21 +90,14 @@ def scan(t: float) -> dict[str, Any]:
 def tilt(t: float) -> tuple[float, float]:
     """Its roll and its pitch (rad): downhill, and along a slope."""
     pitch = curve(t, (11.5, 0.0), (12.2, 9.0), (14.6, 9.0), (15.2, 0.0))
-    roll = curve(
-        t, (18.0, 0.0), (18.6, 22.0), (20.0, 22.0), (20.5, 0.0), (TIPPING[0], 0.0), (TIPPING[1], 85.0)
-    )
+    roll = curve(t, (18.0, 0.0), (18.6, 22.0), (20.0, 22.0), (20.5, 0.0))
     return math.radians(roll), math.radians(pitch)
 
 
 def inertia(t: float) -> dict[str, Any]:
-    """What its IMU feels: stones under its wheels, and at last nothing any more, as it falls."""
-    roll, pitch = tilt(t)
+    """What its IMU feels: stones under its wheels, and at last a fall."""
     jolt = 6.0 * math.sin(2 * math.pi * 7.0 * t) if during(t, ROUGH) else 0.0
-    tumbling = math.radians(106.25) if during(t, TIPPING) else 0.0
-    felt = imu(BASE.at(t), roll, pitch, jolt, tumbling)
-    if during(t, FALLING):
-        felt |= {f"linear_acceleration__{axis}": 0.125 for axis in "xyz"}
-    return felt
+    return TIPPING.imu(t, BASE.at(t), *tilt(t), jolt)
 
 
 def body(t: float) -> Now:

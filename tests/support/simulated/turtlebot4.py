@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from support.simulated.base import GRAVITY, Base, Leg, curve, imu
 from support.simulated.frames import Frame
 from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, header, rounded, store_of
+from support.simulated.troubles import Scanner
 from support.simulated.world import Lidar, Pillar, Thing, Wall, room
 
 SECONDS = 64.0
@@ -29,10 +29,7 @@ TUMBLING = (26.55, 26.65)  # it slips out of the hands
 DROPPED = (27.1, 27.3)
 UNPLUGGED = (29.0, 30.2)  # the lidar
 HANGING = (32.0, 33.0)  # its driver
-NARROW = (35.0, 35.8)  # somebody gives the driver other angles
 DOCKED = 36.0
-COVERED = (38.0, 40.0)  # a cloth lies over the lidar
-DUSTY = (42.0, 44.0)
 HOT = (9.0, 13.0)  # the battery
 STRAINED = (20.5, 25.0)
 EMPTY = (27.5, 36.5)
@@ -49,7 +46,16 @@ LIDAR = Lidar(
     x=-0.04,
     yaw=math.pi / 2,
 )
-NARROW_LIDAR = replace(LIDAR, angles=np.linspace(-2.5, -0.6, 110))
+SCANNER = Scanner(
+    LIDAR,
+    PERIOD,
+    blind=LIFTED,
+    covered=(38.0, 40.0),
+    dusty=(42.0, 44.0),
+    narrow=(35.0, 35.8),
+    narrowed=(-2.5, -0.6),
+    cloth=0.1640625,
+)
 BASE = Base(
     legs=(
         Leg(1.0),
@@ -84,7 +90,6 @@ THINGS: Sequence[Thing] = [
     Pillar(0.8, 1.5, 0.3),
     *room(2.2, -2.0, 2.8, -1.6),
 ]
-CLOTH = 0.1640625  # m
 STORE = store_of(robot("turtlebot4"))
 
 
@@ -94,15 +99,7 @@ def scan(t: float) -> dict[str, Any]:
         1.65, curve(t, (PERSON[0], 1.4), (6.2, 0.0), (7.8, 0.0), (PERSON[1], -1.4)), 0.2
     )
     things = [*THINGS, person] if during(t, PERSON) else THINGS
-    lidar = NARROW_LIDAR if during(t, NARROW) else LIDAR
-    ranges = lidar.scan(BASE.at(t).place, things)
-    if during(t, LIFTED):
-        ranges[:] = np.inf
-    if during(t, COVERED):
-        ranges = np.minimum(ranges, CLOTH)
-    if during(t, DUSTY):
-        ranges[::3] = 0.0  # less than it can measure: such a beam tells nothing
-    return lidar.fields(ranges, PERIOD)
+    return SCANNER.fields(t, BASE.at(t).place, things)
 
 
 def tilt(t: float) -> tuple[float, float]:
