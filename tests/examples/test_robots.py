@@ -38,7 +38,7 @@ MOST_DIFFERENT = 0.01
 BEYOND_MC_DC = (Aspect.UNDER, Aspect.AT, Aspect.OVER, Aspect.LOST)
 DECLARED = re.compile(r"^    topic (?:\w+ = )?(/\S+) :\s+([\w/]+)", re.MULTILINE)
 
-LITTLE = re.compile(r"\d of \d{3,} messages on `/(\w+/)?scan` cannot be read")
+LITTLE = re.compile(r"\d{1,2} of \d{3,} messages on `/(\w+/)?scan` cannot be read")
 """Scans of a driver that somebody gives other angles do not show all that rules look at."""
 
 of_each_robot = pytest.mark.parametrize("robot", robots(), ids=lambda each: each.name)
