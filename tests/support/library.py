@@ -162,6 +162,7 @@ def _section(file: _File) -> Iterator[str]:
     yield _about(file) + "."
     yield ""
     yield "```ross"
+    yield from _model(file)
     yield f'import "rossmarie/{name_of(file.path)}" as {file.path.stem};'
     yield "```"
     yield ""
@@ -180,6 +181,15 @@ def _section(file: _File) -> Iterator[str]:
     for rule in rules_of(file.path):
         yield ""
         yield from _rule(file, rule)
+
+
+def _model(file: _File) -> Iterator[str]:
+    """The system model that the file needs, in short."""
+    beside = file.path.with_name(SYSTEM_MODEL)
+    if beside.exists():
+        text = beside.read_text(encoding="utf-8").partition("\n")[2].strip()
+        yield text.replace("system checked", "system robot")
+        yield ""
 
 
 def _default(item: ast.Parameter | ast.Constant) -> str:
