@@ -157,9 +157,7 @@ def test_the_recording_makes_each_rule_active_and_clears_it(robot: Robot) -> Non
     latched = {rule.name for rule in replay.machine.rules if rule.release is None}
     assert all(changes[name] == [Change.ACTIVATED] for name in latched)
     assert [
-        name
-        for name, seen in changes.items()
-        if name not in latched and both not in pairwise(seen)
+        name for name, seen in changes.items() if name not in latched and both not in pairwise(seen)
     ] == []
 
 
