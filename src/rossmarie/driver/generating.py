@@ -16,9 +16,7 @@ from dslkit.source import SourceFile
 from rossmarie.check.instances.telling import spelled
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.pipeline import Compiled, compile_file
-from rossmarie.driver.testing import tests_beside
-from rossmarie.driver.workspace import LIBRARY
-from rossmarie.ir import Machine
+from rossmarie.driver.testing import tested_rules, tests_beside
 from rossmarie.ir.script import Script
 from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.goals import Goal
@@ -69,18 +67,6 @@ def generate_tests(
     written = spelled("\n\n".join(tests), compiled.instances)
     text = format_text(f"{_HEAD.format(rules=rules.name)}\n\n{written}")
     return Written(path, text, len(tests))
-
-
-def tested_rules(machine: Machine, rules: Path) -> Sequence[int]:
-    """The numbers of the rules that tests of a rules file are written for: not those of files of
-    the library that it imports.
-    """
-    is_shipped = LIBRARY in rules.resolve().parents
-    return [
-        index
-        for index, rule in enumerate(machine.rules)
-        if is_shipped or LIBRARY not in Path(rule.span.file.path).resolve().parents
-    ]
 
 
 def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:

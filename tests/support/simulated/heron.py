@@ -49,7 +49,7 @@ SCANNER = Scanner(
     covered=(43.5, 45.5),
     dusty=(47.0, 49.0),
     narrow=(52.0, 52.8),
-    narrowed=(-1.4, 1.4),
+    narrowed=(-1.48, 1.48),
     cloth=0.125,
 )
 BASE = Base(

@@ -53,7 +53,7 @@ SCANNER = Scanner(
     covered=(38.0, 40.0),
     dusty=(42.0, 44.0),
     narrow=(35.0, 35.8),
-    narrowed=(-2.5, -0.6),
+    narrowed=(-3.05, -0.09),
     cloth=0.1640625,
 )
 BASE = Base(
