@@ -214,6 +214,8 @@ class World:
             self._side += within(angle, (low, high))
             return angle
         values = [self.signal(operand, part) for operand in operands]
+        if function is Function.SEEN:
+            self._side.append(values[1] == values[2])  # what comes in another frame is lost
         expression = defined(function, len(operands))
         formulas = Formulas(values, self._operate)
         if declared.easy is not None:
