@@ -66,26 +66,26 @@ class Readings:
             return None
         return _reader(paths, arrays)
 
-    def _named_fields(self, channel: int) -> dict[str, Path]:
-        """The fields of a channel, as the core calls them; of an input of which only the age is
-        read, the whole message.
+    def _named_fields(self, channel: int) -> dict[str, Path | None]:
+        """The fields of a channel, as the core calls them; None for an input of which only the age
+        is read.
         """
         machine = self._machine
         slots, arrays = field_names(machine)
         named: list[tuple[frozenset[str], Slot | Array]]
         named = [*zip(slots, machine.slots, strict=True), *zip(arrays, machine.arrays, strict=True)]
-        fields: dict[str, Path] = {
+        fields: dict[str, Path | None] = {
             max(names, key=len): field.path
             for names, field in named
             if machine.inputs[field.input].channel == channel and scan_path(field.path) is None
         }
-        scans = {  # sectors are taken of the whole scan
+        scans = {  # sectors and points are taken of the whole scan
             name: scan.path
             for name, scan in scan_names(machine).items()
             if machine.inputs[scan.input].channel == channel
         }
         ages = arrival_names(machine).items()
-        return fields | scans | {name: () for name, arriving in ages if arriving == channel}
+        return fields | scans | {name: None for name, arriving in ages if arriving == channel}
 
     def _on(self, channel: int, fields: Sequence[Slot] | Sequence[Array]) -> list[Slot | Array]:
         inputs = self._machine.inputs
@@ -129,7 +129,9 @@ class Intake:
 
     def _values(self, channel: int, message: Message) -> dict[str, Value]:
         fields = self._readings.fields[channel]
-        return {name: _value(message, path) for name, path in fields.items()}
+        return {
+            name: 1.0 if path is None else _value(message, path) for name, path in fields.items()
+        }
 
 
 def _is_plain(empty: Message, path: Path) -> bool:
@@ -211,9 +213,7 @@ def _place(message: Message, element: int | ByName | Listed, length: int) -> int
 
 
 def _value(message: Message, path: Path) -> Value:
-    """A field; NaN for an element that is not there, seconds for an instant, 1 for a message."""
-    if not path:
-        return 1.0
+    """A field; NaN for an element that is not there, seconds for an instant."""
     value = _field(message, path)
     if isinstance(value, messages.Time):
         return float(value.sec) + value.nanosec * 1e-9
