@@ -137,12 +137,12 @@ def test_every_name_of_a_node_is_accounted_for() -> None:
         ast.Diagnose: {"level"},
         ast.Doing: {"skill"},
         ast.FieldPath: {"steps"},
-        ast.FrameDeclaration: {"alias", "frame", "parent"},
+        ast.FrameDeclaration: {"alias"},
         ast.Given: {"name", "value"},
         ast.Hazard: {"name"},
         ast.Hook: {"name"},
         ast.Import: {"alias"},
-        ast.Input: {"message_type", "path", "source", "frame"},
+        ast.Input: {"message_type", "path"},
         ast.Keeps: {"place"},
         ast.ListFold: {"function"},
         ast.Log: {"level"},
@@ -165,10 +165,9 @@ def test_every_name_of_a_node_is_accounted_for() -> None:
         ast.SwitchControllers: {"start", "stop"},
         ast.System: {"name"},
         ast.Target: {"type"},
-        ast.TopicDeclaration: {"message_type", "source"},
+        ast.TopicDeclaration: {"message_type"},
         ast.TreeArgument: {"parameter"},
         ast.UnitDeclaration: {"message_type", "path"},
-        ast.Zone: {"frame"},
     }
     for module in (effects, expressions, imports, items, tests, zones):
         for node in vars(module).values():
