@@ -120,10 +120,10 @@ class _File:
 
     @property
     def named(self) -> dict[str, Span]:
-        """The text of each named condition and motion, by the name that conditions use."""
+        """The text of each named condition, motion and zone, by the name that conditions use."""
         found = {}
         for item in self.module.items:
-            if isinstance(item, ast.Motion):
+            if isinstance(item, ast.Motion | ast.Zone):
                 found[item.name.text] = item.span
             if isinstance(item, ast.Entity):
                 for one in item.conditions:
@@ -213,7 +213,9 @@ def _model(file: _File) -> Iterator[str]:
 def _default(item: ast.Parameter | ast.Constant) -> str:
     """The value that a file has by itself; a topic as its name."""
     value = item.value if isinstance(item, ast.Constant) else item.default
-    return "" if value is None else _text(value.span)
+    tightens = item.tightens if isinstance(item, ast.Parameter) else None
+    direction = "" if tightens is None else f", tightens {tightens.text}"
+    return "" if value is None else _text(value.span) + direction
 
 
 def _comment(item: ast.Parameter | ast.Constant) -> str:
