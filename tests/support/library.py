@@ -213,9 +213,7 @@ def _model(file: _File) -> Iterator[str]:
 def _default(item: ast.Parameter | ast.Constant) -> str:
     """The value that a file has by itself; a topic as its name."""
     value = item.value if isinstance(item, ast.Constant) else item.default
-    tightens = item.tightens if isinstance(item, ast.Parameter) else None
-    direction = "" if tightens is None else f", tightens {tightens.text}"
-    return "" if value is None else _text(value.span) + direction
+    return "" if value is None else _text(value.span)
 
 
 def _comment(item: ast.Parameter | ast.Constant) -> str:
