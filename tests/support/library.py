@@ -120,10 +120,10 @@ class _File:
 
     @property
     def named(self) -> dict[str, Span]:
-        """The text of each named condition and motion, by the name that conditions use."""
+        """The text of each named condition, motion and zone, by the name that conditions use."""
         found = {}
         for item in self.module.items:
-            if isinstance(item, ast.Motion):
+            if isinstance(item, ast.Motion | ast.Zone):
                 found[item.name.text] = item.span
             if isinstance(item, ast.Entity):
                 for one in item.conditions:

@@ -19,12 +19,12 @@ _SHIPPED = "rossmarie/"
 _HEAD = """\
 # One library, five robots
 
-Written by `benchmarks/library_reuse.py` from the rules of [the robots in the box](command-line.md) and those of
-[the library](library.md); do not edit. What it means: [one library, several
-robots](../explanation/one-library.md).
+Written by `benchmarks/library_reuse.py` from the rules of [the robots in the box](command-line.md)
+and those of [the library](library.md); do not edit. What it means:
+[one library, several robots](../explanation/one-library.md).
 
-A rule is used *as it is* where no number on which it rests was changed: names of topics, joints and frames do not count.
-It is used *with other numbers* where an import gives at least one of them.
+A rule is used *as it is* where no number on which it rests was changed: names of topics, joints and
+frames do not count. It is used *with other numbers* where an import gives at least one of them.
 """
 
 
@@ -131,7 +131,10 @@ def _rules(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
     every = sum(len(rules_of(path)) for path in files)
     yield "## Rules"
     yield ""
-    yield "| Robot | Used as they are | With other numbers | For lack of a message | Not used else | Own |"
+    yield (
+        "| Robot | Used as they are | With other numbers | Not used: lacks a message "
+        "| Not used else | Own |"
+    )
     yield "|---|---|---|---|---|---|"
     for each in told:
         changed = sum(len(use.changed) for use in each.uses.values())
@@ -194,8 +197,9 @@ def _own(told: Sequence[_Told]) -> Iterator[str]:
 def _recoveries(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
     yield "## Recoveries"
     yield ""
-    yield "The actions of the rules of the library. A rule says whether its recovery depends on the task. The last two"
-    yield "columns: the robots whose rules use the action, and those of them that replace it by one of their own."
+    yield "The actions of the rules of the library. A rule says whether its recovery depends on the"
+    yield "task. The last two columns: the robots whose rules use the action, and those that"
+    yield "replace it by one of their own."
     yield ""
     yield "| Action | Rules, whatever the task | Rules of a task | Robots | Replaced by |"
     yield "|---|---|---|---|---|"
@@ -205,7 +209,8 @@ def _recoveries(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
             for action in rule.actions:
                 name = action.text.rpartition(".")[2]
                 found = tasks.setdefault(name, {"independent": set(), "dependent": set()})
-                assert rule.task is not None and rule.name is not None
+                assert rule.task is not None
+                assert rule.name is not None
                 found[rule.task.text].add(f"{name_of(path)} {rule.name.text}")
     for name, found in sorted(tasks.items()):
         rules = {each for group in found.values() for each in group}

@@ -282,3 +282,12 @@ def test_parameters_of_the_node_are_the_same_in_c(tmp_path: Path) -> None:
     generated.path.write_text(generated.text)
     again = compile_file(generated.path)
     assert not any(ran.found for ran in run_tests(again, again.tests).ran)
+
+
+def test_two_files_with_the_same_name_inside_ask_for_names_of_their_own(tmp_path: Path) -> None:
+    path = tmp_path / "main.ross"
+    imports = ("base/separation", "base/tilt")
+    path.write_text("".join(f'import "rossmarie/{each}.ross";\n' for each in imports))
+    (found,) = check_file(path).diagnostics
+    assert found.code == "ROSS105"
+    assert "imported under one of their own" in str(found.notes[0])

@@ -20,7 +20,7 @@ from support.simulated.troubles import Scanner, Tipping
 from support.simulated.world import Lidar, Pillar, Thing, room
 
 SECONDS = 60.0
-CROSSING = (3.0, 6.0)  # somebody crosses its way
+CROSSING = (4.0, 7.0)  # somebody crosses its way
 BUMP = (7.0, 7.4)
 SLOPE = (9.0, 12.0)
 SPEEDING = (13.0, 16.0)

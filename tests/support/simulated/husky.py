@@ -30,7 +30,7 @@ MUD = (34.0, 36.0)  # the wheels turn, and the base stands
 ICE = (36.2, 37.4)  # it turns otherwise than its wheels
 PUSHED = (39.0, 41.0)  # and rolls on
 TIPPING = Tipping(44.0)  # over the edge of a dock
-LATE = [(10.2 + 0.4 * count, 10.37 + 0.4 * count) for count in range(5)]
+LATE = [(10.2 + 0.4 * count, 10.35 + 0.4 * count) for count in range(5)]
 SILENT = (31.2, 31.7)  # the odometry of the wheels
 
 # Out of doors most beams of the LMS111 come back from nowhere: its driver tells that as 0. It hangs

@@ -96,7 +96,10 @@ class _Program:
             alias = rewriter.node(item.alias)
             first = space.inner.setdefault(alias.text, alias)
             if first is not alias:
-                reason = "each name behind `as` stands for one file"
+                reason = (
+                    "each name behind `as` stands for one file; files that have the same name in"
+                    " them are each imported under one of their own"
+                )
                 report_second(alias, first, "import", reason, self._collector)
             declared = space.names.get(alias.text)
             if declared is not None:
