@@ -102,11 +102,32 @@ def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
     guarded.now_ns += 299 * MS
     guard.tick(guarded.now_ns)
     assert guard.active == ()
-    guarded.publish(FRAMES, placed("base_link", "map", 0.0))  # another parent
     guarded.publish(FRAMES, placed("arm", "odom", 0.0))
     guarded.now_ns += 3 * MS
     guard.tick(guarded.now_ns)
     assert guard.active == ("in_zone", "high")
+
+
+def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
+    """Also one that would stay for ever."""
+    guarded, guard = started(tmp_path)
+    for topic, message in (
+        (STATIC, placed("scanner", "base_link", 0.5)),
+        (FRAMES, placed("base_link", "odom", 0.0)),
+        (HAND, hand(1.0)),
+        (SCAN, scan(2.0)),
+    ):
+        guarded.publish(topic, message)
+    assert guard.active == ()
+    guarded.publish(STATIC, placed("scanner", "mast", 0.5))
+    guarded.publish(SCAN, scan(2.0))
+    assert guard.active == ("in_zone",)
+    guarded.publish(FRAMES, placed("base_link", "map", 0.0))
+    assert guard.active == ("in_zone", "high")
+    guarded.publish(STATIC, placed("scanner", "base_link", 0.5))
+    guarded.publish(FRAMES, placed("base_link", "odom", 0.0))
+    guarded.publish(SCAN, scan(2.0))
+    assert guard.active == ()
 
 
 @pytest.mark.parametrize("turn", [(0.0, 0.0, 0.0, 0.0), (0.0, 0.0, math.nan, 1.0)])

@@ -99,6 +99,65 @@ VERDICTS = [
 and when, in s.
 """
 POST = (3.0, 0.0)
+UPRIGHT = (0.0, 0.0, 0.0, 1.0)
+
+
+def test_transforms_that_lie_are_lost(ros: Ros, programs: Sequence[Path], tmp_path: Path) -> None:
+    """While nobody knows where the robot is, nothing is known of what it sees."""
+    kind = {"ros1": "bag", "ros2": "mcap directory"}[ros.name]
+    recording = write_kind(tmp_path, kind, list(lying_drive(store_of(kind))))
+    expected = replayed(SCANS, recording, NEAR[ros.name])
+    near = [
+        (round(float(at.expected) - START_NS / 1e9, 1), is_on)
+        for rule, is_on, at in expected
+        if rule == "near"
+    ]
+    assert near == [(at, 2 - 2 * (n % 2)) for n, at in enumerate(LOST_AT_S)]
+    latched = tmp_path / "latched"
+    told = says(ros, programs[1], latched, lambda: ros.play(recording), len(expected))
+    assert told == expected
+
+
+LOST_AT_S = (1.0, 1.5, 2.0, 2.5, 4.0, 4.5, 5.0, 5.5)
+"""When something is lost and is back, by turns."""
+
+
+def lying_drive(store: Typestore) -> Iterator[Reading]:
+    """8 s in which a robot stands, and what its transforms say is now and then nonsense."""
+    laser = Placed("mast", "laser", (0.1, 0.0, 0.3), UPRIGHT)
+    yield "/tf_static", START_NS, *transforms(store, 0, laser)
+    mast = Placed("base_link", "mast", (0.0, 0.0, 1.0), UPRIGHT)
+    here = Placed("odom", "base_link", (0.0, 0.0, 0.0), UPRIGHT)
+    ranges = [5.0, *[math.inf] * 359]
+    for tick in range(400):
+        at_ns, second = START_NS + tick * 20_000_000, tick / 50
+        found = [here, mast]
+        if 0.98 < second < 1.48:
+            found = [here, mast._replace(turn=(0.0, 0.0, 0.0, 0.0))]
+        elif 1.98 < second < 2.48:
+            found = [here, mast._replace(origin=(math.nan, 0.0, 0.0))]
+        elif 2.98 < second < 3.48:  # not of length 1, which tf2 warns of
+            found = [here, mast._replace(turn=(0.0, 0.0, 0.0, 7.0))]
+        elif 4.98 < second < 5.48:  # two programs say where the mast is
+            found = [here, mast, mast._replace(parent="map")]
+        elif 5.98 < second < 6.48:  # others, in a circle, and many
+            others = [
+                Placed(f"link_{n}", f"link_{(n + 1) % 500}", (1, 2, 3), UPRIGHT) for n in range(500)
+            ]
+            found = [*others, here, mast, Placed("mast", "odom", (1.0, 0.0, 0.0), UPRIGHT)]
+        elif 6.98 < second < 7.48:  # of another robot, or older
+            other = Placed("odom", "robot2/mast", (9.0, 0.0, 0.0), UPRIGHT)
+            found = [here, other, Placed("/base_link", "/mast", *mast[2:])]
+        index = tick if second < 7.0 else 0  # stamps that stand still, of long ago
+        yield "/tf", at_ns, *transforms(store, index, *found)
+        if tick in (199, 224):
+            hung = laser if tick == 224 else laser._replace(parent="base_link")
+            yield "/tf_static", at_ns, *transforms(store, tick, hung)
+        if tick % 5 == 0:
+            scan = message(store, tick, plain_scan(ranges))
+            scan.header.frame_id = "laser"
+            later_ns = 7_000_000 if tick else 0
+            yield "/scan", at_ns + later_ns, "sensor_msgs/msg/LaserScan", scan
 
 
 def scanning_drive(store: Typestore) -> Iterator[Reading]:

@@ -38,6 +38,11 @@ from rossmarie.ir import (
 from rossmarie.ir.beams import scan_path
 from rossmarie.ir.skills import answer
 
+_UNKNOWN = messages.new_message("geometry_msgs/Transform")
+for _part, _axes in ((_UNKNOWN.translation, "xyz"), (_UNKNOWN.rotation, "xyzw")):
+    for _axis in _axes:
+        setattr(_part, _axis, math.nan)
+
 Watch = Callable[..., "int | None"]
 """An instant and these fields; gives when time is wanted next, or None if the core has to tell
 something.
@@ -138,14 +143,14 @@ class Intake:
 
 def transforms_in(message: Message, edges: Mapping[int, Edge]) -> dict[int, Message]:
     """The transforms of a message that the rules want, by their channels: of each frame the last
-    one (S79).
+    one; one that is not known if that is to another parent (S79).
     """
     found = {}
     for each in message.transforms:
         parent, child = bare_frame(each.header.frame_id), bare_frame(each.child_frame_id)
         for channel, edge in edges.items():
-            if (edge.parent, edge.child) == (parent, child):
-                found[channel] = each.transform
+            if edge.child == child:
+                found[channel] = each.transform if edge.parent == parent else _UNKNOWN
     return found
 
 

@@ -23,8 +23,8 @@ def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
         text = " ".join(machine.truths[truth].text.split())
         yield (
             f"{machine.rules[rule].name}: no test makes `{text}` {' or '.join(aspects)}: points "
-            f"were tried straight ahead of the scanner, to its left, to its right and behind it; set "
-            f"other beams by hand: `{used}.ranges[A .. B] = ...`"
+            f"were tried straight ahead of the scanner, to its left, to its right and behind it; "
+            f"set other beams by hand: `{used}.ranges[A .. B] = ...`"
         )
 
 
