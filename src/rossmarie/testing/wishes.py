@@ -23,8 +23,8 @@ _MOST_UNDECIDED = 4
 
 @dataclass
 class Patience:
-    """How many more wishes about the same formulas may stay undecided. After that, only those are
-    granted that hold as it is.
+    """The number of wishes about the same formulas that may still stay undecided. Then only those
+    are granted that hold as it is.
     """
 
     left: int = _MOST_UNDECIDED
