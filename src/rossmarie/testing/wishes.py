@@ -1,7 +1,7 @@
 """Wishes about values that a solver has found: each is granted if all that is demanded still holds.
 
-The effort is counted in steps of the solver, so that the same values are found on any machine. Only
-where single steps take long, as with the sine of an angle that is not known, does time end it.
+The effort is counted in steps of the solver, so that the same values are found on any machine. Time
+ends it only where single steps take long.
 """
 
 from __future__ import annotations
@@ -11,13 +11,12 @@ from dataclasses import dataclass
 
 import z3
 
-from rossmarie.analysis.solver import check
+from rossmarie.analysis.solver import LIMIT_MS, check
 
 EFFORT = 3_000_000
 """The steps that demands may cost. Wishes are cheaper; they are many."""
 
 _EFFORT_OF_WISH = 100_000
-_LIMIT_MS = 2_000
 _MOST_UNDECIDED = 4
 
 
@@ -41,7 +40,7 @@ class Wishes:
     ) -> None:
         """Look for values of `variables`; `model` stays None where none are found."""
         self._solver = z3.Solver()
-        self._solver.set(rlimit=EFFORT, timeout=_LIMIT_MS)
+        self._solver.set(rlimit=EFFORT, timeout=LIMIT_MS)
         self._solver.add(*demands)
         self._variables = variables
         self._patience = patience
