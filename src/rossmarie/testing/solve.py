@@ -102,11 +102,10 @@ class World:
 
     def _length(self) -> int:
         """The number of elements that arrays have: enough for what is counted."""
+        found = [edge for truth in self.truths for edge in edges(self.machine, truth)]
+        nodes = [self.machine.signals[edge.signal].node for edge in found]
         counted = [
-            edge.threshold
-            for truth in self.truths
-            for edge in edges(self.machine, truth)
-            if isinstance(self.machine.signals[edge.signal].node, ir.Count)
+            e.threshold for e, node in zip(found, nodes, strict=True) if isinstance(node, ir.Count)
         ]
         chosen = [
             extent(slot.path[-1])[1]
