@@ -21,6 +21,7 @@ from rossmarie.ir import (
     ByName,
     Doing,
     Each,
+    Edge,
     Listed,
     Machine,
     Path,
@@ -30,11 +31,17 @@ from rossmarie.ir import (
     Slot,
     Told,
     arrival_names,
+    bare_frame,
     field_names,
     scan_names,
 )
 from rossmarie.ir.beams import scan_path
 from rossmarie.ir.skills import answer
+
+_UNKNOWN = messages.new_message("geometry_msgs/Transform")
+for _part, _axes in ((_UNKNOWN.translation, "xyz"), (_UNKNOWN.rotation, "xyzw")):
+    for _axis in _axes:
+        setattr(_part, _axis, math.nan)
 
 Watch = Callable[..., "int | None"]
 """An instant and these fields; gives when time is wanted next, or None if the core has to tell
@@ -66,26 +73,26 @@ class Readings:
             return None
         return _reader(paths, arrays)
 
-    def _named_fields(self, channel: int) -> dict[str, Path]:
-        """The fields of a channel, as the core calls them; of an input of which only the age is
-        read, the whole message.
+    def _named_fields(self, channel: int) -> dict[str, Path | None]:
+        """The fields of a channel, as the core calls them; None for an input of which only the age
+        is read.
         """
         machine = self._machine
         slots, arrays = field_names(machine)
         named: list[tuple[frozenset[str], Slot | Array]]
         named = [*zip(slots, machine.slots, strict=True), *zip(arrays, machine.arrays, strict=True)]
-        fields: dict[str, Path] = {
+        fields: dict[str, Path | None] = {
             max(names, key=len): field.path
             for names, field in named
             if machine.inputs[field.input].channel == channel and scan_path(field.path) is None
         }
-        scans = {  # sectors are taken of the whole scan
+        scans: dict[str, Path | None] = {  # sectors and points are taken of the whole scan
             name: scan.path
             for name, scan in scan_names(machine).items()
             if machine.inputs[scan.input].channel == channel
         }
         ages = arrival_names(machine).items()
-        return fields | scans | {name: () for name, arriving in ages if arriving == channel}
+        return fields | scans | {name: None for name, arriving in ages if arriving == channel}
 
     def _on(self, channel: int, fields: Sequence[Slot] | Sequence[Array]) -> list[Slot | Array]:
         inputs = self._machine.inputs
@@ -112,10 +119,10 @@ class Intake:
         told, self._told = self._told, None
         return self._core.take() if told is None else told
 
-    def begin(self, at_ns: int, first: Mapping[int, Message]) -> Told:
-        """The first messages of several channels arrive together."""
+    def together(self, at_ns: int, messages: Mapping[int, Message]) -> Told:
+        """Messages of several channels arrive together; gives what the core finds."""
         values: dict[str, Value] = {}
-        for channel, message in first.items():
+        for channel, message in messages.items():
             values |= self._values(channel, message)
         return self._core.update(at_ns, values)
 
@@ -129,7 +136,22 @@ class Intake:
 
     def _values(self, channel: int, message: Message) -> dict[str, Value]:
         fields = self._readings.fields[channel]
-        return {name: _value(message, path) for name, path in fields.items()}
+        return {
+            name: 1.0 if path is None else _value(message, path) for name, path in fields.items()
+        }
+
+
+def transforms_in(message: Message, edges: Mapping[int, Edge]) -> dict[int, Message]:
+    """The transforms of a message that the rules want, by their channels: of each frame the last
+    one; one that is not known if that is to another parent (S79).
+    """
+    found = {}
+    for each in message.transforms:
+        parent, child = bare_frame(each.header.frame_id), bare_frame(each.child_frame_id)
+        for channel, edge in edges.items():
+            if edge.child == child:
+                found[channel] = each.transform if edge.parent == parent else _UNKNOWN
+    return found
 
 
 def _is_plain(empty: Message, path: Path) -> bool:
@@ -211,9 +233,7 @@ def _place(message: Message, element: int | ByName | Listed, length: int) -> int
 
 
 def _value(message: Message, path: Path) -> Value:
-    """A field; NaN for an element that is not there, seconds for an instant, 1 for a message."""
-    if not path:
-        return 1.0
+    """A field; NaN for an element that is not there, seconds for an instant."""
     value = _field(message, path)
     if isinstance(value, messages.Time):
         return float(value.sec) + value.nanosec * 1e-9

@@ -26,7 +26,8 @@ from rossmarie.testing.goals import (
 )
 from rossmarie.testing.phases import Phase, Stage, beat_ns, delay_ns, ramp_of, round_up
 from rossmarie.testing.sides import beside
-from rossmarie.testing.solve import Values, World
+from rossmarie.testing.solve import World
+from rossmarie.testing.variables import Values
 from rossmarie.testing.whole import is_carried
 
 _MOST_BEATS = 20_000
