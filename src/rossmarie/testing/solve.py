@@ -81,12 +81,10 @@ class World:
 
     def _length(self) -> int:
         """The number of elements that arrays have: enough for what is counted."""
-        counted = [
-            edge.threshold
-            for truth in self.truths
-            for edge in edges(self.machine, truth)
-            if isinstance(self.machine.signals[edge.signal].node, ir.Count)
-        ]
+        found = [edge for truth in self.truths for edge in edges(self.machine, truth)]
+        nodes = [self.machine.signals[each.signal].node for each in found]
+        pairs = zip(found, nodes, strict=True)
+        counted = [each.threshold for each, node in pairs if isinstance(node, ir.Count)]
         chosen = [
             extent(slot.path[-1])[1]
             for slot in self.machine.slots
