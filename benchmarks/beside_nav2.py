@@ -12,6 +12,7 @@ from functools import partial
 from itertools import chain
 from pathlib import Path
 
+import course_rules
 import nav2_node
 import numpy as np
 import rules_node
@@ -26,13 +27,13 @@ from course import (
     TICK_S,
     Command,
     Contender,
+    Odometry,
     Outcome,
     Scan,
     outcomes,
     unguarded,
 )
-from course_rules import RANGES
-from course_scenes import BRAKING, HALF_LENGTH, HALF_WIDTH, SCENES, SPEED
+from course_scenes import BRAKING, HALF_LENGTH, HALF_WIDTH, ORIGIN, SCENES, SPEED
 from machine import processor
 from nav2_model import CollisionMonitor
 from nav2_settings import ALL, LATENCY_S, STOP_M, Settings
@@ -68,14 +69,19 @@ GUARDS = """\
 Nav2's collision monitor {how}, without the correction for
 the motion since a scan, which asks for transforms. It has the settings of `nav2_bringup`, which
 approach (with the outline of this base), or zones: one as long as the way of braking after
-{latency:g} s, {stop:.2f} m, in which it stops, and one twice as long in which it is slow. Rules
-stop and slow down at the same distances ahead, by the least of all readings: `min(ranges)`."""
+{latency:g} s, {stop:.2f} m, in which it stops, and one twice as long in which it is slow.
+
+Rules are in `benchmarks/guards`. *Zones* and *approach* have the shapes and numbers of the two
+settings of Nav2. *Stopping* has no length of a zone: the base stops for what is nearer ahead than
+the way that it needs at the speed that it has, or is told to have, and is slow at twice that way.
+*min(ranges)* has no geometry: it stops and slows down at the distances of the zones, by the least
+of all readings."""
 
 COST = """\
 CPU time of the process of a node of ROS 2 in {period:g} s of the world, all transport included:
-while it hears nothing; with the clock and commands, where Nav2's node logs each time that it lacks
-a scan; and with a scan as well, of which each reading is {far:g} m. The mean of {seconds:g} s,
-on {machine}.
+while it hears nothing; with the clock, commands and odometry, where Nav2's node logs each time that
+it lacks a scan; and with a scan as well, of which each reading is {far:g} m. The mean of
+{seconds:g} s, on {machine}.
 """
 
 HEAD = "| guard | hits | reaction, s | gap, m | stops | false | slow, s | way, m | goal |"
@@ -186,12 +192,13 @@ def cost_lines(folder: Path) -> Iterator[str]:
         yield ""
         return
     yield COST.format(period=PERIOD_S, far=FAR_M, seconds=COST_S, machine=processor())
-    yield "| node | nothing | clock, commands | and a scan |"
+    yield "| node | nothing | clock, commands, odometry | and a scan |"
     yield "|---|---|---|---|"
     makers: list[Callable[[], rules_node.Node | nav2_node.Node]] = [
         partial(nav2_node.Node, each, folder / "nav2_cost", is_checked=False) for each in ALL
     ]
-    for make in (*makers, partial(rules_node.Node, RANGES, folder / "rules")):
+    makers += [partial(rules_node.Node, each, folder / "rules") for each in course_rules.ALL]
+    for make in makers:
         node = make()
         try:
             with node.contender.start():
@@ -207,6 +214,7 @@ def cost_lines(folder: Path) -> Iterator[str]:
 def spent_s(node: rules_node.Node | nav2_node.Node, has_commands: bool, has_scans: bool) -> float:
     """The CPU time of a node in the period of a scan."""
     far = np.full(BEAMS, FAR_M, dtype=np.float32)
+    command = Command(SPEED, 0.0)
     node.lockstep.begin()
     begin_s, begin_ns = time.monotonic(), node.cpu_ns()
     for number in range(round(COST_S / PERIOD_S * SCAN_TICKS / COMMAND_TICKS)):
@@ -215,8 +223,9 @@ def spent_s(node: rules_node.Node | nav2_node.Node, has_commands: bool, has_scan
         if has_commands:
             is_due = has_scans and number * COMMAND_TICKS % SCAN_TICKS == 0
             at_ns = round(at_s * NS)
-            node.lockstep.tell(at_ns, Scan(at_ns, far) if is_due else None, None)
-            node.lockstep.ask(Command(SPEED, 0.0))
+            odometry = Odometry(at_ns, ORIGIN, command)
+            node.lockstep.tell(at_ns, Scan(at_ns, far) if is_due else None, odometry)
+            node.lockstep.ask(command)
     time.sleep(max(0.0, begin_s + COST_S - time.monotonic()))
     return (node.cpu_ns() - begin_ns) / NS * PERIOD_S / COST_S
 
@@ -255,12 +264,12 @@ def lines(folder: Path) -> Iterator[str]:
     )
     nobody = Contender("no guard", lambda: nullcontext(unguarded))
     models = [modelled(each) for each in ALL]
-    ours = RANGES.contender(folder)
+    ours = [each.contender(folder) for each in course_rules.ALL]
     if lacking:
-        found, comparisons = drive([nobody, *models, ours]), []
+        found, comparisons = drive([nobody, *models, *ours]), []
     else:
         with nav2_nodes(folder) as nodes:
-            found = drive([nobody, *nodes, ours])
+            found = drive([nobody, *nodes, *ours])
         twins = drive(models)
         comparisons = [compared(found[place], runs) for place, runs in twins.items()]
     yield from scene_lines(found)

@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from course import Command, Contender, Odometry, Scan
-from course_scenes import HALF_LENGTH, SPEED
-from nav2_settings import STOP_M
+from course_scenes import BRAKING, HALF_LENGTH, HALF_WIDTH, SPEED
+from nav2_settings import LATENCY_S, SIDE_M, STOP_M
 
 from heron import messages
 from heron.guard import InProcessGuard, unfiltered
@@ -27,12 +27,16 @@ class Rules:
     name: str
     text: str
 
-    def contender(self, folder: Path) -> Contender:
-        """These rules, compiled."""
+    def machine(self, folder: Path) -> Machine:
+        """These rules, compiled in a folder."""
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / "course.ross"
         path.write_text(self.text, encoding="utf-8")
-        machine = compile_file(path).machine
+        return compile_file(path).machine
+
+    def contender(self, folder: Path) -> Contender:
+        """These rules as a guard on the course; the folder is for their file."""
+        machine = self.machine(folder)
 
         @contextmanager
         def run() -> Iterator[_OnGuard]:
@@ -54,6 +58,29 @@ rule close: if min(ranges) < {HALF_LENGTH + 2 * STOP_M:.2f} m then {{ slow; }};
 """,
 )
 """Distances from the lidar, in all directions: as far ahead as the zones of Nav2 reach."""
+
+GUARDS = Path(__file__).parent / "guards"
+
+
+def _of_file(name: str, file: str, **numbers: str) -> Rules:
+    """The rules of a file for the base of the course, with the numbers of the settings of Nav2."""
+    outline = {"front": f"{HALF_LENGTH} m", "side": f"{HALF_WIDTH} m"}
+    values = ", ".join(f"{key} = {value}" for key, value in {**outline, **numbers}.items())
+    return Rules(f"rules: {name}", f'import "{GUARDS / file}" with {values};\n')
+
+
+ZONES = _of_file("zones", "zones.ross", stop=f"{STOP_M} m", aside=f"{SIDE_M} m")
+APPROACH = _of_file("approach", "approach.ross")
+STOPPING = _of_file(
+    "stopping",
+    "stopping.ross",
+    aside=f"{SIDE_M} m",
+    braking=f"{BRAKING} m/s^2",
+    latency=f"{LATENCY_S} sec",
+)
+
+ALL = (ZONES, APPROACH, STOPPING, RANGES)
+"""The first two say what the settings of Nav2 say; the last has no geometry."""
 
 
 class _OnGuard:

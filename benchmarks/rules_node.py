@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import replace
 from pathlib import Path
 
 from course import Command, Contender, Odometry, Scan
@@ -13,7 +12,6 @@ from course_node import Lockstep, cpu_ns
 from course_rules import Rules
 
 from support import ros2_build, ros2_live
-from support.compiled import machine_of
 
 START_S = 20.0
 
@@ -22,8 +20,7 @@ class Node:
     """The node of these rules, built; as Nav2's are built: for speed."""
 
     def __init__(self, rules: Rules, folder: Path) -> None:
-        machine = replace(machine_of(rules.text), name="course")
-        folder.mkdir(parents=True, exist_ok=True)
+        machine = rules.machine(folder)
         built = ros2_build.Workspace(folder / "workspace", ["-DCMAKE_BUILD_TYPE=Release"])
         self._ros = ros2_live.Ros2(folder, built)
         (program,) = self._ros.prepare([machine])

@@ -187,6 +187,30 @@ def test_arrays_elements_texts_and_instants_are_read(tmp_path: Path) -> None:
     assert "silent" in guard.active
 
 
+def test_points_of_a_scan_are_seen_in_zones_and_sectors(tmp_path: Path) -> None:
+    rules = """
+    input scan = topic /scan : sensor_msgs/LaserScan up to 4 timeout 1 sec;
+    zone ahead in base_link { box [0, 1, -0.5, 0.5] m; }
+    rule inside: if count(p in scan.points: p in ahead) >= 2 then { slow; };
+    rule near: if min(scan.ranges[-5 deg .. 5 deg]) < 0.5 m then { slow; };
+    """
+    guarded, guard = started(tmp_path, rules + "rule r: if speed > 1 m/s then { slow; };")
+    guarded.speed(0.0)
+    topic = Topic("/scan", "sensor_msgs/LaserScan")
+    for ranges, active in (
+        ([2.0, 2.0, 2.0, 2.0], set()),
+        ([0.7, 0.7, 0.8, 0.0], {"inside"}),
+        ([0.0, 0.4, 0.0, 2.0], {"near"}),
+    ):
+        scan = messages.laser_scan(0, (-0.1, 0.2, 0.1), (0.1, 10.0), np.array(ranges))
+        scan.header.frame_id = "base_link"
+        guarded.publish(topic, scan)
+        assert set(guard.active) == active
+    scan.header.frame_id = "camera"
+    guarded.publish(topic, scan)
+    assert set(guard.active) == {"inside", "near"}, "of points elsewhere nothing is known"
+
+
 def test_a_message_that_starts_a_time_is_followed_when_that_is_over(tmp_path: Path) -> None:
     guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s for 0.03 sec then { slow; };")
     guarded.speed(0.0)

@@ -191,6 +191,31 @@ def test_rules_drive_the_course(modules: dict[str, Any], tmp_path: Path) -> None
     assert behind.false_stops == 1, "the least of all readings is behind it"
 
 
+@pytest.mark.parametrize("scene", ["person steps out", "narrow corridor", "docking station"])
+@pytest.mark.parametrize("guard", ["zones", "approach"])
+def test_rules_can_say_what_settings_of_nav2_say(
+    modules: dict[str, Any], tmp_path: Path, guard: str, scene: str
+) -> None:
+    page, course = modules["beside_nav2"], modules["course"]
+    (settings,) = (each for each in modules["nav2_settings"].ALL if each.name == f"Nav2: {guard}")
+    (rules,) = (each for each in modules["course_rules"].ALL if each.name == f"rules: {guard}")
+    found, wanted = (
+        [course.run(scene, each, 1)]
+        for each in (rules.contender(tmp_path), page.modelled(settings))
+    )
+    assert page.compared(found, wanted) == page.Comparison(1, 1)
+
+
+@pytest.mark.parametrize("scene", ["wall ahead", "narrow corridor", "readings of 0"])
+def test_a_base_that_keeps_its_way_of_stopping_stops_for_nothing_else(
+    modules: dict[str, Any], tmp_path: Path, scene: str
+) -> None:
+    course = modules["course"]
+    rules = modules["course_rules"].STOPPING.contender(tmp_path)
+    outcome = course.run(scene, rules, 1)
+    assert (outcome.contact_speed, outcome.false_stops, outcome.falsely_slow_s) == (0.0, 0, 0.0)
+
+
 @needs(NAV2_MONITOR)
 def test_the_node_of_nav2_does_what_its_model_does(modules: dict[str, Any], tmp_path: Path) -> None:
     page = modules["beside_nav2"]

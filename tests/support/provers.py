@@ -6,14 +6,17 @@ import os
 import signal
 import subprocess
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from dslkit.writing import write_texts
+from rossmarie import ir
 from rossmarie.driver.verifying import Questions, prove
 from rossmarie.report.proofs import Proofs
+from rossmarie.targets import c99
 from rossmarie.verification.check import Check
-from rossmarie.verification.harness import Harness
+from rossmarie.verification.harness import Harness, harness
 from rossmarie.verification.prover import (
     Outcome,
     Prover,
@@ -45,6 +48,24 @@ def proofs_of_reactor(
     assert checks
     changed = replace(questions, files=files, programs=(replace(program, checks=checks),))
     return prove(changed, prover, seconds=SECONDS)
+
+
+def asked(
+    prover: Prover,
+    machine: ir.Machine,
+    change: tuple[str, str],
+    names: Sequence[str],
+    seconds: int = SECONDS,
+) -> Iterator[Outcome]:
+    """The outcomes of the checks of a monitor whose names begin so, after a change of its C."""
+    program = harness(machine)
+    with prover.workshop() as folder:
+        files = c99.generate(machine)
+        write_texts(folder, files if change == NO_CHANGE else damaged(files, "monitor", *change))
+        prover.compile(folder, program)
+        for check in program.checks:
+            if check.name.startswith(tuple(names)):
+                yield prover.run(program, check, folder, seconds)
 
 
 def refuted(proofs: Proofs) -> list[str]:

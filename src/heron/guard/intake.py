@@ -86,7 +86,7 @@ class Readings:
             for names, field in named
             if machine.inputs[field.input].channel == channel and scan_path(field.path) is None
         }
-        scans: dict[str, Path | None] = {  # sectors are taken of the whole scan
+        scans: dict[str, Path | None] = {  # sectors and points are taken of the whole scan
             name: scan.path
             for name, scan in scan_names(machine).items()
             if machine.inputs[scan.input].channel == channel

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -17,7 +17,7 @@ from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import NATIVE
 from rossmarie.ir import Category
-from rossmarie.recordings import RecordingError, open_recording, write_model
+from rossmarie.recordings import RecordingError, definition_path, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
 
 TIMELINE = "timeline.html"
@@ -102,9 +102,10 @@ def write_reports(replay: Replay, out: Path) -> tuple[Path, Path]:
 
 
 def write_model_of(recording: Path, out: Path | None) -> None:
-    """Print the system model of a recording, or write it to `out`.
+    """Print the system model of a recording, or write it to `out`, beside the definitions of types
+    that no standard package has.
 
-    A file that is there stays: system models are completed by hand.
+    Files that are there stay: system models are completed by hand.
     """
     if out is not None and out.is_file():
         output.fail(f"{out} is there; remove it, or choose another name", exit_code=2)
@@ -112,9 +113,24 @@ def write_model_of(recording: Path, out: Path | None) -> None:
         output.try_file(out)
     with refusing(), open_recording(recording) as opened:
         output.print_findings(opened.findings)
-        text = format_text(write_model(opened))
+        definitions = {} if out is None else opened.definitions()
+        text = format_text(write_model(opened, None if out is None else definitions))
     if out is None:
         typer.echo(text, nl=False)
         return
+    _save_definitions(out.parent, definitions)
     output.save(out, text)
     typer.echo(f"wrote {out}")
+
+
+def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:
+    """Write the .msg files of a model. One that is there may be completed by hand, so it stays."""
+    for name, text in definitions.items():
+        path = folder / definition_path(name)
+        if path.exists():
+            typer.echo(f"kept {path}")
+            continue
+        with output.writing_to(path.parent):
+            path.parent.mkdir(parents=True, exist_ok=True)
+        output.save(path, text)
+        typer.echo(f"wrote {path}")

@@ -16,7 +16,7 @@ from dslkit.source import SourceFile
 from rossmarie.check.instances.telling import spelled
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.pipeline import Compiled, compile_file
-from rossmarie.driver.testing import tests_beside
+from rossmarie.driver.testing import tested_rules, tests_beside
 from rossmarie.ir.script import Script
 from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.goals import Goal
@@ -48,9 +48,11 @@ class Written:
 def generate_tests(
     rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
 ) -> Written:
-    """Tests of all boundaries of the rules. Raises `RulesError`."""
+    """Tests of all boundaries of the rules; those of the library have theirs beside them. Raises
+    `RulesError`.
+    """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders)
-    proposals = list(_renamed(propose(compiled.machine)))
+    proposals = list(_renamed(propose(compiled.machine, tested_rules(compiled.machine, rules))))
     path = tests_beside(rules)
     texts = [write_script(compiled.machine, each.script, compiled.bases) for each in proposals]
     read = compile_file(

@@ -8,7 +8,7 @@ from rossmarie.recordings.batches import begun_together, updates_in
 from rossmarie.recordings.errors import ALL, RecordingError
 from rossmarie.recordings.model import Recording, Topic, Update
 from rossmarie.recordings.opening import open_recording
-from rossmarie.recordings.system_model import write_model
+from rossmarie.recordings.system_model import definition_path, write_model
 
 __all__ = [
     "ALL",
@@ -17,6 +17,7 @@ __all__ = [
     "Topic",
     "Update",
     "begun_together",
+    "definition_path",
     "open_recording",
     "updates_in",
     "write_model",

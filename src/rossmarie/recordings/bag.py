@@ -21,7 +21,7 @@ from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings.batches import Assembly
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.decoding import Decoder
-from rossmarie.recordings.definitions import UndefinedTypeError, typestore_for
+from rossmarie.recordings.definitions import UndefinedTypeError, own_definitions, typestore_for
 from rossmarie.recordings.elements import never_found
 from rossmarie.recordings.errors import (
     DefinitionMissing,
@@ -113,6 +113,10 @@ class BagRecording:
             lambda connection: typestore_for(connection, self._message_folders),
             lambda topics: self._stored([*topics], Collector()),
         )
+
+    def definitions(self) -> Mapping[str, str]:
+        """See `Recording.definitions`."""
+        return own_definitions(found[0] for found in self._connections.values())
 
     def close(self) -> None:
         """Release the file."""

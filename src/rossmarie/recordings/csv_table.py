@@ -113,6 +113,10 @@ class CsvRecording:
         """None: texts that say a frame are columns as any others."""
         return FramesFound()
 
+    def definitions(self) -> Mapping[str, str]:
+        """None: a table has no types."""
+        return {}
+
     def close(self) -> None:
         """Nothing is held open."""
 

@@ -7,7 +7,7 @@ packages of ROS and `skill_context_msgs`.
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -23,7 +23,7 @@ from rosbags.typesys import (
 from rosbags.typesys.store import Typestore
 
 from rossmarie.recordings.message_sizes import Sizes
-from rossmarie.recordings.stored import Connection
+from rossmarie.recordings.stored import Connection, plain_type
 from rossmarie.types.definitions import own_texts
 
 _STANDARD: Mapping[str, tuple[Stores, ...]] = {
@@ -33,7 +33,9 @@ _STANDARD: Mapping[str, tuple[Stores, ...]] = {
 }
 _ENCODINGS = frozenset(_STANDARD)
 _NAME = re.compile(r"[A-Za-z]\w*", re.ASCII)
+_SHORT = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
 _IDL_SEPARATOR = "=" * 80 + "\n"
+_MSG_SEPARATOR = re.compile(r"^=+\r?\nMSG: (\S+)\r?\n", re.MULTILINE)
 
 
 class UndefinedTypeError(Exception):
@@ -54,6 +56,36 @@ def is_standard(message_type: str) -> bool:
     return name in _own_types() or any(
         name in _store(store).fielddefs for stores in _STANDARD.values() for store in stores
     )
+
+
+def own_definitions(connections: Iterable[Connection]) -> dict[str, str]:
+    """The texts of .msg files that connections bring along, for their types and those that these
+    consist of, by names such as `my_msgs/Wheel`. Standard types, and those that cannot be
+    understood, are left out; of several texts for one type, the first counts.
+    """
+    found: dict[str, str] = {}
+    for connection in connections:
+        if is_standard(connection.message_type):
+            continue
+        try:
+            store = typestore_for(connection, ())
+        except UndefinedTypeError:
+            continue
+        for name, text in _texts(connection, store):
+            if _SHORT.fullmatch(name) and not is_standard(name):
+                found.setdefault(name, text.rstrip() + "\n")
+    return found
+
+
+def _texts(connection: Connection, store: Typestore) -> Iterator[tuple[str, str]]:
+    """The recorded text of each type; of one that is recorded as IDL, the same as .msg."""
+    text = connection.definition.data
+    if connection.definition.format is not MessageDefinitionFormat.MSG:
+        text, _ = store.generate_msgdef(full_type(connection.message_type), ros_version=2)
+    first, *others = _MSG_SEPARATOR.split(text)
+    yield connection.message_type, first
+    for name, other in zip(others[::2], others[1::2], strict=True):
+        yield plain_type(name), other
 
 
 def typestore_for(connection: Connection, message_folders: Sequence[Path]) -> Typestore:

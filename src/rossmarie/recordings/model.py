@@ -94,6 +94,11 @@ class Recording(Protocol):
     def frames(self) -> FramesFound:
         """The frames that it has transforms of, and those that headers say."""
 
+    def definitions(self) -> Mapping[str, str]:
+        """The texts of .msg files that it brings along of types that no standard package has, by
+        names such as `my_msgs/Wheel`.
+        """
+
     def close(self) -> None:
         """Release the file."""
 

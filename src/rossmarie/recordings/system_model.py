@@ -4,31 +4,45 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
+from pathlib import PurePosixPath
 
 from rossmarie.recordings.errors import RecordingError, RecordingUntyped, at_file
 from rossmarie.recordings.model import Recording, Topic, Transforms
 from rossmarie.syntax.words import RESERVED
 
-_TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*")
+_TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
 _NAME = re.compile(r"[A-Za-z_]\w*", re.ASCII)
 _TENTH_NS = 100_000_000
 _TOPIC = re.compile(r"/?[A-Za-z_]\w*(/[A-Za-z_]\w*)*", re.ASCII)
 
 
-def write_model(recording: Recording) -> str:
+MESSAGES = "msg"
+"""The folder beside a model with the definitions that its recording brings along."""
+
+
+def definition_path(name: str) -> PurePosixPath:
+    """The place of the .msg file of a type such as `my_msgs/Wheel`, from the folder of a model."""
+    package, _, short = name.partition("/")
+    return PurePosixPath(MESSAGES, package, "msg", f"{short}.msg")
+
+
+def write_model(recording: Recording, definitions: Collection[str] | None = None) -> str:
     """The frames and the topics of a recording, with types, and in comments how many messages there
     are.
 
-    What the rule language cannot name is left as a comment. Raises `RecordingError` if the
-    recording does not know types (CSV).
+    `definitions` are the types whose .msg files lie at `definition_path`; None if nobody writes
+    them. What the rule language cannot name, and what then has no definition, is left as a comment.
+    Raises `RecordingError` if the recording does not know types (CSV).
     """
     topics = sorted(recording.topics.values(), key=lambda topic: topic.name)
     if any(topic.message_type is None for topic in topics) or not topics:
         raise RecordingError(at_file(RecordingUntyped(), recording.path))
     frames = recording.frames()
     lines = [_frame(each, frames.transforms) for each in frames.transforms]
-    lines += [_line(topic, frames.headers.get(topic.name)) for topic in topics]
+    own = _own(topics)
+    missing = own.difference(definitions) if definitions is not None else set()
+    lines += [_line(topic, frames.headers.get(topic.name), missing) for topic in topics]
     width = max(len(line) for line in lines)
     seconds = (recording.end_ns - recording.start_ns) / 1e9
     counts = [*(each.count for each in frames.transforms), *(each.count for each in topics)]
@@ -36,7 +50,8 @@ def write_model(recording: Recording) -> str:
     body = [f"{line:<{width}} // {remark}" for line, remark in zip(lines, remarks, strict=True)]
     title = f"// Written from {recording.path.name}: {seconds:.1f} s."
     opening = f"system {_identifier(recording.path.stem)} {{"
-    return "\n".join([title, opening, *_definitions(topics), *body, "}", ""])
+    hints = _definitions(own, definitions)
+    return "\n".join([title, opening, *hints, *body, "}", ""])
 
 
 def _frame(transforms: Transforms, every: Sequence[Transforms]) -> str:
@@ -56,12 +71,14 @@ def _frame_name(name: str) -> str:
     return name if _NAME.fullmatch(name) and name not in RESERVED else f'"{name}"'
 
 
-def _line(topic: Topic, frame: str | None) -> str:
+def _line(topic: Topic, frame: str | None, undefined: Collection[str]) -> str:
     name = topic.name if topic.name.startswith("/") else f"/{topic.name}"
     source = "" if frame is None or '"' in frame else f" from {_frame_name(frame)}"
     declaration = f"topic {name} : {topic.message_type}{source};"
-    can_be_named = _TYPE.fullmatch(topic.message_type or "") and _TOPIC.fullmatch(topic.name)
-    return f"    {declaration}" if can_be_named else f"    // {declaration}"
+    type_name = topic.message_type or ""
+    can_be_named = _TYPE.fullmatch(type_name) and _TOPIC.fullmatch(topic.name)
+    is_known = can_be_named and type_name not in undefined
+    return f"    {declaration}" if is_known else f"    // {declaration}"
 
 
 def _remark(count: int, seconds: float) -> str:
@@ -70,15 +87,23 @@ def _remark(count: int, seconds: float) -> str:
     return messages + rate
 
 
-def _definitions(topics: list[Topic]) -> Iterator[str]:
-    """A hint if there are types that the rule language does not know by itself."""
+def _own(topics: Sequence[Topic]) -> set[str]:
+    """The types that the rule language does not know by itself."""
     from rossmarie.recordings.definitions import is_standard  # imports rosbags, which is slow
 
     types = {topic.message_type or "" for topic in topics}
-    own = sorted(name for name in types if _TYPE.fullmatch(name) and not is_standard(name))
-    if own:
-        yield f"    // not in the standard packages: {', '.join(own)}"
-        yield '    // messages "msg";  // name the folder with their .msg files'
+    return {name for name in types if _TYPE.fullmatch(name) and not is_standard(name)}
+
+
+def _definitions(own: set[str], definitions: Collection[str] | None) -> Iterator[str]:
+    """The folder with the definitions of types of the user's own, or hints where it is needed."""
+    if definitions:
+        yield f'    messages "{MESSAGES}";'
+    missing = sorted(own.difference(definitions or ()))
+    if missing:
+        yield f"    // not in the standard packages: {', '.join(missing)}"
+    if missing and not definitions:
+        yield f'    // messages "{MESSAGES}";  // name the folder with their .msg files'
 
 
 def _identifier(name: str) -> str:

@@ -100,8 +100,18 @@ class Builder(SystemBuilder):
 
     def topic_parameter(self, parts: list[Any]) -> ast.Parameter:
         """`parameter NAME = topic TOPIC`."""
+        return self._named_parameter(parts, self.name(parts[4]), ast.Meaning.TOPIC)
+
+    def frame_parameter(self, parts: list[Any]) -> ast.Parameter:
+        """`parameter NAME = frame FRAME`."""
+        return self._named_parameter(parts, self._frame(parts[4]), ast.Meaning.FRAME)
+
+    def _named_parameter(
+        self, parts: list[Any], default: ast.Name, meaning: ast.Meaning
+    ) -> ast.Parameter:
         documentation, span = self._documentation(parts), self._span(parts)
-        return ast.Parameter(self.name(parts[1]), self.name(parts[4]), None, documentation, span)
+        name = self.name(parts[1])
+        return ast.Parameter(name, default, None, documentation, span, meaning=meaning)
 
     def action(self, parts: list[Any]) -> ast.Action:
         """`action NAME { EFFECT; ... } latched until reset`."""

@@ -27,8 +27,8 @@ class _Comparator(NamedTuple):
 
 
 class _Trailer(NamedTuple):
-    """`.name`, `.name(...)`, `[0]`, `["name"]` or `[-30 deg .. 30 deg]` behind a value; the parts
-    tell which.
+    """`.name`, `.name(...)`, `[0]`, `["name"]`, `[name]` or `[-30 deg .. 30 deg]` behind a value;
+    the parts tell which.
     """
 
     name: ast.Name | None
@@ -36,6 +36,7 @@ class _Trailer(NamedTuple):
     position: int | str | None
     span: Span
     arc: ast.Arc | None = None
+    constant: ast.Name | None = None
 
 
 class Part(NamedTuple):
@@ -168,7 +169,8 @@ class ExpressionBuilder:
                 value = ast.Sector(value, trailer.arc, span)
             elif trailer.name is None:
                 at = trailer.position
-                value = ast.Broken(span) if at is None else ast.Index(value, at, span)
+                index = None if at is None else ast.Index(value, at, span, trailer.constant)
+                value = index or ast.Broken(span)
             elif trailer.arguments is None:
                 value = ast.Member(value, trailer.name, span)
             else:
@@ -185,8 +187,11 @@ class ExpressionBuilder:
         return _Trailer(self.name(parts[1]), arguments, None, self._span(parts))
 
     def index(self, parts: list[Any]) -> _Trailer:
-        """`[0]`, `["elbow"]`."""
-        return _Trailer(None, None, self.position(parts[1]), self._span(parts))
+        """`[0]`, `["elbow"]`, `[elbow]`."""
+        token, span = parts[1], self._span(parts)
+        if token.kind == "word":
+            return _Trailer(None, None, "", span, constant=self.name(token))
+        return _Trailer(None, None, self.position(token), span)
 
     def sector(self, parts: list[ast.Arc]) -> _Trailer:
         """`[-30 deg .. 30 deg]` behind a value."""

@@ -43,11 +43,11 @@ class Proposal:
     script: Script
 
 
-def propose(machine: ir.Machine) -> Iterator[Proposal]:
-    """Proposals for all rules, in their order, of messages that there can be, and no longer than
-    tests may be.
+def propose(machine: ir.Machine, rules: Sequence[int] | None = None) -> Iterator[Proposal]:
+    """Proposals for all rules, or for those of these numbers, in this order, of messages that there
+    can be, and no longer than tests may be.
     """
-    for index in range(len(machine.rules)):
+    for index in range(len(machine.rules)) if rules is None else rules:
         for proposal in _Proposer(machine, index).all():
             if proposal.script.can_be_written and is_carried(machine, proposal.script):
                 yield proposal

@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 import z3
 
@@ -24,7 +23,7 @@ from rossmarie import ir
 from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
-from rossmarie.analysis.solver import check
+from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
 from rossmarie.core import (
     AnyFunction,
@@ -43,10 +42,10 @@ from rossmarie.testing.goals import Edge, edges
 from rossmarie.testing.shown_units import unit_of_edge, unit_of_field
 from rossmarie.testing.variables import Ramp, Values, Variable
 from rossmarie.testing.whole import slot_behind
+from rossmarie.testing.wishes import Patience, Wishes
 from rossmarie.testing.zones import clear_of
 from rossmarie.units import Unit
 
-TIME_LIMIT_MS = 2000
 _MOST_ELEMENTS = 8
 _CLEAR = 10  # how many steps other values stay away from their thresholds
 _CHOSEN = {Sampling.RATE: "rate", Sampling.PREVIOUS: "previous"}
@@ -71,7 +70,8 @@ class World:
     units: dict[Variable, Unit] = field(default_factory=dict)
     _side: list[z3.BoolRef] = field(default_factory=list)
     _signals: dict[int, z3.ArithRef] = field(default_factory=dict)
-    _wishes: dict[tuple[int, int | None], z3.BoolRef] = field(default_factory=dict)
+    _patience: Patience = field(default_factory=Patience)
+    _outside: dict[tuple[int, int | None], z3.BoolRef] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.length = self._length()
@@ -204,13 +204,15 @@ class World:
                 self._side.append(seen == wanted)  # else it is lost
             if isinstance(function, RegionFunction):
                 place = self.signal(operands[0], part), self.signal(operands[1], part)
-                self._wishes[index, part] = clear_of(function.region, *place)
+                self._outside[index, part] = clear_of(function.region, *place)
         if function in _ANGLES:
             low, high = (math.trunc(10 * end) / 10 for end in declared.range)
             angle = self._real(Variable("angle", index))
             self._side += within(angle, (low, high))
             return angle
         values = [self.signal(operand, part) for operand in operands]
+        if function is Function.SEEN:
+            self._side.append(values[1] == values[2])  # what comes in another frame is lost
         expression = defined(function, len(operands))
         formulas = Formulas(values, self._operate)
         if declared.easy is not None:
@@ -304,24 +306,20 @@ class World:
         """Values for which all of `wanted` holds, as round as they may be, and as `near` to others
         as they may be. Leaves other than `apart` stay clear of their thresholds where they can.
         """
-        solver = z3.Solver()
-        solver.set("timeout", TIME_LIMIT_MS)
-        solver.add(*self._side, *wanted, *self._bounds())
-        if check(solver) != z3.sat:
+        demands = [*self._side, *wanted, *self._bounds()]
+        wishes = Wishes(demands, tuple(self.variables.values()), self._patience)
+        if wishes.model is None:
             return None
         for clear in self._clear(apart):
-            _prefer(solver, clear)
+            wishes.grant(clear)
         for variable, term in self.variables.items():
             if near is not None and variable in near:
-                _prefer(solver, term == constant(near[variable]))
-        return {variable: self._round(solver, variable) for variable in self.variables}
+                wishes.grant(term == constant(near[variable]), term)
+        return {variable: self._round(wishes, variable) for variable in self.variables}
 
     def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
         """Say whether no values at all, in real arithmetic, make all of `wanted` hold."""
-        solver = z3.Solver()
-        solver.set("timeout", TIME_LIMIT_MS)
-        solver.add(*self._side, *wanted)
-        return bool(check(solver) == z3.unsat)
+        return ask(self._side, *wanted).outcome is Outcome.IMPOSSIBLE
 
     def _bounds(self) -> Iterator[z3.BoolRef]:
         for variable, term in self.variables.items():
@@ -338,7 +336,7 @@ class World:
     def _clear(self, apart: int | None) -> Iterator[z3.BoolRef]:
         for _, held, begun in self.remembering():
             yield z3.Or(begun, z3.Not(held))
-        yield from self._wishes.values()
+        yield from self._outside.values()
         for truth in self.truths:
             if truth == apart:
                 continue
@@ -353,22 +351,20 @@ class World:
         is_array = isinstance(self.machine.truths[truth].node, ir.Quantified)
         return list(range(self.length)) if is_array else [None]
 
-    def _round(self, solver: z3.Solver, variable: Variable) -> float:
+    def _round(self, wishes: Wishes, variable: Variable) -> float:
         """A value that is as short as it may be in the unit in which it is written; it is kept."""
         term, unit = self.variables[variable], self.unit(variable)
-        _prefer(solver, term >= 0)
-        model = solver.model() if check(solver) == z3.sat else None
-        exact = (
-            Fraction(0) if model is None else exact_number(model.eval(term, model_completion=True))
-        )
+        wishes.grant(term >= 0, term)
+        assert wishes.model is not None, "there are values"
+        exact = exact_number(wishes.model.eval(term, model_completion=True))
         shown = unit.from_si(float(exact))
         candidates = [0.0, 1.0, *(round(shown, digits) for digits in range(7)), shown]
         for candidate in candidates:
             value = unit.to_si(candidate)
-            if _prefer(solver, term == constant(value)):
+            if wishes.grant(term == constant(value), term):
                 return value
         value = float(exact)
-        _prefer(solver, term == constant(value))
+        wishes.grant(term == constant(value), term)
         return value
 
     def unit(self, variable: Variable) -> Unit:
@@ -386,13 +382,3 @@ class World:
             return False
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
         return any(z3.eq(each, self.variables[variable]) for each in constants_in(term))
-
-
-def _prefer(solver: z3.Solver, wish: z3.BoolRef) -> bool:
-    """Add a wish if it can be had."""
-    solver.push()
-    solver.add(wish)
-    if check(solver) == z3.sat:
-        return True
-    solver.pop()
-    return False

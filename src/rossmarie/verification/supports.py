@@ -64,11 +64,23 @@ class Below:
 
 def below(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]) -> Below:
     """These, and all that they are made of, in order."""
+    return _below(machine, signals, truths, ends=())
+
+
+def _below(
+    machine: ir.Machine,
+    signals: tuple[int, ...],
+    truths: tuple[int, ...],
+    ends: tuple[type[Node], ...],
+) -> Below:
+    """Likewise, but not what nodes of the kinds `ends` are made of."""
     found_signals, found_truths = set(signals), set(truths)
     waiting: list[Node] = [machine.signals[index].node for index in signals]
     waiting += [machine.truths[index].node for index in truths]
     while waiting:
         node = waiting.pop()
+        if isinstance(node, ends):
+            continue
         for index in set(numbers_of(node)) - found_signals:
             found_signals.add(index)
             waiting.append(machine.signals[index].node)
@@ -154,20 +166,7 @@ def _outside_elements(
     machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]
 ) -> Below:
     """These, and all that they are made of, up to what is asked of elements."""
-    found_signals, found_truths = set(signals), set(truths)
-    waiting: list[Node] = [machine.signals[index].node for index in signals]
-    waiting += [machine.truths[index].node for index in truths]
-    while waiting:
-        node = waiting.pop()
-        if isinstance(node, ir.Fold | ir.Count | ir.Quantified):
-            continue
-        for index in set(numbers_of(node)) - found_signals:
-            found_signals.add(index)
-            waiting.append(machine.signals[index].node)
-        for index in set(truths_of(node)) - found_truths:
-            found_truths.add(index)
-            waiting.append(machine.truths[index].node)
-    return Below(tuple(sorted(found_signals)), tuple(sorted(found_truths)))
+    return _below(machine, signals, truths, ends=(ir.Fold, ir.Count, ir.Quantified))
 
 
 def _inside_elements(machine: ir.Machine, made_of: Below) -> Iterator[Below]:

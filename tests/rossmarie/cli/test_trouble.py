@@ -13,7 +13,7 @@ import pytest
 
 from support import command_line
 from support.parts import FULL_DEVICE, PERMISSIONS, needs, require
-from support.recordings import ROS1, readings, write_ros1
+from support.recordings import ROS1, START_NS, readings, write_mcap, write_ros1
 
 MAIN = [sys.executable, "-c", "from rossmarie.cli.main import main; main()"]
 RULES = """action stop;
@@ -181,6 +181,25 @@ def test_a_system_model_is_written_once_and_in_the_one_layout(tmp_path: Path) ->
     target.write_text("// completed by hand\n")
     assert is_refused(run("model", bag, "-o", target), f"{target} is there; remove it")
     assert target.read_text() == "// completed by hand\n"
+
+
+def test_definitions_are_written_beside_a_system_model(tmp_path: Path) -> None:
+    recording = write_mcap(
+        tmp_path / "drive.mcap",
+        profile="ros2",
+        schema=("my_msgs/msg/Wheel", "ros2msg", "float32 speed"),
+        channel=("/wheel", "cdr"),
+        messages=[(START_NS, b"")],
+    )
+    model, wheel = tmp_path / "system.ross", tmp_path / "msg" / "my_msgs" / "msg" / "Wheel.msg"
+    done = run("model", recording, "-o", model)
+    assert done.stdout == f"wrote {wheel}\nwrote {model}\n"
+    assert run("check", model).stdout == "no errors in 1 file\n"
+    model.unlink()
+    wheel.write_text("float32 speed  # m/s\n")
+    done = run("model", recording, "-o", model)
+    assert done.stdout == f"kept {wheel}\nwrote {model}\n"
+    assert wheel.read_text() == "float32 speed  # m/s\n"
 
 
 # --- options ---------------------------------------------------------------------------------

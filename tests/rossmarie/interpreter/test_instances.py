@@ -38,6 +38,24 @@ rule tooNear: if near.both then { stop; };
 rule first: if near.stop unless tooNear then { stop; };
 priority tooNear over first;
 """
+ARM = """\
+parameter elbow = "elbow_joint";
+parameter states = topic /joint_states;
+parameter base = frame base_link;
+parameter cell = frame "cell/floor";
+action stop;
+input joints = topic states : sensor_msgs/JointState timeout 1 sec;
+input tip = topic /tip : geometry_msgs/PoseStamped .pose.position from cell in base timeout 1 sec;
+zone beside in base { box [0, 1, 0, 1] m; }
+rule fast: if abs(joints[elbow].velocity) > 2 or tip in beside then { stop; };
+"""
+CELL = """\
+system cell {
+    frame base_link in world timeout 1 sec;
+    frame "cell/floor" in world;
+    frame other = "b/base_link" in world timeout 1 sec;
+}
+"""
 _SLOW = (HealthCheck.too_slow, HealthCheck.data_too_large)
 _VALUE = re.compile(r"(?<![\w.\[-])\d+(?:\.\d+)? (?:m/s\^2|m/s|m|deg|sec|rad/s|Nm)(?![\w/^])")
 _WRITTEN = {"span", "head", "text", "contract", "documentation"}
@@ -207,6 +225,34 @@ def test_s86_an_alias_is_a_topic_of_the_importing_file(tmp_path: Path) -> None:
     """
     machine = machine_of(tmp_path, separation=SEPARATION, main=main)
     assert machine.channels[0].topic == "/front/scan"
+
+
+def test_s86_a_frame_is_that_of_the_import(tmp_path: Path) -> None:
+    main = """
+        parameter mine = frame other;
+        import "arm.ross" as a;
+        import "arm.ross" with base = mine as b;
+        import "arm.ross" with base = "b/base_link" as c;
+    """
+    found = meaning(machine_of(tmp_path, arm=ARM, system=CELL, main=main))
+    written = ARM.replace("in base ", 'in "b/base_link" ')
+    (tmp_path / "written").mkdir()
+    main = 'import "arm.ross" as a;import "other.ross" as b;import "other.ross" as c;'
+    files = {"arm": ARM, "other": written, "system": CELL, "main": main}
+    assert meaning(machine_of(tmp_path / "written", **files)) == found
+
+
+def test_s86_a_constant_names_an_element(tmp_path: Path) -> None:
+    main = """
+        const right = "right_elbow";
+        import "arm.ross" with elbow = "left_elbow" as left;
+        import "arm.ross" with elbow = right as right_arm;
+    """
+    machine = machine_of(tmp_path, arm=ARM, system=CELL, main=main)
+    told = machine_to_json(machine)
+    assert "left_elbow" in told
+    assert "right_elbow" in told
+    assert not check_file(tmp_path / "main.ross").diagnostics
 
 
 def test_s86_tests_of_a_file_are_about_its_defaults(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ import pytest
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
 from support.compiled import machine_of
+from support.pose_watch import PoseWatch
 
 HEAD = """
 action slow;
@@ -29,33 +30,21 @@ NAN = math.nan
 F, T, _, L = TruthValue
 
 
-class Watched:
-    """A condition on a pose, and what it is where the pose is."""
-
-    def __init__(self, condition: str) -> None:
-        self.machine = machine_of(f"{HEAD}rule r: if {condition} then {{ slow; }};")
-        self._monitor = Interpreter(self.machine)
-        self._at_ns = 0
-
-    def at(self, x: float, y: float, frame: str = "base_link") -> TruthValue:
-        self._at_ns += 1
-        known = {"x": x, "y": y, "frame_id": FRAMES[frame]}
-        slots = {n: known[str(slot.path[-1])] for n, slot in enumerate(self.machine.slots)}
-        self._monitor.update(self._at_ns, {0: ChannelValues(slots)})
-        found = self._monitor._memory.truths[self.machine.rules[0].condition]
-        assert found is not None
-        return found
+def watched(condition: str) -> PoseWatch:
+    """A condition on a pose."""
+    machine = machine_of(f"{HEAD}rule r: if {condition} then {{ slow; }};")
+    return PoseWatch(machine, FRAMES)
 
 
 def test_s81_a_box_has_its_edges() -> None:
-    box = Watched("pose in box")
+    box = watched("pose in box")
     assert [box.at(x, 0.0) for x in (0.19, 0.2, 0.9, 0.91)] == [F, T, T, F]
     assert [box.at(0.5, y) for y in (-0.41, -0.4, 0.4, 0.41)] == [F, T, T, F]
-    assert Watched("pose not in box").at(0.5, 0.0) is F
+    assert watched("pose not in box").at(0.5, 0.0) is F
 
 
 def test_s81_a_circle_has_its_edge() -> None:
-    circle = Watched("pose.position in circle")
+    circle = watched("pose.position in circle")
     assert circle.at(0.5, 0.0) is T
     assert circle.at(0.49, 0.0) is F
     assert circle.at(0.9 + 0.28, 0.28) is T
@@ -63,7 +52,7 @@ def test_s81_a_circle_has_its_edge() -> None:
 
 
 def test_s81_a_zone_is_all_its_shapes() -> None:
-    zone = Watched("pose in all")
+    zone = watched("pose in all")
     assert [zone.at(0.3, 0.3), zone.at(1.25, 0.0), zone.at(0.9, 1.5)] == [T, T, T]
     assert zone.at(0.3, 0.6) is F
 
@@ -85,13 +74,13 @@ def test_s81_a_zone_is_all_its_shapes() -> None:
 def test_s81_the_distance_from_the_nearest_shape(
     zone: str, x: float, y: float, metres: float
 ) -> None:
-    assert Watched(f"distance(pose, {zone}) <= {metres + 1e-9} m").at(x, y) is T
-    assert Watched(f"distance(pose, {zone}) < {max(metres - 1e-9, 0)} m").at(x, y) is F
+    assert watched(f"distance(pose, {zone}) <= {metres + 1e-9} m").at(x, y) is T
+    assert watched(f"distance(pose, {zone}) < {max(metres - 1e-9, 0)} m").at(x, y) is F
 
 
 def test_s81_another_frame_is_lost() -> None:
     for condition in ("pose in all", "pose not in all", "distance(pose, all) < 1 m"):
-        zone = Watched(condition)
+        zone = watched(condition)
         assert zone.at(1.0, 1.0, "odom") is L
         assert zone.at(NAN, 1.0) is L
 

@@ -71,18 +71,73 @@ def test_frames(tmp_path: Path) -> None:
     ]
 
 
-def test_types_of_ones_own(tmp_path: Path) -> None:
-    path = write_mcap(
-        tmp_path / "drive.mcap",
+SEPARATED = "\n" + "=" * 80 + "\nMSG: "
+WHEELS = SEPARATED.join(
+    [
+        "# m/s\nmy_msgs/Wheel[2] wheels\nstd_msgs/Header header\n",
+        "my_msgs/Wheel\nfloat32 speed\n",
+        "std_msgs/Header\nbuiltin_interfaces/Time stamp\nstring frame_id\n",
+        "builtin_interfaces/Time\nint32 sec\nuint32 nanosec\n",
+    ]
+)
+
+
+def one_message(folder: Path, schema: str, definition: str, encoding: str = "ros2msg") -> Path:
+    return write_mcap(
+        folder / "drive.mcap",
         profile="ros2",
-        schema=("my_msgs/msg/Wheel", "ros2msg", "float32 speed"),
-        channel=("/wheel", "cdr"),
+        schema=(schema, encoding, definition),
+        channel=("/wheels", "cdr"),
         messages=[(START_NS, b"")],
     )
+
+
+def test_types_of_ones_own(tmp_path: Path) -> None:
+    path = one_message(tmp_path, "my_msgs/msg/Wheels", WHEELS)
     with open_recording(path) as recording:
-        text = write_model(recording)
-    assert "    // not in the standard packages: my_msgs/Wheel\n" in text
-    assert "    topic /wheel : my_msgs/Wheel; // 1 message\n" in text
+        hinted = write_model(recording)
+        found = recording.definitions()
+        complete = write_model(recording, found)
+        lacking = write_model(recording, ())
+    assert dict(found) == {
+        "my_msgs/Wheels": "# m/s\nmy_msgs/Wheel[2] wheels\nstd_msgs/Header header\n",
+        "my_msgs/Wheel": "float32 speed\n",
+    }
+    hint = "    // not in the standard packages: my_msgs/Wheels\n"
+    declared = "    topic /wheels : my_msgs/Wheels; // 1 message\n"
+    assert hint in hinted
+    assert declared in hinted
+    assert '    messages "msg";\n' in complete
+    assert declared in complete
+    assert hint not in complete
+    assert hint in lacking
+    assert "    // topic /wheels : my_msgs/Wheels; // 1 message\n" in lacking
+
+
+def test_a_type_that_is_recorded_as_idl(tmp_path: Path) -> None:
+    definition = """\
+================================================================================
+IDL: my_msgs/msg/Wheel
+module my_msgs { module msg { struct Wheel { float speed; sequence<double, 3> forces; }; }; };
+"""
+    path = one_message(tmp_path, "my_msgs/msg/Wheel", definition, "ros2idl")
+    with open_recording(path) as recording:
+        found = recording.definitions()
+    assert dict(found) == {"my_msgs/Wheel": "float32 speed\nfloat64[<=3] forces\n"}
+
+
+@pytest.mark.parametrize(
+    "definition",
+    [
+        "float32 speed" + SEPARATED + "../../etc/Wheel\nfloat32 speed\n",
+        "float32 speed" + SEPARATED + "my_msgs/../Wheel\nfloat32 speed\n",
+        "float32 speed speed speed",
+        "",
+    ],
+)
+def test_no_definition_is_outside_of_its_folder(tmp_path: Path, definition: str) -> None:
+    with open_recording(one_message(tmp_path, "my_msgs/msg/Wheel", definition)) as recording:
+        assert set(recording.definitions()) <= {"my_msgs/Wheel"}
 
 
 def test_what_rules_cannot_name_is_a_comment(tmp_path: Path) -> None:

@@ -163,7 +163,7 @@ MISTAKES = [
     ("entity e { a : b c > 3; }", "ROSS018", "c"),
     ("entity e { a : b -> c; }", "ROSS018", "->"),
     ("entity e { a : b.(c); }", "ROSS018", "("),
-    ("entity e { a : b[c] > 3; }", "ROSS018", "]"),
+    ("entity e { a : b[c + 1] > 3; }", "ROSS018", "]"),
     ("input a = topic /t : Imu", "ROSS018", "Imu"),
     ("if a then { } else { b; }", "ROSS018", "else"),
     ("const a = 1e999 m", "ROSS019", "1e999"),

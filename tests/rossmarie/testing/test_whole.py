@@ -90,7 +90,7 @@ def test_a_step_beyond_the_range_of_a_double_is_no_step(tmp_path: Path) -> None:
     assert not any(each.found for each in ran.ran)
 
 
-def test_of_a_silence_that_is_longer_than_a_test_may_be_only_the_beginning_is_seen(
+def test_of_a_silence_that_is_longer_than_a_test_may_be_only_the_beginning_is_tested(
     tmp_path: Path,
 ) -> None:
     """A mode that is told when it changes has the longest timeout that there is."""

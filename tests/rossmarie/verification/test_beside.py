@@ -4,19 +4,13 @@ mean after a change.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-
 import pytest
 
-from dslkit.writing import write_texts
 from rossmarie import ir
 from rossmarie.driver import compile_file
-from rossmarie.targets import c99
-from rossmarie.verification.harness import harness
-from rossmarie.verification.prover import Outcome, Prover, Verdict
-from support.damage import damaged
+from rossmarie.verification.prover import Prover, Verdict
 from support.depth import deep
-from support.provers import real_prover
+from support.provers import NO_CHANGE, asked, real_prover
 
 SECONDS = 120
 RULES = """\
@@ -25,7 +19,6 @@ input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.2 sec;
 action stop;
 rule near: if any(ranges < abs(speed) * 1 sec) then { stop; };
 """
-NO_CHANGE = ("", "")
 
 
 @pytest.fixture(scope="module")
@@ -38,20 +31,6 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
     path = tmp_path_factory.mktemp("rules") / "beside.ross"
     path.write_text(RULES)
     return compile_file(path).machine
-
-
-def asked(
-    prover: Prover, machine: ir.Machine, change: tuple[str, str], parts: Sequence[str]
-) -> Iterator[Outcome]:
-    """The results of some checks after a change of the generated C."""
-    program = harness(machine)
-    with prover.workshop() as folder:
-        files = c99.generate(machine)
-        write_texts(folder, files if change == NO_CHANGE else damaged(files, "monitor", *change))
-        prover.compile(folder, program)
-        for check in program.checks:
-            if check.name.startswith(tuple(parts)):
-                yield prover.run(program, check, folder, SECONDS)
 
 
 @pytest.mark.parametrize(

@@ -2,19 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-
 import pytest
 
-from dslkit.writing import write_texts
 from rossmarie import ir
 from rossmarie.driver import compile_file
-from rossmarie.targets import c99
-from rossmarie.verification.harness import harness
-from rossmarie.verification.prover import Outcome, Prover, ProverError, Verdict
-from support.damage import damaged
+from rossmarie.verification.prover import Prover, ProverError, Verdict
 from support.depth import deep
-from support.provers import real_prover
+from support.provers import NO_CHANGE, asked, real_prover
 from support.small_rules import TILTED
 
 SECONDS = 120
@@ -55,8 +49,6 @@ action stop;
 rule turned: if previous(turning) > 1 then { stop; };
 """
 """A sample before, without a quotient: to find one that refutes something takes solvers minutes."""
-
-NO_CHANGE = ("", "")
 
 WIDE = """\
 input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec;
@@ -102,20 +94,6 @@ def outcomes(prover: Prover, machine: ir.Machine, change: tuple[str, str], *part
         assert outcome.verdict is not Verdict.UNDECIDED, (outcome.check, outcome.reasons)
         wrong.update(outcome.reasons)
     return wrong
-
-
-def asked(
-    prover: Prover, machine: ir.Machine, change: tuple[str, str], parts: Sequence[str], seconds: int
-) -> Iterator[Outcome]:
-    """What comes of some checks after a change of the generated C."""
-    program = harness(machine)
-    with prover.workshop() as folder:
-        files = c99.generate(machine)
-        write_texts(folder, files if change == NO_CHANGE else damaged(files, "monitor", *change))
-        prover.compile(folder, program)
-        for check in program.checks:
-            if check.name.startswith(tuple(parts)):
-                yield prover.run(program, check, folder, seconds)
 
 
 @pytest.mark.parametrize(

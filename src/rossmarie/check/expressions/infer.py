@@ -134,6 +134,8 @@ def _type_of_number(node: ast.Number, context: Context) -> Type:
 
 def _type_of_index(node: ast.Index, context: Context) -> Type:
     type_ = context.type_of(node.value)
+    if node.constant is not None:
+        context.used_names.add(node.constant.text)
     found = element_of(type_, node.index)
     if found is None and not isinstance(type_, Unknown):
         value = node.value.span

@@ -101,6 +101,17 @@ class CannotTighten(Error, code="ROSS158", name="cannot-tighten"):
     reason: str
 
 
+class NoElementName(Error, code="ROSS159", name="no-element-name"):
+    """A name in brackets behind a list that stands for no text."""
+
+    title = "`{identifier}` is not the name of an element"
+    label = "{reason}"
+    help = '{advice}, or write the name in quotes: `["{identifier}"]`'
+    identifier: str
+    reason: str
+    advice: str
+
+
 ALL: tuple[type[Template], ...] = (
     UnknownParameter,
     MissingParameter,
@@ -108,4 +119,5 @@ ALL: tuple[type[Template], ...] = (
     ValuesTwice,
     EndlessImport,
     CannotTighten,
+    NoElementName,
 )

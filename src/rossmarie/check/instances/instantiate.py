@@ -9,6 +9,7 @@ from collections.abc import Iterator, Sequence
 
 from dslkit.diagnostics import Collector, DidYouMean, listed
 from dslkit.source import SourceFile
+from rossmarie.check.instances.elements import with_elements
 from rossmarie.check.instances.errors import (
     MissingParameter,
     ParameterMismatch,
@@ -22,16 +23,16 @@ from rossmarie.check.scopes.errors import DuplicateName
 from rossmarie.check.wording.suggestions import MOST_COMPARISONS, near_name, rename
 from rossmarie.syntax import ast
 
-TOPIC, VALUE = "a topic", "a value"
-
 
 def instantiate(
     files: Sequence[Imported], collector: Collector
 ) -> tuple[list[ast.Module], Instances]:
     """The modules of `files`, in their order; the main one is the last."""
-    if not any(_concerns(item) for each in files for item in each.module.items):
-        return [each.module for each in files], Instances()
-    return _Program(files, collector).modules()
+    if any(_concerns(item) for each in files for item in each.module.items):
+        modules, instances = _Program(files, collector).modules()
+    else:
+        modules, instances = [each.module for each in files], Instances()
+    return with_elements(modules, collector), instances
 
 
 def _concerns(item: ast.Item) -> bool:
@@ -56,6 +57,7 @@ class _Program:
                 space.take(item)
                 if isinstance(item, ast.Skills):
                     self._instances.guesses.take(MOST_COMPARISONS + 1)
+                self._instances.frames.update(_frames(item))
         self._open_rewriters()
         for each in self._files:
             self._take_imports(each)
@@ -94,7 +96,10 @@ class _Program:
             alias = rewriter.node(item.alias)
             first = space.inner.setdefault(alias.text, alias)
             if first is not alias:
-                reason = "each name behind `as` stands for one file"
+                reason = (
+                    "each name behind `as` stands for one file; files that have the same name in"
+                    " them are each imported under one of their own"
+                )
                 report_second(alias, first, "import", reason, self._collector)
             declared = space.names.get(alias.text)
             if declared is not None:
@@ -121,8 +126,11 @@ class _Program:
         for name, parameter in declared.items():
             value = given.get(name)
             if isinstance(parameter.default, ast.Name):
-                topic = rewriter.topic(parameter.default) if value is None else value
-                space.topics[name] = topic if isinstance(topic, ast.Name) else parameter.default
+                is_topic = parameter.meaning is ast.Meaning.TOPIC
+                named = rewriter.topic if is_topic else rewriter.frame
+                known = space.topics if is_topic else space.frames
+                default = named(parameter.default)
+                known[name] = value if isinstance(value, ast.Name) else default
                 continue
             if value is None and parameter.default is None:
                 self._report_missing(imported, parameter)
@@ -175,18 +183,29 @@ class _Program:
         importing: Rewriter,
     ) -> ast.Expression | ast.Name | None:
         """A value that is of the kind of its parameter; None after reporting another one."""
-        value = written.value
-        takes_topic = isinstance(parameter.default, ast.Name)
-        if takes_topic and isinstance(value, ast.Reference | ast.Name):
-            return importing.topic(value.name if isinstance(value, ast.Reference) else value)
-        if not takes_topic and not isinstance(value, ast.Name):
-            return importing.node(value)
-        expected, found = (TOPIC, VALUE) if takes_topic else (VALUE, TOPIC)
+        value, meaning = written.value, parameter.meaning
+        match meaning, value:
+            case ast.Meaning.VALUE, _ if not isinstance(value, ast.Name):
+                return importing.node(value)
+            case ast.Meaning.TOPIC, ast.Name():
+                return importing.topic(value)
+            case ast.Meaning.TOPIC, ast.Reference(name=name):
+                return importing.topic(name)
+            case ast.Meaning.FRAME, ast.Reference(name=name):
+                return importing.frame(name)
+            case ast.Meaning.FRAME, ast.Text(value=text, span=span):
+                return importing.frame(ast.Name(text, span))
+            case _:  # open: all other pairs do not fit
+                pass
+        is_topic = isinstance(value, ast.Name)
+        expected = meaning.value
+        found = (ast.Meaning.TOPIC if is_topic else ast.Meaning.VALUE).value
         name = parameter.name
         mismatch = ParameterMismatch(identifier=name.text, expected=expected, found=found)
         place = mismatch.Declared(expected=expected).at(self._rewriters[imported].span(name.span))
         self._collector.add(mismatch.at(importing.span(value.span), place))
-        return None if takes_topic else ast.Broken(importing.span(value.span))
+        is_value = meaning is ast.Meaning.VALUE
+        return ast.Broken(importing.span(value.span)) if is_value else None
 
     def _report_unknown(
         self, imported: Imported, name: ast.Name, declared: dict[str, ast.Parameter]
@@ -244,6 +263,14 @@ class _Program:
             key = imported.module.file, item.name.text
             return self._hazards.setdefault(key, imported) is not imported
         return isinstance(item, ast.Test) and imported.written is not None
+
+
+def _frames(item: ast.Item) -> Iterator[str]:
+    """All names that an item declares frames by."""
+    for each in item.members if isinstance(item, ast.System) else ():
+        if isinstance(each, ast.FrameDeclaration):
+            names = (each.alias, each.frame, each.parent)
+            yield from (name.text for name in names if name is not None)
 
 
 def _setting(constant: ast.Constant) -> ast.Input:

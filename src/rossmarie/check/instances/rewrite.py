@@ -25,6 +25,7 @@ class Kind(enum.Enum):
     RULE = enum.auto()
     TOPIC = enum.auto()
     ALIAS = enum.auto()
+    FRAME = enum.auto()
 
 
 KINDS: Mapping[type[object], Mapping[str, Kind]] = {
@@ -33,8 +34,14 @@ KINDS: Mapping[type[object], Mapping[str, Kind]] = {
     ast.Parameter: {"name": Kind.NAME},
     ast.Entity: {"name": Kind.NAME},
     ast.Motion: {"name": Kind.NAME},
-    ast.Zone: {"name": Kind.NAME},
-    ast.Input: {"name": Kind.NAME, "topic": Kind.TOPIC},
+    ast.Zone: {"name": Kind.NAME, "frame": Kind.FRAME},
+    ast.Input: {
+        "name": Kind.NAME,
+        "topic": Kind.TOPIC,
+        "source": Kind.FRAME,
+        "frame": Kind.FRAME,
+    },
+    ast.Index: {"constant": Kind.NAME},
     ast.Step: {"action": Kind.NAME, "otherwise": Kind.NAME},
     ast.Keeps: {"motion": Kind.NAME},
     ast.Reference: {"name": Kind.NAME},
@@ -49,7 +56,8 @@ KINDS: Mapping[type[object], Mapping[str, Kind]] = {
     ast.Priority: {"rules": Kind.RULE},
     ast.Expectation: {"rule": Kind.RULE},
     ast.OperatorReset: {"rule": Kind.RULE},
-    ast.TopicDeclaration: {"alias": Kind.ALIAS, "topic": Kind.TOPIC},
+    ast.TopicDeclaration: {"alias": Kind.ALIAS, "topic": Kind.TOPIC, "source": Kind.FRAME},
+    ast.FrameDeclaration: {"frame": Kind.FRAME, "parent": Kind.FRAME},
     ast.ServiceDeclaration: {"name": Kind.TOPIC},
     ast.ServerDeclaration: {"name": Kind.TOPIC},
     ast.ResourceDeclaration: {"targets": Kind.TOPIC},
@@ -94,6 +102,12 @@ class Rewriter:
                 break
         return ast.Name(text, self.span(name.span))
 
+    def frame(self, name: ast.Name) -> ast.Name:
+        """The frame that a name means, as headers or the system model call it."""
+        spaces = (self._space, self._whole)
+        found = next((each.frames[name.text] for each in spaces if name.text in each.frames), name)
+        return ast.Name(found.text, self.span(name.span))
+
     # --- nodes -------------------------------------------------------------------------------
 
     def _rebuilt(self, value: Any) -> Any:
@@ -112,6 +126,9 @@ class Rewriter:
                 return self._fold(value)
             case ast.Setting():
                 return self._setting(value)
+            case ast.Input(unit=ast.Unit() as unit, frame=None) if self._is_frame(unit.text):
+                frame = ast.Name(unit.text, unit.span)
+                return self._parts(dataclasses.replace(value, unit=None, frame=frame))
             case _:  # open: all other nodes are rebuilt part by part
                 return self._parts(value)
 
@@ -133,6 +150,8 @@ class Rewriter:
         match kind:
             case Kind.TOPIC:
                 return self.topic(value)
+            case Kind.FRAME:
+                return self.frame(value)
             case Kind.ALIAS:
                 return ast.Name(self._made(self._space.path, value.text), self.span(value.span))
             case Kind.NAME | Kind.RULE:
@@ -214,6 +233,10 @@ class Rewriter:
         is_guess = kind is not None and first not in whole
         is_own = first in own or (is_guess and self._is_meant(first, own))
         return self._made(self._space.path, first) if is_own else first, words[1:]
+
+    def _is_frame(self, name: str) -> bool:
+        """Say whether a parameter that stands for a frame has this name."""
+        return name in self._space.frames or name in self._whole.frames
 
     def _leads_on(self, path: Path, name: str) -> bool:
         """Say whether a space has another one in it; a file that cannot be read has no space."""

@@ -47,7 +47,8 @@ class Imported:
 class Space:
     """The names that the files of a space declare: `names` of constants, inputs, entities, motions,
     zones and actions (`values` are those of the first two), `rules`, `aliases` and parameters
-    (`topics`) of topics. `inner` are the spaces in it, by the names behind `as`.
+    (`topics`) of topics, and parameters of `frames`. `inner` are the spaces in it, by the names
+    behind `as`.
     """
 
     path: Path
@@ -56,11 +57,12 @@ class Space:
     rules: set[str] = field(default_factory=set)
     aliases: set[str] = field(default_factory=set)
     topics: dict[str, ast.Name] = field(default_factory=dict)
+    frames: dict[str, ast.Name] = field(default_factory=dict)
     inner: dict[str, ast.Name] = field(default_factory=dict)
 
     def take(self, item: ast.Item) -> None:
         """Note what an item declares."""
-        if isinstance(item, ast.Parameter) and isinstance(item.default, ast.Name):
+        if isinstance(item, ast.Parameter) and item.meaning is not ast.Meaning.VALUE:
             return
         if isinstance(item, _DECLARING):
             self.names.setdefault(item.name.text, item.name)
@@ -85,9 +87,10 @@ def flat(path: Path, name: str) -> str:
 class Instances:
     """All that messages need: the `names` that this stage made, each with its space and the name
     there; and of each file of an instance its space, and the imports that lead to it. `guesses` is
-    the effort that is left to find out which names are misspelt.
+    the effort that is left to find out which names are misspelt. `frames` are the names of frames.
     """
 
     names: dict[str, tuple[Path, str]] = field(default_factory=dict)
     files: dict[SourceFile, tuple[Path, tuple[ast.Import, ...]]] = field(default_factory=dict)
     guesses: Suggestions = field(default_factory=Suggestions)
+    frames: set[str] = field(default_factory=set)

@@ -6,8 +6,6 @@ ask for a sector instead: it has the readings that the scan itself calls distanc
 
 from __future__ import annotations
 
-from dslkit.diagnostics import Edit, Fix
-from dslkit.source import Span
 from rossmarie.check.operations.elements import parts_of
 from rossmarie.check.operations.sector_errors import RawReadings
 from rossmarie.check.scopes.context import Context
@@ -15,7 +13,6 @@ from rossmarie.check.scopes.trees import quoted, stripped
 from rossmarie.syntax import ast
 from rossmarie.types import Array
 
-_ALL_AROUND = "[-180 deg .. 180 deg]"
 _ABOVE = (ast.BinaryOperator.GREATER, ast.BinaryOperator.GREATER_OR_EQUAL)
 _BELOW = (ast.BinaryOperator.LESS, ast.BinaryOperator.LESS_OR_EQUAL)
 
@@ -28,12 +25,9 @@ def warn_of_raw_readings(fold: ast.Call, context: Context) -> None:
         return
     if fold.function.text in ("any", "count") and _asks_what_is_far(argument, context):
         return
-    text = raw[0].span.text
-    edits = tuple(Edit(_behind(part.span), _ALL_AROUND) for part in raw)
-    fix = Fix(f"write `{quoted(f'{text}{_ALL_AROUND}')}`", edits)
-    finding = RawReadings(text=quoted(text))
-    help = finding.Sector(text=quoted(text))
-    context.collector.add(finding.at(raw[0].span, help=help, fix=fix))
+    text = quoted(raw[0].span.text)
+    finding = RawReadings(text=text)
+    context.collector.add(finding.at(raw[0].span, help=finding.Sector(text=text)))
 
 
 def warn_of_raw_reading(comparison: ast.Binary | ast.Membership, context: Context) -> None:
@@ -86,7 +80,3 @@ def _has_readings(side: ast.Expression, context: Context) -> bool:
     if isinstance(node, ast.Index) and _is_raw(stripped(node.value), context):
         return True
     return isinstance(context.type_of(side), Array)
-
-
-def _behind(span: Span) -> Span:
-    return Span(span.file, span.end, span.end)

@@ -59,7 +59,10 @@ class RawReadings(Warning, code="ROSS274", name="raw-readings"):
     text: str
 
     class Sector(Remark):
-        says = "take the distances among them: `{text}[-180 deg .. 180 deg]`, or those ahead"
+        says = (
+            "take the distances among them: `{text}[-30 deg .. 30 deg]` are those ahead, and "
+            "`{text}[-180 deg .. 180 deg]` those of a scanner that sees all around"
+        )
         text: str
 
     class Angle(Remark):

@@ -45,7 +45,9 @@ def check_zones(context: Context) -> None:
         if isinstance(item, ast.Zone):
             found = _region(item, context)
             if found is not None:
-                type_ = Region(item.name.text, item.frame.text, True, is_zone=True)
+                type_ = Region(
+                    item.name.text, context.frames.named(item.frame.text), True, is_zone=True
+                )
                 context.zones.setdefault(item.name.text, (found, type_))
 
 

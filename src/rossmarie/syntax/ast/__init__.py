@@ -62,7 +62,7 @@ from rossmarie.syntax.ast.expressions import (
     UnaryOperator,
     Unit,
 )
-from rossmarie.syntax.ast.imports import Given, Import, Parameter
+from rossmarie.syntax.ast.imports import Given, Import, Meaning, Parameter
 from rossmarie.syntax.ast.items import (
     Action,
     ClearFor,
@@ -159,6 +159,7 @@ __all__ = [
     "ListFold",
     "Log",
     "Margin",
+    "Meaning",
     "Member",
     "Membership",
     "MessagesDeclaration",

@@ -107,11 +107,14 @@ class Member:
 
 @dataclass(frozen=True)
 class Index:
-    """`pose.covariance[0]`, `joints["elbow"]`."""
+    """`pose.covariance[0]`, `joints["elbow"]`, and `joints[elbow]` where a constant has the name of
+    the element: then `index` is empty until that is looked up, and `constant` stays.
+    """
 
     value: Expression
     index: int | str
     span: Span
+    constant: Name | None = None
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from dataclasses import dataclass
 
 from dslkit.source import Span
@@ -10,7 +11,9 @@ from rossmarie.syntax.ast.expressions import Expression, Name, Text, Unit
 
 @dataclass(frozen=True)
 class Given:
-    """`braking = 1.2 m/s^2`, `scan = /front/scan`: a value, or a topic, for a parameter."""
+    """`braking = 1.2 m/s^2`, `scan = /front/scan`: what a parameter stands for. A name is a topic;
+    a name of a rules file, or a frame, is an expression.
+    """
 
     name: Name
     value: Expression | Name
@@ -29,12 +32,21 @@ class Import:
     alias: Name | None = None
 
 
+class Meaning(enum.Enum):
+    """The kind of what a parameter stands for; the value is its name in messages."""
+
+    VALUE = "a value"
+    TOPIC = "a topic"
+    FRAME = "a frame"
+
+
 @dataclass(frozen=True)
 class Parameter:
-    """`parameter braking = 1.2 m/s^2;`, `parameter gap in m;` or `parameter scan = topic /scan;`.
+    """`parameter braking = 1.2 m/s^2;`, `parameter gap in m;`, `parameter scan = topic /scan;` or
+    `parameter base = frame base_link;`.
 
-    `default` is a topic if it is a name; without one there is a `unit`. `tightens` is the word
-    behind `tightens` of a number that the running node may set, None if it may not.
+    `default` is a name if it is a topic or a frame; a value without one has a `unit`. `tightens` is
+    the word behind `tightens` of a number that the running node may set, None if it may not.
     """
 
     name: Name
@@ -43,3 +55,4 @@ class Parameter:
     documentation: str | None
     span: Span
     tightens: Name | None = None
+    meaning: Meaning = Meaning.VALUE

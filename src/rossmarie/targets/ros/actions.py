@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.ir import reactions
-from rossmarie.naming import effect_words
+from rossmarie.naming import effect_words, relayed_servers
 from rossmarie.targets import comments
 from rossmarie.targets.c99.names import place, string
 from rossmarie.targets.c99.text import block, indented
@@ -48,10 +48,12 @@ def _sent(effect: Sending) -> Sent:
             return action_type, Interface.ACTION
 
 
-def sent_types(machine: ir.Machine) -> list[Sent]:
-    """The types of all that tasks send, sorted."""
+def sent_types(machine: ir.Machine, dialect: Dialect) -> list[Sent]:
+    """The types of all that tasks send, and of the goals that relays send again, sorted."""
     effects = (task.effect for task in machine.reactions.tasks)
     found = {_sent(effect) for effect in effects if isinstance(effect, Sending)}
+    if dialect.relay:
+        found |= {(kind, Interface.ACTION) for kind in relayed_servers(machine).values()}
     return sorted(found, key=lambda each: (each[0], each[1].value))
 
 

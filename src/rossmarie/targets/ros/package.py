@@ -85,7 +85,7 @@ class PackageWriter:
     def packages(self) -> set[str]:
         """The packages of what the node takes and sends, and of what it tells."""
         used = [*messages.types_of(self._machine)]
-        used += [sent for sent, _ in actions.sent_types(self._machine)]
+        used += [sent for sent, _ in actions.sent_types(self._machine, self._dialect)]
         found = {message_package(each) for each in used} | {"diagnostic_msgs"}
         return found.union(*(part.packages for part in self._parts()))
 
@@ -157,7 +157,7 @@ class PackageWriter:
     def _message_headers(self) -> list[str]:
         """The headers of all that the node takes and sends."""
         taken = ((each, Interface.MESSAGE) for each in messages.types_of(self._machine))
-        used = {*taken, *actions.sent_types(self._machine)}
+        used = {*taken, *actions.sent_types(self._machine, self._dialect)}
         return sorted(self._dialect.header(*each) for each in used)
 
     def _headers(self) -> list[str]:

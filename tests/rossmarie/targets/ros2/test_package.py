@@ -10,6 +10,7 @@ from rossmarie.driver.build import generate
 from rossmarie.targets import ros2
 from rossmarie.targets.ros.dialect import Interface
 from rossmarie.targets.ros2.dialect import ROS2
+from support.compiled import machine_of
 from support.live_cases import acting, vehicle
 
 
@@ -118,3 +119,16 @@ def test_what_only_some_effects_need_is_there_for_these_only(effect: str) -> Non
     assert {name for name in every if f'#include "runtime/{name}"' in text} == headers
     depends = {each.text for each in ET.fromstring(files["package.xml"]).iter("depend")}
     assert depends == ALWAYS | packages
+
+
+def test_goals_that_are_only_sent_again_are_of_a_type_that_the_node_knows() -> None:
+    rules = """
+    system robot { server /arm : control_msgs/FollowJointTrajectory; }
+    action hold { cancel /arm within 1 sec then resend; }
+    input stop = topic /stop : std_msgs/Bool timeout 1 sec;
+    rule r: if stop then { hold; };
+    """
+    files = generate(machine_of(rules), "ros2")
+    header = "#include <control_msgs/action/follow_joint_trajectory.hpp>"
+    assert header in files["src/rules.cpp"]
+    assert "<depend>control_msgs</depend>" in files["package.xml"]
