@@ -42,6 +42,11 @@ def started(tmp_path: Path) -> tuple[Guarded, InProcessGuard]:
     return guarded, guarded.start(path)
 
 
+def active_in(guard: InProcessGuard) -> tuple[str, ...]:
+    """The rules that are active by now."""
+    return guard.active
+
+
 def frames(*found: Message) -> Message:
     """One message with the transforms of several."""
     return messages.message_class(FRAMES.type)([each.transforms[0] for each in found])
@@ -70,24 +75,24 @@ def test_points_and_poses_are_seen_through_the_transforms(tmp_path: Path) -> Non
     guarded.publish(HAND, hand(1.0))
     guarded.publish(SCAN, scan(2.0))
     guarded.publish(STATIC, placed("scanner", "base_link", 0.5))
-    assert not guard.active  # not all inputs have come
+    assert active_in(guard) == ()  # not all inputs have come
     guarded.publish(FRAMES, placed("base_link", "odom", 0.0))
-    assert guard.active == ()
+    assert active_in(guard) == ()
     guarded.now_ns += 100 * MS
     guarded.publish(
         FRAMES, frames(placed("wheel", "base_link", 9.0), placed("base_link", "odom", 2.0))
     )
     guarded.publish(SCAN, scan(2.0))  # at 4.5 m
-    assert guard.active == ("in_zone", "high")
+    assert active_in(guard) == ("in_zone", "high")
     guarded.now_ns += 100 * MS
     guarded.publish(
         FRAMES, frames(placed("base_link", "odom", 2.0), placed("base_link", "odom", 0.5))
     )
     guarded.publish(SCAN, scan(2.0))
-    assert guard.active == ()
+    assert active_in(guard) == ()
     guarded.publish(FRAMES, placed("base_link", "odom", 6.9, math.pi))  # it looks back
     guarded.publish(SCAN, scan(2.0))
-    assert guard.active == ("in_zone", "high")
+    assert active_in(guard) == ("in_zone", "high")
 
 
 def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
@@ -101,11 +106,11 @@ def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
         guarded.publish(topic, message)
     guarded.now_ns += 299 * MS
     guard.tick(guarded.now_ns)
-    assert guard.active == ()
+    assert active_in(guard) == ()
     guarded.publish(FRAMES, placed("arm", "odom", 0.0))
     guarded.now_ns += 3 * MS
     guard.tick(guarded.now_ns)
-    assert guard.active == ("in_zone", "high")
+    assert active_in(guard) == ("in_zone", "high")
 
 
 def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
@@ -118,16 +123,16 @@ def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
         (SCAN, scan(2.0)),
     ):
         guarded.publish(topic, message)
-    assert guard.active == ()
+    assert active_in(guard) == ()
     guarded.publish(STATIC, placed("scanner", "mast", 0.5))
     guarded.publish(SCAN, scan(2.0))
-    assert guard.active == ("in_zone",)
+    assert active_in(guard) == ("in_zone",)
     guarded.publish(FRAMES, placed("base_link", "map", 0.0))
-    assert guard.active == ("in_zone", "high")
+    assert active_in(guard) == ("in_zone", "high")
     guarded.publish(STATIC, placed("scanner", "base_link", 0.5))
     guarded.publish(FRAMES, placed("base_link", "odom", 0.0))
     guarded.publish(SCAN, scan(2.0))
-    assert guard.active == ()
+    assert active_in(guard) == ()
 
 
 @pytest.mark.parametrize("turn", [(0.0, 0.0, 0.0, 0.0), (0.0, 0.0, math.nan, 1.0)])
@@ -142,7 +147,7 @@ def test_a_turn_that_is_none_is_lost(tmp_path: Path, turn: tuple[float, ...]) ->
         (SCAN, scan(2.0)),
     ):
         guarded.publish(topic, message)
-    assert guard.active == ("in_zone", "high")
+    assert active_in(guard) == ("in_zone", "high")
 
 
 def test_a_sector_is_taken_of_the_whole_scan(tmp_path: Path) -> None:
@@ -159,7 +164,7 @@ def test_a_sector_is_taken_of_the_whole_scan(tmp_path: Path) -> None:
     guard = guarded.start(path)
     for ahead, active in ((2.0, ()), (0.8, ("near",)), (0.4, ("near", "close")), (0.0, ())):
         guarded.publish(SCAN, scan(ahead))
-        assert guard.active == active
+        assert active_in(guard) == active
 
 
 class Rolling:

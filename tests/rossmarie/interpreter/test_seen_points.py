@@ -259,7 +259,7 @@ def test_s78_points_of_lists_go_the_way_that_matrices_say(
 ) -> None:
     frames = (Placed("odom", "base", *base), Placed("base", "laser", *laser))
     up, mounted = map(matrix, frames)
-    lists = {
+    lists: dict[str, tuple[str, Sequence[Element]]] = {
         "/scan": ("laser", [beam(*each) for each in beams]),
         "/points": ("camera", [point(*each) for each in points]),
         "/people": ("laser", [pose(*each) for each in poses]),

@@ -23,9 +23,12 @@ Temporal = ast.Held | ast.Since | ast.Once | ast.Response
 """The operators over time."""
 
 
-def check_elements(fold: ast.Call, context: Context) -> None:
-    """Report parts of the argument of a fold that may not stand in it."""
+def check_elements(fold: ast.Call, context: Context) -> bool:
+    """Say whether all parts of the argument of a fold may stand in it; those that may not are
+    reported.
+    """
     (argument,) = fold.arguments
+    is_fit = True
     first: ast.Expression | None = None
     for part in parts_of(argument, context):
         is_array = isinstance(context.type_of(part), Array)
@@ -43,6 +46,8 @@ def check_elements(fold: ast.Call, context: Context) -> None:
         if isinstance(context.type_of(part), Boolean):
             help, fix = _take_out(part, fold, context)
         context.collector.add(finding.at(part.span, *labels, help=help, fix=fix))
+        is_fit = False
+    return is_fit
 
 
 def _reason(part: ast.Expression, context: Context) -> str | None:

@@ -195,8 +195,8 @@ def _fold(node: ast.Call, operator: Operator, context: Context) -> Type:
     type_ = context.type_of(argument)
     outcome = apply(operator, type_)
     if not outcome.faults:
-        check_elements(node, context)
-        warn_of_raw_readings(node, context)
+        if check_elements(node, context):
+            warn_of_raw_readings(node, context)
     elif operator in _QUANTIFIERS and isinstance(type_, Array):
         _report_argument(node, argument, "a condition on the elements", context)
     elif operator in _EXTREMES and isinstance(type_, Array):
