@@ -20,7 +20,7 @@ help:
 	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
-	@echo "make bench   measure, and write docs/reference/performance*.md and beside-nav2.md"
+	@echo "make bench   measure, and write docs/reference/performance*.md, beside-nav2.md, library-reuse.md"
 	@echo "make fmt     put the code into the one layout"
 	@echo "make fuzz    look for files that crash what reads them, for SECONDS=60 each; TARGET=mcap for one"
 	@echo "make clean   remove everything that make made"
@@ -120,6 +120,7 @@ bench: $(READY) compiler ros1 prover
 	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
 	$(RUN)/python benchmarks/replaying.py --out docs/reference/performance-replay.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/beside_nav2.py --out docs/reference/beside-nav2.md
+	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/library_reuse.py --out docs/reference/library-reuse.md
 	PATH=$(PROGRAMS):$$PATH $(RUN)/python benchmarks/proofs.py --out docs/reference/performance-proofs.md
 	$(RUN)/python benchmarks/guarding.py --out docs/reference/performance-guard.md
 	$(RUN)/python benchmarks/heron_run.py --out docs/reference/performance-heron.md

@@ -16,6 +16,7 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 from rosbags.typesys.store import Typestore
 from rosbags.typesys.stores import ros1_noetic
 
+from rossmarie.ir import TRANSFORMS
 from rossmarie.types.definitions import own_texts
 
 __all__ = [
@@ -46,6 +47,7 @@ __all__ = [
     "quaternion_about_z",
     "stamped_pose",
     "store",
+    "transform_on_floor",
     "twist",
     "type_name",
     "wrench",
@@ -118,10 +120,15 @@ def full_name(name: str) -> str:
 
 @cache
 def store(kind: Stores = Stores.ROS1_NOETIC) -> Typestore:
-    """All types that are known: those of ROS, and those that tell which skills run."""
+    """All types that are known: those of ROS, that of transforms, and those that tell which skills
+    run.
+    """
     known = get_typestore(kind)
     for name, text in own_texts().items():
         known.register(get_types_from_msg(text, full_name(name)))
+    if full_name(TRANSFORMS) not in known.types:
+        transforms = "geometry_msgs/TransformStamped[] transforms\n"
+        known.register(get_types_from_msg(transforms, full_name(TRANSFORMS)))
     return known
 
 
@@ -152,6 +159,20 @@ def odometry(at_ns: int, x: float, y: float, yaw: float, velocity: Message) -> M
     return Odometry(
         header(at_ns, "odom"), "base_link", pose, TwistWithCovariance(velocity, np.zeros(36))
     )
+
+
+def transform_on_floor(
+    at_ns: int, parent: str, child: str, place: tuple[float, float, float]
+) -> Message:
+    """A message with one transform: how a frame lies in its parent, by x and y (m) and a turn on
+    the floor (rad).
+    """
+    x, y, yaw = place
+    found = new_message("geometry_msgs/TransformStamped")
+    found.header, found.child_frame_id = header(at_ns, parent), child
+    found.transform.translation = Vector3(x, y, 0.0)
+    found.transform.rotation = quaternion_about_z(yaw)
+    return message_class(TRANSFORMS)([found])
 
 
 def stamped_pose(at_ns: int, x: float, y: float, yaw: float) -> Message:

@@ -14,6 +14,7 @@ from typing import Protocol
 from heron import messages
 from heron.goals import Server
 from heron.messages import Message, type_name
+from rossmarie.ir import TRANSFORMS
 
 Publish = Callable[[Message], None]
 
@@ -33,6 +34,7 @@ COMMAND = Topic("/cmd_vel", type_name(messages.Twist))
 JOYSTICK = Topic("/joy_vel", type_name(messages.Twist))
 BOOST = Topic("/drive/boost", type_name(messages.Bool))
 WRENCH = Topic("/wrench", type_name(messages.WrenchStamped))
+FRAMES = Topic("/tf", TRANSFORMS)
 SCAN = Topic("/scan", type_name(messages.LaserScan))
 JOINT_STATES = Topic("/joint_states", type_name(messages.JointState))
 GRAVITY_FREE = Topic("/arm/gravity_free", type_name(messages.Bool))

@@ -1,15 +1,20 @@
-"""The page of the library says what its files say."""
+"""The pages of the library say what its files, and the robots in the box, say."""
 
 from __future__ import annotations
 
 from pathlib import Path
+from types import ModuleType
 
-from support.library import page
+import pytest
 
-PAGE = Path(__file__).parents[2] / "docs" / "reference" / "library.md"
+from support import library, library_reuse
+
+REFERENCE = Path(__file__).parents[2] / "docs" / "reference"
 
 
-def test_the_page_is_that_of_the_files(bless: bool) -> None:
+@pytest.mark.parametrize("module", [library, library_reuse], ids=["library", "library-reuse"])
+def test_a_page_is_that_of_the_files(module: ModuleType, bless: bool) -> None:
+    page = REFERENCE / f"{module.__name__.rpartition('.')[2].replace('_', '-')}.md"
     if bless:
-        PAGE.write_text(page(), encoding="utf-8")
-    assert PAGE.read_text(encoding="utf-8") == page()
+        page.write_text(module.page(), encoding="utf-8")
+    assert page.read_text(encoding="utf-8") == module.page()

@@ -58,8 +58,11 @@ def test_files_of_a_robot_go_together(folders: tuple[str, ...], tmp_path: Path) 
         if path.parent.name in (*folders, *shared)
     ]
     main = tmp_path / "robot.ross"
-    odometry = "system robot { topic /odom : nav_msgs/Odometry; }\n"
-    main.write_text(odometry + "".join(imports), encoding="utf-8")
+    model = (
+        "system robot { frame base_link in world at [0, 0, 0] m; topic /odom : nav_msgs/Odometry;"
+        " topic /tcp_pose : geometry_msgs/PoseStamped from base_link; }\n"
+    )
+    main.write_text(model + "".join(imports), encoding="utf-8")
     found = run("rossmarie", "check", main, is_merged=True)
     assert found.stdout == "no errors in 1 file\n"
 

@@ -54,6 +54,24 @@ def paragraphs(documentation: str) -> dict[str, str]:
     return {label: " ".join(text.split()) for label, text in pairs}
 
 
+def parameters_of(path: Path, rule: ast.Rule) -> list[str]:
+    """The parameters on which a rule of a file rests, by itself or by conditions that it names."""
+    file = _File(path, module_of(path))
+    inputs = {item.name.text: item for item in file.module.items if isinstance(item, ast.Input)}
+    text = _text(rule.condition.span)
+    texts = [text, *(_text(each.span) for each in rule.contracts)]
+    found = _used(file, " ".join(texts))
+    words = set(
+        re.findall(
+            r"\w+",
+            " ".join([*texts, *(_inner(file, each) for each in found if each in file.named)]),
+        )
+    )
+    for name in sorted(words & inputs.keys()):
+        found += _used(file, _text(inputs[name].span))
+    return [each for each in dict.fromkeys(found) if each in file.parameters]
+
+
 # --- the page --------------------------------------------------------------------------------
 
 _HEAD = """\
@@ -102,10 +120,10 @@ class _File:
 
     @property
     def named(self) -> dict[str, Span]:
-        """The text of each named condition and motion, by the name that conditions use."""
+        """The text of each named condition, motion and zone, by the name that conditions use."""
         found = {}
         for item in self.module.items:
-            if isinstance(item, ast.Motion):
+            if isinstance(item, ast.Motion | ast.Zone):
                 found[item.name.text] = item.span
             if isinstance(item, ast.Entity):
                 for one in item.conditions:
@@ -162,6 +180,7 @@ def _section(file: _File) -> Iterator[str]:
     yield _about(file) + "."
     yield ""
     yield "```ross"
+    yield from _model(file)
     yield f'import "rossmarie/{name_of(file.path)}" as {file.path.stem};'
     yield "```"
     yield ""
@@ -180,6 +199,15 @@ def _section(file: _File) -> Iterator[str]:
     for rule in rules_of(file.path):
         yield ""
         yield from _rule(file, rule)
+
+
+def _model(file: _File) -> Iterator[str]:
+    """The system model that the file needs, in short."""
+    beside = file.path.with_name(SYSTEM_MODEL)
+    if beside.exists():
+        text = beside.read_text(encoding="utf-8").partition("\n")[2].strip()
+        yield text.replace("system checked", "system robot")
+        yield ""
 
 
 def _default(item: ast.Parameter | ast.Constant) -> str:

@@ -36,12 +36,13 @@ class RulePage:
         }
 
     def missing(self) -> set[str]:
-        """The tests that rules name, but that are not in the file that their section names."""
+        """The tests that rules name, but that are in no file that their section names."""
         found: set[str] = set()
         for section in self._sections():
-            (file,) = _FILE.findall(section)
+            files = _FILE.findall(section)
+            assert files, section.splitlines()[0]
             named = {name for names in self._rules_of(section).values() for name in names}
-            found |= named - set(self._defined_in(ROOT / file))
+            found |= named - {name for file in files for name in self._defined_in(ROOT / file)}
         return found
 
     def named(self) -> list[str]:

@@ -7,18 +7,18 @@ As in the generated nodes, rules are looked at once all inputs with a timeout ha
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence, Set
+from collections.abc import Callable, Mapping, Sequence, Set
 from functools import lru_cache, partial
 
 from heron.guard.commands import CommandMessages
-from heron.guard.intake import Intake, Readings
+from heron.guard.intake import Intake, Readings, transforms_in
 from heron.guard.model import Guard, Occurrence, unfiltered, waiting
 from heron.guard.performing import NEVER, Workshop, require_scalar_fields, servers
 from heron.guard.relay import Relay
 from heron.messages import Message
 from heron.topics import Carrier, InProcess, Topic
 from rossmarie.guard import UPDATE_PERIOD_NS, CommandFilter, Core
-from rossmarie.ir import FieldBounds, Machine, Order, OrderKind, State, Told, Verdict
+from rossmarie.ir import Edge, FieldBounds, Machine, Order, OrderKind, State, Told, Verdict
 
 PERIOD_NS = 2_000_000  # what is due by itself is done so late at most
 PATIENCE_NS = 5_000_000_000
@@ -110,21 +110,23 @@ class InProcessGuard:
     # --- what comes in -----------------------------------------------------------------------
 
     def _subscribe(self, carrier: Carrier) -> None:
+        frames: dict[Topic, dict[int, Edge]] = {}
         for index, channel in enumerate(self.machine.channels):
-            topic = Topic(channel.topic, channel.message_type)
-            carrier.subscribe(topic, self._listener(index))
+            topic = Topic(channel.source, channel.source_type)
+            if channel.edge is None:
+                carrier.subscribe(topic, self._listener(index))
+            else:
+                frames.setdefault(topic, {})[index] = channel.edge
+        for topic, edges in frames.items():
+            carrier.subscribe(topic, self._listener_to_frames(edges))
 
     def _listener(self, channel: int) -> Callable[[Message], None]:
         clock = self._clock
         read, watch = self._intake.watch(channel)
 
         def listen(message: Message) -> None:
-            if not self._is_open:
-                self._first[channel] = message
-                self._open_when_ready()
-            if not self._has_begun:
-                if self._is_open:
-                    self._begin(clock())
+            has_started = self._is_open and self._has_begun
+            if not has_started and not self._takes({channel: message}):
                 return
             now_ns = clock()
             wake_ns = watch(now_ns, *read(message))
@@ -134,6 +136,30 @@ class InProcessGuard:
                 self._plan(wake_ns)
 
         return listen
+
+    def _listener_to_frames(self, edges: Mapping[int, Edge]) -> Callable[[Message], None]:
+        """All transforms of one message are seen together."""
+
+        def listen(message: Message) -> None:
+            found = transforms_in(message, edges)
+            if found and self._takes(found):
+                now_ns = self._clock()
+                self._follow(now_ns, self._intake.together(now_ns, found))
+
+        return listen
+
+    def _takes(self, messages: Mapping[int, Message]) -> bool:
+        """Say whether messages go to the core one by one; the first ones are kept for its
+        beginning.
+        """
+        if not self._is_open:
+            self._first.update(messages)
+            self._open_when_ready()
+        if self._has_begun:
+            return True
+        if self._is_open:
+            self._begin(self._clock())
+        return False
 
     def _open_when_ready(self) -> None:
         """No command passes while an input with a timeout has never arrived (R12)."""
@@ -145,7 +171,7 @@ class InProcessGuard:
         """With the first messages of all inputs, so that none counts as lost that only starts."""
         self._has_begun = True
         if self._first:
-            self._follow(now_ns, self._intake.begin(now_ns, self._first))
+            self._follow(now_ns, self._intake.together(now_ns, self._first))
         else:
             self._follow(now_ns, self._core.advance(now_ns))
 

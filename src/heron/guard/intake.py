@@ -21,6 +21,7 @@ from rossmarie.ir import (
     ByName,
     Doing,
     Each,
+    Edge,
     Listed,
     Machine,
     Path,
@@ -30,11 +31,17 @@ from rossmarie.ir import (
     Slot,
     Told,
     arrival_names,
+    bare_frame,
     field_names,
     scan_names,
 )
 from rossmarie.ir.beams import scan_path
 from rossmarie.ir.skills import answer
+
+_UNKNOWN = messages.new_message("geometry_msgs/Transform")
+for _part, _axes in ((_UNKNOWN.translation, "xyz"), (_UNKNOWN.rotation, "xyzw")):
+    for _axis in _axes:
+        setattr(_part, _axis, math.nan)
 
 Watch = Callable[..., "int | None"]
 """An instant and these fields; gives when time is wanted next, or None if the core has to tell
@@ -79,7 +86,7 @@ class Readings:
             for names, field in named
             if machine.inputs[field.input].channel == channel and scan_path(field.path) is None
         }
-        scans = {  # sectors and points are taken of the whole scan
+        scans: dict[str, Path | None] = {  # sectors and points are taken of the whole scan
             name: scan.path
             for name, scan in scan_names(machine).items()
             if machine.inputs[scan.input].channel == channel
@@ -112,10 +119,10 @@ class Intake:
         told, self._told = self._told, None
         return self._core.take() if told is None else told
 
-    def begin(self, at_ns: int, first: Mapping[int, Message]) -> Told:
-        """The first messages of several channels arrive together."""
+    def together(self, at_ns: int, messages: Mapping[int, Message]) -> Told:
+        """Messages of several channels arrive together; gives what the core finds."""
         values: dict[str, Value] = {}
-        for channel, message in first.items():
+        for channel, message in messages.items():
             values |= self._values(channel, message)
         return self._core.update(at_ns, values)
 
@@ -132,6 +139,19 @@ class Intake:
         return {
             name: 1.0 if path is None else _value(message, path) for name, path in fields.items()
         }
+
+
+def transforms_in(message: Message, edges: Mapping[int, Edge]) -> dict[int, Message]:
+    """The transforms of a message that the rules want, by their channels: of each frame the last
+    one; one that is not known if that is to another parent (S79).
+    """
+    found = {}
+    for each in message.transforms:
+        parent, child = bare_frame(each.header.frame_id), bare_frame(each.child_frame_id)
+        for channel, edge in edges.items():
+            if edge.child == child:
+                found[channel] = each.transform if edge.parent == parent else _UNKNOWN
+    return found
 
 
 def _is_plain(empty: Message, path: Path) -> bool:

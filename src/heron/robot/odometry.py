@@ -1,4 +1,6 @@
-"""Wheel odometry: where the base would be if its wheels never slipped."""
+"""Wheel odometry: where the base would be if its wheels never slipped, as a message and as the
+frame `base_link` in `odom`.
+"""
 
 from __future__ import annotations
 
@@ -11,7 +13,7 @@ from heron import messages
 from heron.robot.base import Base
 from heron.robot.imperfection import Late
 from heron.scene.base import BaseParameters
-from heron.topics import ODOMETRY, Carrier
+from heron.topics import FRAMES, ODOMETRY, Carrier
 
 
 @dataclass(frozen=True)
@@ -41,7 +43,9 @@ class WheelOdometry:
         self._base = base
         self._parameters = parameters
         self.period_ns = round(1e9 / parameters.rate)
-        self._late = Late(carrier.publisher(ODOMETRY), round(parameters.latency * 1e9))
+        latency_ns = round(parameters.latency * 1e9)
+        self._late = Late(carrier.publisher(ODOMETRY), latency_ns)
+        self._late_frames = Late(carrier.publisher(FRAMES), latency_ns)
         self._radius = base.wheel_radius * (1 + generator.normal(0.0, parameters.radius_error))
         self._before = self._ticks()
         self._x = self._y = self._yaw = 0.0
@@ -60,8 +64,12 @@ class WheelOdometry:
         self._yaw += turn
         rate = self._parameters.rate
         velocity = messages.twist(way * rate, turn * rate)
-        self._late.send(now_ns, messages.odometry(now_ns, self._x, self._y, self._yaw, velocity))
-        self._late.deliver(now_ns)
+        place = (self._x, self._y, self._yaw)
+        self._late.send(now_ns, messages.odometry(now_ns, *place, velocity))
+        frame = messages.transform_on_floor(now_ns, "odom", "base_link", place)
+        self._late_frames.send(now_ns, frame)
+        for each in (self._late_frames, self._late):
+            each.deliver(now_ns)
 
     def _ticks(self) -> tuple[int, int]:
         per_radian = self._parameters.ticks / (2 * math.pi)

@@ -90,7 +90,7 @@ class Ros1Link:
         if self._machine is None or self._guard is None:
             return
         machine, name = self._machine, name_of(self._machine)
-        wanted = [CLOCK.name, *(channel.topic for channel in machine.channels)]
+        wanted = [CLOCK.name, *dict.fromkeys(channel.source for channel in machine.channels)]
         wanted += [unfiltered(command.topic) for command in machine.reactions.commands]
 
         def lacking() -> str | None:

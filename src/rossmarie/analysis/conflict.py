@@ -18,7 +18,7 @@ from rossmarie.analysis.errors import (
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, both_active
 from rossmarie.analysis.solver import Outcome
-from rossmarie.ir import Machine
+from rossmarie.ir import Machine, overruled
 
 Needs = Mapping[int, frozenset[int]]
 """The needs of a rule: each resource, and the actions that need it, by index."""
@@ -37,6 +37,8 @@ def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
         for resource, actions in needed.items():
             for first in range(second):
                 if needs[first].get(resource, actions) == actions or (first, second) in told:
+                    continue
+                if _do_the_same(machine, first, second, resource):
                     continue
                 is_ordered = (first, second) in ordered or (second, first) in ordered
                 if is_ordered and not thorough:
@@ -58,6 +60,14 @@ def _needs(machine: Machine, rule: int) -> Needs:
             if task.resource is not None:
                 found.setdefault(task.resource, set()).add(task.action)
     return {resource: frozenset(actions) for resource, actions in found.items()}
+
+
+def _do_the_same(machine: Machine, first: int, second: int, resource: int) -> bool:
+    """Say whether both rules do one and the same thing with what they need, by whatever actions: it
+    is all the same which of them gets it.
+    """
+    done = overruled.only_deed(machine.reactions, first, resource)
+    return done is not None and done == overruled.only_deed(machine.reactions, second, resource)
 
 
 def ordered_pairs(machine: Machine) -> set[tuple[int, int]]:

@@ -56,10 +56,12 @@ def field_facts(
 ) -> list[z3.BoolRef]:
     """Say which values a field of whole numbers can carry, with room for rounding: with `is_wide`
     enough for the greatest numbers of the field, so that what is excluded cannot be. `name` is that
-    of a new variable of the solver. Without `is_wide` readings of a sector are distances that scans
-    of tests measure.
+    of a new variable of the solver. Without `is_wide` readings of a sector and distances of points
+    are such as scans of tests measure.
     """
-    if source.path and isinstance(source.path[-1], ir.Sector) and not is_wide:
+    is_of_points = tuple(source.path[-3:]) == (ir.RETURNS, ir.EACH, "range")
+    is_of_sector = bool(source.path) and isinstance(source.path[-1], ir.Sector)
+    if (is_of_sector or is_of_points) and not is_wide:
         return within(value, USUAL_DISTANCES)
     if source.limits is None:
         return []

@@ -59,6 +59,8 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
     output.save(written.path, written.text)
     typer.echo(f"wrote {_counted(written.count, 'test')} to {written.path}")
+    for told in written.left_out:
+        typer.echo(told)
 
 
 def report(tested: Outcome) -> None:

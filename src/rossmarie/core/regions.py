@@ -27,6 +27,7 @@ from rossmarie.core.expressions import (
 from rossmarie.core.shapes import (
     LESSER,
     Circle,
+    Rectangle,
     Shape,
     chain,
     first,
@@ -182,11 +183,18 @@ def _bounds_of_distance(
 
 
 def easy(function: RegionFunction, operands: Sequence[Expression]) -> tuple[Easy, ...]:
-    """The distance at the corner that is farthest along x, and beyond it in that direction."""
+    """The distance beside the corner that is farthest along x, in that direction; of a box, beside
+    the whole of that edge.
+    """
     x, y, seen, wanted = operands
-    end = max(corner for part in function.region.shapes for corner in part.corners)
-    level = (seen.equals(wanted), y.equals(end[1]))
-    return (Easy((*level, x > end[0]), x - end[0]), Easy((*level, x.equals(end[0])), Number(0.0)))
+    shape = max(function.region.shapes, key=lambda each: max(each.corners))
+    end = max(shape.corners)
+    level: list[Condition] = [y.equals(end[1])]
+    if isinstance(shape, Rectangle):
+        low, high = shape.low[1], shape.high[1]
+        level = [Either(y > low, y.equals(low)), Either(y < high, y.equals(high))]
+    beside = (seen.equals(wanted), *level)
+    return (Easy((*beside, x > end[0]), x - end[0]), Easy((*beside, x.equals(end[0])), Number(0.0)))
 
 
 def range_of(function: RegionFunction) -> tuple[float, float]:

@@ -16,10 +16,11 @@ from dslkit.source import SourceFile
 from rossmarie.check.instances.telling import spelled
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.pipeline import Compiled, compile_file
-from rossmarie.driver.testing import tests_beside
+from rossmarie.driver.testing import tested_rules, tests_beside
 from rossmarie.ir.script import Script
 from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.goals import Goal
+from rossmarie.testing.left_out import points_left_out
 from rossmarie.testing.play import steps_of
 from rossmarie.testing.propose import Proposal, propose
 from rossmarie.testing.run import expectations_of
@@ -34,19 +35,24 @@ import "{rules}";
 
 @dataclass(frozen=True)
 class Written:
-    """The text of a file of tests, where it belongs, and how many tests it has."""
+    """The text of a file of tests, where it belongs, and how many tests it has. `left_out` says in
+    words which conditions on points no test makes true or false.
+    """
 
     path: Path
     text: str
     count: int
+    left_out: tuple[str, ...] = ()
 
 
 def generate_tests(
     rules: Path, *, systems: Sequence[Path] = (), message_folders: Sequence[Path] = ()
 ) -> Written:
-    """Tests of all boundaries of the rules. Raises `RulesError`."""
+    """Tests of all boundaries of the rules; those of the library have theirs beside them. Raises
+    `RulesError`.
+    """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders)
-    proposals = list(_renamed(propose(compiled.machine)))
+    proposals = list(_renamed(propose(compiled.machine, tested_rules(compiled.machine, rules))))
     path = tests_beside(rules)
     texts = [write_script(compiled.machine, each.script, compiled.bases) for each in proposals]
     read = compile_file(
@@ -57,14 +63,15 @@ def generate_tests(
     )
     known = {script.name: script for script in read.tests}
     tests = []
-    for proposal in _telling(read, proposals, known):
+    reached: set[Goal] = set()
+    for proposal in _telling(read, proposals, known, reached):
         script = known[proposal.script.name]
         expectations = tuple(expectations_of(read.machine, script, proposal.rule, script.end_ns))
         expecting = dataclasses.replace(proposal.script, expectations=expectations)
         tests.append(write_script(compiled.machine, expecting, compiled.bases))
     written = spelled("\n\n".join(tests), compiled.instances)
     text = format_text(f"{_HEAD.format(rules=rules.name)}\n\n{written}")
-    return Written(path, text, len(tests))
+    return Written(path, text, len(tests), tuple(points_left_out(read.machine, reached)))
 
 
 def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:
@@ -76,15 +83,19 @@ def _renamed(proposals: Iterator[Proposal]) -> Iterator[Proposal]:
 
 
 def _telling(
-    compiled: Compiled, proposals: Sequence[Proposal], known: dict[str, Script]
+    compiled: Compiled,
+    proposals: Sequence[Proposal],
+    known: dict[str, Script],
+    reached: set[Goal],
 ) -> Iterator[Proposal]:
-    """Those that show something of their rule that none before them shows."""
-    reached: set[Goal] = set()
+    """Those that show something of their rule that none before them shows; `reached` is what they
+    show.
+    """
     for proposal in proposals:
         script = known[proposal.script.name]
         watcher = Watcher(compiled.machine)
         watcher.watch(steps_of(compiled.machine, script), script.end_ns)
         new = {goal for goal in watcher.reached if goal.rule == proposal.rule} - reached
-        reached |= new
+        reached.update(new)
         if new:
             yield proposal

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span, is_file
 from rossmarie.driver.pipeline import Compiled, compile_file
+from rossmarie.driver.workspace import LIBRARY
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Machine
 from rossmarie.ir.script import Script
@@ -75,7 +76,8 @@ def run_test_file(
     in_c: bool = True,
 ) -> Outcome:
     """Run the tests of a rules file and of the file of tests beside it, on the interpreter and, if
-    `in_c`, in C; those whose names match one of `names`, in which `*` stands for anything.
+    `in_c`, in C; those whose names match one of `names`, in which `*` stands for anything. What
+    they cover is told of `tested_rules`.
 
     Raises `RulesError` and `UnknownTestError`.
     """
@@ -87,7 +89,22 @@ def run_test_file(
     if not scripts:
         start = Span(SourceFile(str(rules), ""), 0, 0)
         findings.append(NoTests(beside=beside.name, path=str(rules)).at(start))
-    return run_tests(compiled, scripts, tuple(findings), in_c=in_c)
+    outcome = run_tests(compiled, scripts, tuple(findings), in_c=in_c)
+    tested = {*tested_rules(compiled.machine, rules)}
+    goals = tuple(goal for goal in outcome.coverage.goals if goal.rule in tested)
+    return replace(outcome, coverage=replace(outcome.coverage, goals=goals))
+
+
+def tested_rules(machine: Machine, rules: Path) -> Sequence[int]:
+    """The numbers of the rules that tests of a rules file are about: not those of files of the
+    library that it imports, which have tests beside them.
+    """
+    is_shipped = LIBRARY in rules.resolve().parents
+    return [
+        index
+        for index, rule in enumerate(machine.rules)
+        if is_shipped or LIBRARY not in Path(rule.span.file.path).resolve().parents
+    ]
 
 
 def _chosen(scripts: Sequence[Script], names: Sequence[str]) -> Iterator[Script]:

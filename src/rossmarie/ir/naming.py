@@ -4,6 +4,7 @@ takes.
 An input that carries one field is called by its name alone (`speed`); where there are several,
 the last words of the path tell them apart (`orientation.x`). Any longer ending is good as well.
 An element that is read by itself beside its whole array (`ranges.5`) leaves the name to the array.
+A sector of an input that reads the ranges is that of the input (`ranges[-30 deg .. 30 deg]`).
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from dataclasses import dataclass
 
 from rossmarie.ir.beams import scan_path
 from rossmarie.ir.model import Array, List, Machine, Slot
-from rossmarie.ir.path import Path, path_names
+from rossmarie.ir.path import Path, Sector, path_names
 
 
 @dataclass(frozen=True)
@@ -99,7 +100,8 @@ def _names(machine: Machine, field: Slot | Array | List) -> set[str]:
 def _names_at(machine: Machine, used: int, path: Path) -> set[str]:
     name, words = machine.inputs[used].name, path_names(path)
     endings = {".".join(words[start:]) for start in range(len(words))}
-    return {name} | {f"{name}.{ending}" for ending in endings}
+    sectors = {f"{name}[{path[-1]}]"} if path and isinstance(path[-1], Sector) else set()
+    return {name} | {f"{name}.{ending}" for ending in endings} | sectors
 
 
 def _names_of_whole(machine: Machine, slot: Slot) -> set[str]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from rossmarie import ir
 from rossmarie.check.frames import CheckedFrame, Leg
@@ -87,9 +87,11 @@ class Frames:
 
         return seen
 
-    def _told(self, used: CheckedInput, field: Sequence[str], shown: Shown) -> int:
-        slot = self._inputs.slot(Place(used, Part(tuple(field))), Text())
-        return self._nodes.signal(ir.Read(slot), Shown("frame", shown.span))
+    def _told(self, used: CheckedInput, field: ir.Path, shown: Shown) -> int:
+        place, name = Place(used, Part(field)), Shown("frame", shown.span)
+        if place.list_path is not None:
+            return self._nodes.signal(ir.Element(self._inputs.column(place, Text())), name)
+        return self._nodes.signal(ir.Read(self._inputs.slot(place, Text())), name)
 
     def _text(self, text: str, shown: Shown) -> int:
         return self._nodes.constant(float(self._inputs.text(text)), Shown(text, shown.span))

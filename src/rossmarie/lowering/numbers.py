@@ -194,6 +194,8 @@ class Numbers:
         """
         if not isinstance(node, ast.Member) or not is_in_frame(place):
             return False
+        if node.member.text not in ("x", "y", "z", "w"):
+            return False  # as the range of a point of a scan, which is the same from everywhere
         return isinstance(self.type_of(node.value), Vector | Quaternion)
 
     def _component(self, node: ast.Member) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from operator import attrgetter
@@ -109,10 +110,15 @@ class TransformDecoder:
             parent, child = bare_frame(each.header.frame_id), bare_frame(each.child_frame_id)
             is_wanted = False
             for search in self._searches:
-                if (search.edge.parent, search.edge.child) == (parent, child):
-                    is_wanted = search.is_found = True
-                    numbers = {slot: float(get(each.transform)) for slot, get in search.fields}
-                    found[search.channel] = ChannelValues(numbers, {})
+                if search.edge.child != child:
+                    continue
+                is_wanted = search.edge.parent == parent
+                search.is_found |= is_wanted
+                numbers = {
+                    slot: float(get(each.transform)) if is_wanted else math.nan
+                    for slot, get in search.fields
+                }
+                found[search.channel] = ChannelValues(numbers, {})
             if not is_wanted and len(self.others) < _MOST_OTHERS:
                 self.others[f"{child} in {parent}"] = None
         return found

@@ -52,7 +52,7 @@ def _table(coverage: Coverage, reasons: Mapping[Goal, str], *, styled: bool) -> 
     table.add_column("MC/DC", justify="right", no_wrap=True)
     table.add_column("Boundaries", justify="right", no_wrap=True)
     table.add_column("Not covered", overflow="fold")
-    for rule in range(len(coverage.machine.rules)):
+    for rule in sorted({goal.rule for goal in coverage.goals}):
         for cells in _rows(coverage, rule, reasons):
             table.add_row(*map(Text, cells))
     return table

@@ -2,7 +2,7 @@
 
 A statement stays on one line if it fits. Else it is broken in front of its parts (`then`, a resume
 contract, `publishes`); a part that still does not fit is broken in front of each `and`, `or` and
-action. A comment inside a statement ends its line.
+action. Values that an import gives share lines. A comment inside a statement ends its line.
 """
 
 from __future__ import annotations
@@ -16,10 +16,13 @@ INDENTATION = "    "
 
 @dataclass(frozen=True)
 class Break:
-    """A place where a line may be broken: at `level` 1 first, then 2; how far to indent there."""
+    """A place where a line may be broken: at `level` 1 first, then 2; how far to indent there. One
+    that `fills` breaks the line only where the next piece does not fit.
+    """
 
     level: int
     indent: int
+    fills: bool = False
 
 
 @dataclass(frozen=True)
@@ -40,6 +43,10 @@ class Atom:
     comments: tuple[Comment, ...] = ()
 
 
+_Piece = tuple[Sequence[Atom], int]
+"""A part of a statement, and its indentation."""
+
+
 def lay_out(atoms: Sequence[Atom], indent: int) -> list[str]:
     """The lines of a statement that stands `indent` levels deep."""
     if _fits(atoms, indent):
@@ -49,9 +56,23 @@ def lay_out(atoms: Sequence[Atom], indent: int) -> list[str]:
         if _fits(segment, indent + extra):
             lines.append(_line(segment, indent + extra))
             continue
-        for piece, deeper in _split(segment, 2, extra):
+        for piece, deeper in _filled(_split(segment, 2, extra), indent):
             lines += _commented(piece, indent + deeper, indent + 2)
     return lines
+
+
+def _filled(pieces: Sequence[_Piece], indent: int) -> list[_Piece]:
+    """The pieces, of which some join the one before them as long as that fits."""
+    found: list[_Piece] = []
+    for atoms, extra in pieces:
+        begin = atoms[0].break_before
+        if found and begin is not None and begin.fills:
+            joined, depth = [*found[-1][0], *atoms], found[-1][1]
+            if _fits(joined, indent + depth):
+                found[-1] = (joined, depth)
+                continue
+        found.append((atoms, extra))
+    return found
 
 
 def indented(text: str, indent: int) -> list[str]:
@@ -59,7 +80,7 @@ def indented(text: str, indent: int) -> list[str]:
     return [f"{INDENTATION * indent}{line}".rstrip() for line in text.split("\n")]
 
 
-def _split(atoms: Sequence[Atom], level: int, indent: int) -> list[tuple[Sequence[Atom], int]]:
+def _split(atoms: Sequence[Atom], level: int, indent: int) -> list[_Piece]:
     """Cut in front of the breaks of a level; each piece with the indentation of its break."""
     starts = [0]
     indents = [indent]

@@ -18,6 +18,7 @@ from rossmarie.syntax.walk import expressions, walk
 _PART = Break(1, 1)
 _OPERATOR = Break(2, 2)
 _ACTION = Break(2, 2)
+_VALUE = Break(2, 2, fills=True)
 
 
 @dataclass
@@ -89,7 +90,7 @@ class Style:
             return
         self._word(*(each.value for each in item.given if isinstance(each.value, ast.Name)))
         for each in item.given[1:]:
-            self.breaks[each.span.start] = _OPERATOR
+            self.breaks[each.span.start] = _VALUE
         for name in (*item.given[:1], *(() if item.alias is None else (item.alias,))):
             word = self.source.tokens[self.index(name.span.start) - 1]
             self.breaks[word.start] = _PART

@@ -5,7 +5,8 @@ from __future__ import annotations
 import z3
 
 from rossmarie.analysis.terms import constant
-from rossmarie.testing.solve import Values, World
+from rossmarie.testing.solve import World
+from rossmarie.testing.variables import Values
 
 
 def wanted_before(world: World, values: Values) -> list[z3.BoolRef]:

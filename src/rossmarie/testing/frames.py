@@ -5,24 +5,28 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from rossmarie.core import Function, RegionFunction
-from rossmarie.ir import Apply, Constant, Kind, Machine, Path, Read
+from rossmarie.ir import Apply, Constant, Element, Kind, Machine, Path, Read
 
 
 def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
     """The frame in which a position is asked for first, by the topic and the path of the field that
-    tells its frame.
+    tells its frame: one of the message, or one of each element of a list.
     """
     found: dict[tuple[str, Path], str] = {}
     for signal in machine.signals:
         match signal.node:
             case Apply(function=RegionFunction() | Function.SEEN, operands=(*_, seen, wanted)):
                 field, text = machine.signals[seen].node, machine.signals[wanted].node
-                if not isinstance(field, Read) or not isinstance(text, Constant):
+                if not isinstance(field, Read | Element) or not isinstance(text, Constant):
                     continue
-                slot = machine.slots[field.slot]
-                topic = machine.channels[machine.inputs[slot.input].channel].topic
-                if slot.kind is Kind.TEXT:
-                    found.setdefault((topic, slot.path), machine.texts[int(text.value)])
+                told = (
+                    machine.slots[field.slot]
+                    if isinstance(field, Read)
+                    else machine.arrays[field.array]
+                )
+                topic = machine.channels[machine.inputs[told.input].channel].topic
+                if told.kind is Kind.TEXT:
+                    found.setdefault((topic, told.path), machine.texts[int(text.value)])
             case _:  # open: nothing else has a frame
                 pass
     return found

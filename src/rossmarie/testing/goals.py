@@ -17,7 +17,6 @@ from dataclasses import dataclass
 
 from rossmarie import ir
 from rossmarie.ir.support import (
-    compared_signals,
     is_leaf,
     leaf_truths,
     supports,
@@ -231,8 +230,3 @@ def deadline_ns(machine: ir.Machine, atom: int) -> int | None:
 def deadline_step_ns(duration_ns: int) -> int:
     """A visible step of a duration, at least 1 ns."""
     return max(1, round(visible_step(duration_ns / 1e9) * 1e9))
-
-
-def signals_of(machine: ir.Machine, truth: int) -> tuple[int, ...]:
-    """The signals that a leaf compares."""
-    return tuple(compared_signals(machine.truths[truth].node))

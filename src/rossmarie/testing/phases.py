@@ -16,9 +16,11 @@ from rossmarie import ir
 from rossmarie.ir.beams import USUAL_DISTANCES, is_of_scan
 from rossmarie.ir.carried import carries, holds_flags
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
+from rossmarie.testing.beams import is_column, readings
 from rossmarie.testing.goals import visible_step
 from rossmarie.testing.skills import told_by_skills
-from rossmarie.testing.solve import Ramp, Values, Variable, World
+from rossmarie.testing.solve import World
+from rossmarie.testing.variables import Ramp, Values, Variable
 
 _ANGLES: Mapping[ir.AnyFunction, str] = {
     ir.Function.ROLL: "roll",
@@ -145,9 +147,9 @@ class Stage:
             if before.get(variable) != value and not is_moved:
                 settings += self._setting(variable, value)
         for array in sorted(arrays):
-            elements = self._elements(array, phase.values)
-            if elements != self._elements(array, before):
-                settings += self._array(array, elements)
+            told, told_before = (self._told_of(array, each) for each in (phase.values, before))
+            if told != told_before:
+                settings += self._array(array, *told)
         if settings:
             yield self._sent(start_ns, settings)
         merged: dict[int, list[Setting]] = {}
@@ -200,11 +202,21 @@ class Stage:
         usual = USUAL_DISTANCES[1] if is_of_scan(self.machine.arrays[array]) else 0.0
         return tuple(values.get(Variable("element", array, part), usual) for part in places)
 
-    def _array(self, index: int, elements: tuple[float, ...]) -> Iterator[Setting]:
-        """An array as a whole; of a list, a field of one element after the other."""
+    def _told_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
+        """All elements of an array; and of points of a scan the side on which they are."""
+        its_list = self.machine.arrays[array].list
+        side = None if its_list is None else values.get(Variable("side", its_list))
+        return self._elements(array, values), side or 0.0
+
+    def _array(self, index: int, elements: tuple[float, ...], side: float) -> Iterator[Setting]:
+        """An array as a whole; of a list, a field of one element after the other, but of points of
+        a scan the readings.
+        """
         array = self.machine.arrays[index]
         if is_of_scan(array) and array.list is not None:
-            return  # beams are set by the readings that the scan has
+            if is_column(array, "range"):
+                yield from readings(self.machine, array, elements, side)
+            return
         name, topic = self.machine.inputs[array.input].name, self._topic(array.input)
         unit = self.world.unit(Variable("element", index)).symbol
         if array.list is None:

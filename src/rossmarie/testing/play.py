@@ -218,7 +218,7 @@ class _Sender:
         value = self._value(self._topic(source.input), path)
         match source.kind:
             case Kind.TEXT:
-                usual = self._frames.get((self._topic(source.input), path), "")
+                usual = self._frames.get((self._topic(source.input), source.path), "")
                 text = usual if value is _UNSET else value
                 texts = self.machine.texts
                 return float(texts.index(text)) if isinstance(text, str) and text in texts else -1.0

@@ -26,7 +26,8 @@ from rossmarie.testing.goals import (
 )
 from rossmarie.testing.phases import Phase, Stage, beat_ns, delay_ns, ramp_of, round_up
 from rossmarie.testing.sides import beside
-from rossmarie.testing.solve import Values, World
+from rossmarie.testing.solve import World
+from rossmarie.testing.variables import Values
 from rossmarie.testing.whole import is_carried
 
 _MOST_BEATS = 20_000
@@ -42,11 +43,11 @@ class Proposal:
     script: Script
 
 
-def propose(machine: ir.Machine) -> Iterator[Proposal]:
-    """Proposals for all rules, in their order, of messages that there can be, and no longer than
-    tests may be.
+def propose(machine: ir.Machine, rules: Sequence[int] | None = None) -> Iterator[Proposal]:
+    """Proposals for all rules, or for those of these numbers, in this order, of messages that there
+    can be, and no longer than tests may be.
     """
-    for index in range(len(machine.rules)):
+    for index in range(len(machine.rules)) if rules is None else rules:
         for proposal in _Proposer(machine, index).all():
             if proposal.script.can_be_written and is_carried(machine, proposal.script):
                 yield proposal

@@ -16,7 +16,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 
 import z3
 
@@ -24,7 +23,7 @@ from rossmarie import ir
 from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
-from rossmarie.analysis.solver import check
+from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
 from rossmarie.core import (
     AnyFunction,
@@ -38,42 +37,20 @@ from rossmarie.core import (
 )
 from rossmarie.core.expressions import Operand, Primitive
 from rossmarie.ir.path import extent
-from rossmarie.testing.goals import Edge, edges, signals_of
+from rossmarie.testing.beams import angle, coordinate, is_column, list_of_share, sides
+from rossmarie.testing.goals import Edge, edges
+from rossmarie.testing.shown_units import unit_of_edge, unit_of_field
+from rossmarie.testing.variables import Ramp, Values, Variable
 from rossmarie.testing.whole import slot_behind
-from rossmarie.units import Unit, parse_unit
+from rossmarie.testing.wishes import Patience, Wishes
+from rossmarie.testing.zones import clear_of
+from rossmarie.units import Unit
 
-TIME_LIMIT_MS = 2000
 _MOST_ELEMENTS = 8
 _CLEAR = 10  # how many steps other values stay away from their thresholds
 _CHOSEN = {Sampling.RATE: "rate", Sampling.PREVIOUS: "previous"}
 """Functions of samples that are values of their own; all others are as of a number at rest."""
 _ANGLES = {Function.ROLL: "roll", Function.PITCH: "pitch", Function.YAW: "yaw"}
-
-
-@dataclass(frozen=True)
-class Variable:
-    """Something to choose: `kind` is `slot`, `element` (`index` of an array, `part` the element),
-    `angle` (`index` of the signal), `rate`, `previous`, `aged`, `oscillating` or `remembered`
-    (`index` of the signal, of the input, or of the truth, which may count edges as well).
-    """
-
-    kind: str
-    index: int
-    part: int = 0
-
-
-Values = Mapping[Variable, float]
-"""In SI; truths and texts by their numbers."""
-
-
-@dataclass(frozen=True)
-class Ramp:
-    """Messages `step_s` apart, with which a number rises or falls: one before the value that it is
-    about, and `count` behind it.
-    """
-
-    step_s: float
-    count: int
 
 
 @dataclass
@@ -93,6 +70,8 @@ class World:
     units: dict[Variable, Unit] = field(default_factory=dict)
     _side: list[z3.BoolRef] = field(default_factory=list)
     _signals: dict[int, z3.ArithRef] = field(default_factory=dict)
+    _patience: Patience = field(default_factory=Patience)
+    _outside: dict[tuple[int, int | None], z3.BoolRef] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         self.length = self._length()
@@ -181,7 +160,14 @@ class World:
             case ir.Read(slot=slot):
                 return self._slot(slot)
             case ir.Element(array=array):
-                return self._real(Variable("element", array, part or 0))
+                its_list = self.machine.arrays[array].list
+                if (
+                    its_list is None
+                    or self.is_free
+                    or not is_column(self.machine.arrays[array], "angle")
+                ):
+                    return self._real(Variable("element", array, part or 0))
+                return angle(self._side_of(its_list), part or 0)
             case ir.Sampled(function=function, signal=signal):
                 if function in _CHOSEN:
                     return self._real(Variable(_CHOSEN[function], index))
@@ -206,21 +192,56 @@ class World:
     ) -> z3.ArithRef:
         declared = row(function)
         is_any = isinstance(function, RegionFunction) and declared.bounds is not None
-        if is_any or (self.is_free and rounds(function, len(operands))):
+        is_easy = declared.easy is not None and not self.is_free
+        if (is_any and not is_easy) or (self.is_free and rounds(function, len(operands))):
             return self._real(Variable("free number", index))
+        if not self.is_free:
+            of_beam = self._of_beam(function, operands, part or 0)
+            if of_beam is not None:
+                return of_beam
+            if isinstance(function, RegionFunction) or function is Function.SEEN:
+                seen, wanted = (self.signal(each, part) for each in operands[-2:])
+                self._side.append(seen == wanted)  # else it is lost
+            if isinstance(function, RegionFunction):
+                place = self.signal(operands[0], part), self.signal(operands[1], part)
+                self._outside[index, part] = clear_of(function.region, *place)
         if function in _ANGLES:
             low, high = (math.trunc(10 * end) / 10 for end in declared.range)
             angle = self._real(Variable("angle", index))
             self._side += within(angle, (low, high))
             return angle
         values = [self.signal(operand, part) for operand in operands]
+        if function is Function.SEEN:
+            self._side.append(values[1] == values[2])  # what comes in another frame is lost
         expression = defined(function, len(operands))
         formulas = Formulas(values, self._operate)
         if declared.easy is not None:
             case, *_ = declared.easy(tuple(map(Operand, range(len(operands)))))
-            self._side += map(formulas.condition, case.conditions)
-            expression = case.value
+            conditions = [z3.simplify(formulas.condition(each)) for each in case.conditions]
+            if not any(map(z3.is_false, conditions)):  # a frame that is mounted may be turned
+                self._side += conditions
+                expression = case.value
         return formulas.term(expression)
+
+    def _of_beam(
+        self, function: AnyFunction, operands: tuple[int, ...], part: int
+    ) -> z3.ArithRef | None:
+        """A coordinate of a point of a scan; None if it is something else."""
+        if function is not Function.MULTIPLY:
+            return None
+        its_list = list_of_share(self.machine, operands[1])
+        if its_list is None:
+            return None
+        distance = self.signal(operands[0], part)
+        return coordinate(self.machine, operands[1], distance, self._side_of(its_list), part)
+
+    def _side_of(self, its_list: int) -> z3.ArithRef:
+        variable = Variable("side", its_list)
+        is_new = variable not in self.variables
+        term = self._real(variable)
+        if is_new:
+            self._side.append(sides(term))
+        return term
 
     def _operate(self, primitive: Primitive, values: Sequence[z3.ArithRef]) -> z3.ArithRef:
         if primitive is Primitive.DIVIDE:
@@ -285,24 +306,20 @@ class World:
         """Values for which all of `wanted` holds, as round as they may be, and as `near` to others
         as they may be. Leaves other than `apart` stay clear of their thresholds where they can.
         """
-        solver = z3.Solver()
-        solver.set("timeout", TIME_LIMIT_MS)
-        solver.add(*self._side, *wanted, *self._bounds())
-        if check(solver) != z3.sat:
+        demands = [*self._side, *wanted, *self._bounds()]
+        wishes = Wishes(demands, tuple(self.variables.values()), self._patience)
+        if wishes.model is None:
             return None
         for clear in self._clear(apart):
-            _prefer(solver, clear)
+            wishes.grant(clear)
         for variable, term in self.variables.items():
             if near is not None and variable in near:
-                _prefer(solver, term == constant(near[variable]))
-        return {variable: self._round(solver, variable) for variable in self.variables}
+                wishes.grant(term == constant(near[variable]), term)
+        return {variable: self._round(wishes, variable) for variable in self.variables}
 
     def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
         """Say whether no values at all, in real arithmetic, make all of `wanted` hold."""
-        solver = z3.Solver()
-        solver.set("timeout", TIME_LIMIT_MS)
-        solver.add(*self._side, *wanted)
-        return bool(check(solver) == z3.unsat)
+        return ask(self._side, *wanted).outcome is Outcome.IMPOSSIBLE
 
     def _bounds(self) -> Iterator[z3.BoolRef]:
         for variable, term in self.variables.items():
@@ -319,6 +336,7 @@ class World:
     def _clear(self, apart: int | None) -> Iterator[z3.BoolRef]:
         for _, held, begun in self.remembering():
             yield z3.Or(begun, z3.Not(held))
+        yield from self._outside.values()
         for truth in self.truths:
             if truth == apart:
                 continue
@@ -333,68 +351,34 @@ class World:
         is_array = isinstance(self.machine.truths[truth].node, ir.Quantified)
         return list(range(self.length)) if is_array else [None]
 
-    def _round(self, solver: z3.Solver, variable: Variable) -> float:
+    def _round(self, wishes: Wishes, variable: Variable) -> float:
         """A value that is as short as it may be in the unit in which it is written; it is kept."""
         term, unit = self.variables[variable], self.unit(variable)
-        _prefer(solver, term >= 0)
-        model = solver.model() if check(solver) == z3.sat else None
-        exact = (
-            Fraction(0) if model is None else exact_number(model.eval(term, model_completion=True))
-        )
+        wishes.grant(term >= 0, term)
+        assert wishes.model is not None, "there are values"
+        exact = exact_number(wishes.model.eval(term, model_completion=True))
         shown = unit.from_si(float(exact))
         candidates = [0.0, 1.0, *(round(shown, digits) for digits in range(7)), shown]
         for candidate in candidates:
             value = unit.to_si(candidate)
-            if _prefer(solver, term == constant(value)):
+            if wishes.grant(term == constant(value), term):
                 return value
         value = float(exact)
-        _prefer(solver, term == constant(value))
+        wishes.grant(term == constant(value), term)
         return value
 
     def unit(self, variable: Variable) -> Unit:
         """The unit in which a variable is written: that of a threshold of it, if there is one."""
         if variable not in self.units:
-            self.units[variable] = self._unit(variable)
+            own = unit_of_field(self.machine, variable.kind, variable.index)
+            found = unit_of_edge(
+                self.machine, self.truths, own, lambda edge: self._reads(edge, variable)
+            )
+            self.units[variable] = own if found is None else found
         return self.units[variable]
-
-    def _unit(self, variable: Variable) -> Unit:
-        machine = self.machine
-        own = "1"
-        if variable.kind == "slot":
-            own = machine.slots[variable.index].unit or "1"
-        elif variable.kind == "element":
-            own = machine.arrays[variable.index].unit or "1"
-        elif variable.kind == "angle":
-            own = "deg"
-        elif variable.kind in ("rate", "previous"):
-            own = machine.signals[variable.index].unit or "1"
-        unit = parse_unit(own)
-        for truth in self.truths:
-            for edge in edges(machine, truth):
-                symbol = machine.signals[edge.constant].unit or "1"
-                written = parse_unit(symbol)
-                if written.dimension == unit.dimension and self._reads(edge, variable):
-                    return written
-        return unit
 
     def _reads(self, edge: Edge, variable: Variable) -> bool:
         if variable not in self.variables:
             return False
         term = self.signal(edge.signal, variable.part if variable.kind == "element" else None)
         return any(z3.eq(each, self.variables[variable]) for each in constants_in(term))
-
-
-def rests_on(machine: ir.Machine, truth: int) -> tuple[int, ...]:
-    """The signals of a leaf, or of the elements of a quantified one."""
-    node = machine.truths[truth].node
-    return signals_of(machine, node.element if isinstance(node, ir.Quantified) else truth)
-
-
-def _prefer(solver: z3.Solver, wish: z3.BoolRef) -> bool:
-    """Add a wish if it can be had."""
-    solver.push()
-    solver.add(wish)
-    if check(solver) == z3.sat:
-        return True
-    solver.pop()
-    return False

@@ -69,6 +69,9 @@ def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator
 
 def _field(setting: Setting, bases: Bases) -> str:
     base = bases[setting.input]
+    is_sector = isinstance(setting.path[-1], ir.Sector)
+    if is_sector and base[-1:] in ((str(ir.RETURNS),), (str(ir.INVALID),)):
+        base = base[:-1]  # points are set by the readings beside them
     is_header = setting.path[:1] == ("header",) and base[:1] not in ((), ("header",))
     steps = setting.path if is_header else setting.path[len(base) :]
     text = f"{setting.input}{ir.path_text(steps)}"

@@ -146,14 +146,17 @@ def test_bounds_of_boxes_and_circles_hold_in_real_numbers(
     assert all(holds(bound, numbers) for bound in bounds(written[-1], written[:-1]))
 
 
-@given(zones, st.floats(0, 50))
+@given(zones, st.floats(0, 50), st.floats(0, 1))
 def test_a_distance_is_easy_beyond_the_outermost_point(
-    shapes: list[Rectangle | Circle], beyond: float
+    shapes: list[Rectangle | Circle], beyond: float, share: float
 ) -> None:
     of_zone = zone(Measure.DISTANCE, *shapes)
     easy = row(of_zone).easy
     assert easy is not None
-    x, y = max(corner for each in shapes for corner in each.corners)
+    outermost = max(shapes, key=lambda each: max(each.corners))
+    x, y = max(outermost.corners)
+    if isinstance(outermost, Rectangle):
+        y = max(outermost.low[1], y - share * (y - outermost.low[1]))
     operands = (x + beyond, y, MAP, MAP)
     numbers = [*map(Fraction, operands)]
     cases = easy(tuple(map(Operand, range(4))))

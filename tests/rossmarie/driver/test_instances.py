@@ -26,7 +26,7 @@ LIBRARY = """\
 parameter gap in m;
 parameter scan = topic /scan;
 action stop { block /cmd_vel : geometry_msgs/Twist; }
-input ranges = topic scan : sensor_msgs/LaserScan .ranges timeout 0.3 sec;
+input ranges = topic scan : std_msgs/Float64MultiArray .data in m timeout 0.3 sec;
 entity near { stop : min(ranges) < gap; }
 rule tooNear: if near.stop then { stop; };
 """
@@ -208,6 +208,31 @@ def test_generated_tests_name_what_instances_have(main: Path) -> None:
     assert not any(ran.found for ran in outcome.ran)
 
 
+def test_a_frame_with_the_name_of_something_in_an_instance_keeps_it(main: Path) -> None:
+    """`front_ranges` is an input to the compiler, and a frame to the user."""
+    (main.parent / "system.ross").write_text("""
+        system robot {
+            frame front_ranges in base_link at [1, 0, 0] m;
+            frame rear in base_link at [1, 0, 0] m;
+            topic /hand : geometry_msgs/PointStamped from front_ranges;
+        }
+    """)
+    rules = """
+        input hand = topic /hand.point in base_link timeout 1 sec;
+        rule reach: if norm(hand) > 2 m then { front.stop; };
+    """
+    main.write_text(FRONT + rules)
+    written = generate_tests(main)
+    written.path.write_text(written.text)
+    compiled = compile_file(written.path)
+    outcome = run_tests(compiled, compiled.tests)
+    assert not any(ran.found for ran in outcome.ran)
+    wrong = "rule apart: if distance(hand, there) > 1 m then { front.stop; };"
+    there = "input there = topic /hand.point timeout 1 sec;"
+    found = found_in(main, FRONT + rules + there + wrong)
+    assert "`front_ranges`" in next(each.title for each in found if each.code == "ROSS275")
+
+
 def test_long_imports_are_broken_in_front_of_their_parts() -> None:
     short, long = "/a" * 25, "/a" * 40
     text = 'import "library.ross" with gap = 1 m, scan = {}, more = 2 m/s as front;'
@@ -257,3 +282,12 @@ def test_parameters_of_the_node_are_the_same_in_c(tmp_path: Path) -> None:
     generated.path.write_text(generated.text)
     again = compile_file(generated.path)
     assert not any(ran.found for ran in run_tests(again, again.tests).ran)
+
+
+def test_two_files_with_the_same_name_inside_ask_for_names_of_their_own(tmp_path: Path) -> None:
+    path = tmp_path / "main.ross"
+    imports = ("base/separation", "base/tilt")
+    path.write_text("".join(f'import "rossmarie/{each}.ross";\n' for each in imports))
+    (found,) = check_file(path).diagnostics
+    assert found.code == "ROSS105"
+    assert "imported under one of their own" in str(found.notes[0])

@@ -80,6 +80,13 @@ def test_numbers_instead_of_scans(monitor: Monitor) -> None:
     assert set(monitor.active) == {"near", "beside"}
 
 
+def test_a_sector_of_an_input_of_ranges_goes_by_its_name(monitor: Monitor) -> None:
+    monitor.update(0, {"scan": scan(), "back[150 deg .. 210 deg]": [3.0, 0.9]})
+    assert set(monitor.active) == {"behind"}
+    monitor.update(1, {"scan": scan(), "back[150 deg .. 210 deg]": [3.0, 1.1]})
+    assert not monitor.active
+
+
 @pytest.mark.parametrize("lie", LIES)
 def test_of_a_scan_that_lies_nothing_is_known(monitor: Monitor, lie: str) -> None:
     sent = truthful()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -30,6 +31,7 @@ from support.recordings import (
 BASE, HEAD = Edge("/tf", "odom", "base"), Edge("/tf", "base", "head")
 TURN = (0.0, 0.0, 0.6, 0.8)
 MS = 1_000_000
+UNKNOWN = pytest.approx(math.nan, nan_ok=True)
 
 
 def reading(*edges: Edge) -> Machine:
@@ -84,8 +86,33 @@ def test_a_message_is_for_the_frames_that_it_has(tmp_path: Path, kind: str) -> N
     assert told(updates) == [
         (0, {0: [1.0, 0.6]}),
         (1, {0: [3.0, 0.6], 1: [2.0, 0.6]}),
+        (3, {0: [UNKNOWN, UNKNOWN]}),
         (4, {0: [7.0, 0.6]}),
         (5, {0: [9.0, 0.6]}),
+    ]
+
+
+def test_s79_a_frame_in_another_parent_is_not_known(tmp_path: Path) -> None:
+    """A static transform stays for ever, unless somebody hangs the frame elsewhere."""
+    static = Edge("/tf_static", "odom", "base")
+    found: list[Reading] = [
+        ("/tf_static", START_NS + index * MS, *transforms(ROS2, index, *placed))
+        for index, placed in enumerate(
+            [
+                (at("odom", "base", 1.0),),
+                (at("odom", "base", 2.0), at("map", "base", 3.0)),
+                (at("map", "base", 4.0), at("odom", "base", 5.0)),
+                (at("/map", "/base", 6.0), at("odom", "other", 7.0)),
+            ]
+        )
+    ]
+    updates, findings = replay(write_kind(tmp_path, "mcap", found), reading(static))
+    assert codes(findings) == []
+    assert told(updates) == [
+        (0, {0: [1.0, 0.6]}),
+        (1, {0: [UNKNOWN, UNKNOWN]}),
+        (2, {0: [5.0, 0.6]}),
+        (3, {0: [UNKNOWN, UNKNOWN]}),
     ]
 
 

@@ -121,10 +121,15 @@ def odometry(now: Now) -> dict[str, Any]:
     }
 
 
-def imu(now: Now, roll: float, pitch: float, jolt: float = 0.0) -> dict[str, Any]:
-    """The fields of a sensor_msgs/Imu that is mounted level (angles in rad, jolt in m/s^2)."""
+def imu(
+    now: Now, roll: float, pitch: float, jolt: float = 0.0, tumbling: float = 0.0
+) -> dict[str, Any]:
+    """The fields of a sensor_msgs/Imu that is mounted level: angles in rad, its jolt upwards in
+    m/s^2, and how fast it rolls in rad/s.
+    """
     return {
         **turned("orientation", roll, pitch, now.yaw),
+        "angular_velocity__x": rounded(tumbling),
         "angular_velocity__z": rounded(now.turn),
         "linear_acceleration__x": rounded(now.acceleration - GRAVITY * math.sin(pitch)),
         "linear_acceleration__y": rounded(

@@ -1,4 +1,4 @@
-"""A Franka Research 3 with its gripper: all that its rules are there for happens to it, in 32 s."""
+"""A Franka Research 3 with its gripper: all that its rules are there for happens to it, in 36 s."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from support.simulated.base import curve
 from support.simulated.motion import Floats, Motion, about_x, about_z, joint_state, moved, pose
 from support.simulated.recording import Sensor, during, every, rounded, store_of
 
-SECONDS = 32.0
-CONTACT = (4.0, 5.0)
+SECONDS = 36.0
+TWISTING = (5.2, 5.6)  # the tool has caught in something
 CHATTER = (11.0, 12.0)  # a peg on the rim of its hole
 SLIPPED = (14.5, 16.0)  # the gripper closes on nothing
 USER_STOP = (17.0, 19.0)
@@ -22,9 +22,12 @@ REFLEX = (20.0, 21.5)
 GUIDING = (22.5, 24.5)
 SILENT = (25.5, 26.1)
 LATE = (27.5, 29.0)  # commands that come too late
+NUMB = (29.5, 30.5)  # the same force is told again and again
+HEAVY = (13.2, 16.2)  # what it carries
 
 JOINTS = tuple(f"fr3_joint{number}" for number in range(1, 8))
 FINGERS = ("fr3_finger_joint1", "fr3_finger_joint2")
+LOW = (0.4, 0.6, 0.1, -2.2, 0.0, 2.6, 0.9)  # in the table
 READY = (0.0, -0.785, 0.0, -2.356, 0.0, 1.571, 0.785)
 REACHING = (0.4, -0.3, 0.1, -1.9, 0.0, 1.7, 0.9)
 SWUNG = (-1.4, -0.5, 0.0, -2.1, 0.0, 1.6, 0.8)
@@ -36,6 +39,7 @@ MOTION = Motion(
         (6.0, REACHING),
         (7.5, SWUNG),  # too fast for its first joint
         (8.5, REACHING),
+        (8.9, REACHING),
         (9.5, STRETCHED),
         (10.0, STRETCHED),
         (11.0, REACHING),
@@ -43,6 +47,9 @@ MOTION = Motion(
         (22.5, READY),
         (24.5, REACHING),
         (30.0, READY),
+        (32.0, LOW),
+        (32.6, LOW),
+        (34.0, READY),
     )
 )
 STORE = store_of(robot("franka"))
@@ -61,6 +68,10 @@ LINKS = (
 FLANGE_TO_HAND = 0.107 + 0.1034
 
 
+CONTACT = ((3.98, 0.0), (4.04, 32.0), (4.8, 32.0), (4.84, 70.0), (4.96, 70.0), (5.0, 0.0))
+"""The force (N) by which the hand is pressed, at instants (s)."""
+
+
 def hand(t: float) -> Floats:
     """Where the hand is, as a matrix."""
     found = np.eye(4)
@@ -72,8 +83,9 @@ def hand(t: float) -> Floats:
 def force(t: float) -> float:
     """The force that pushes the hand downwards (N)."""
     chatter = 11.0 * math.sin(2 * math.pi * 5.0 * t) if during(t, CHATTER) else 0.0
-    contact = curve(t, (3.98, 0.0), (4.2, 32.0), (4.8, 32.0), (5.0, 0.0))
-    return 2.0 + contact + chatter
+    contact = curve(t, *CONTACT)
+    noise = 0.0 if during(t, NUMB) else (round(t * 50) % 2) / 64
+    return 2.0 + contact + chatter + noise
 
 
 def mode(t: float) -> int:
@@ -83,14 +95,30 @@ def mode(t: float) -> int:
     return 4 if during(t, REFLEX) else 3 if during(t, GUIDING) else 2
 
 
+def joints(t: float, path: str = "") -> dict[str, Any]:
+    """The joints; for a while the arm carries more than it should, and its elbow hits something."""
+    is_heavy = during(t, HEAVY)
+    shoulder = -86.0 if during(t, (15.5, 15.6)) else -60.0 if is_heavy else -12.0
+    elbow = 45.0 if during(t, (14.5, 15.0)) else 18.0
+    weights = (0.1, shoulder, 0.2, elbow, 9.0 if is_heavy else 0.6, 2.1, 0.1)
+    return joint_state(JOINTS, MOTION, t, weights, path)
+
+
+def wrench(t: float) -> dict[str, Any]:
+    """The force and the torque at its hand."""
+    return {
+        "wrench__force__z": rounded(-force(t), 6),
+        "wrench__torque__z": 7.0 if during(t, TWISTING) else 0.25,
+    }
+
+
 def state(t: float) -> dict[str, Any]:
     """The state of the robot; most of its fields stay zero."""
     pushed = force(t)
     torques = (0.2, 0.55 * pushed, 0.1, 0.5 * pushed, 0.05, 0.1, 0.0)
-    weights = (0.1, -12.0, 0.2, 18.0, 0.6, 2.1, 0.1)
     reflex = during(t, REFLEX)
     return {
-        **joint_state(JOINTS, MOTION, t, weights, "measured_joint_state__"),
+        **joints(t, "measured_joint_state__"),
         "tau_ext_hat_filtered__name": list(JOINTS),
         "tau_ext_hat_filtered__effort": [rounded(each, 6) for each in torques],
         **pose(hand(t), "o_t_ee__"),
@@ -122,6 +150,11 @@ OPENED = (SLIPPED[1], 0.03)
 
 def sensors() -> Sequence[Sensor]:
     """All topics."""
+    told = (
+        ("measured_joint_states", "sensor_msgs/JointState", joints),
+        ("current_pose", "geometry_msgs/PoseStamped", lambda t: pose(hand(t))),
+        ("external_wrench_in_base_frame", "geometry_msgs/WrenchStamped", wrench),
+    )
     return [
         Sensor(
             "/franka_robot_state_broadcaster/robot_state",
@@ -130,6 +163,17 @@ def sensors() -> Sequence[Sensor]:
             state,
             "fr3_link0",
             [SILENT],
+        ),
+        *(
+            Sensor(
+                f"/franka_robot_state_broadcaster/{topic}",
+                kind,
+                every(50, SECONDS),
+                read,
+                "fr3_link0",
+                [SILENT],
+            )
+            for topic, kind, read in told
         ),
         Sensor(
             "/franka_gripper/joint_states",

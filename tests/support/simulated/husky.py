@@ -1,21 +1,23 @@
-"""A Husky on rough ground: all that its rules are there for happens to it once, in 36 s."""
+"""A Husky on rough ground: all that its rules are there for happens to it once, in 48 s."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from rossmarie.driver.robots import robot
-from support.simulated.base import Base, Leg, curve, imu
+from support.simulated.base import Base, Leg, Now, command, curve, odometry
 from support.simulated.frames import Frame
 from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, rounded, store_of
+from support.simulated.troubles import Tipping
 from support.simulated.world import Lidar, Pillar, Thing, Wall
 
-SECONDS = 36.0
+SECONDS = 48.0
 PERSON = (5.0, 10.0)  # somebody walks towards it, and goes aside
 DOWNHILL = (12.0, 15.0)  # it rolls faster than it may
 ROUGH = (16.0, 17.0)
@@ -24,6 +26,12 @@ STUCK = (22.0, 24.5)  # its wheels are blocked
 HOT = (23.0, 28.0)
 EMERGENCY = (29.0, 31.0)  # somebody presses the button
 DAZZLED = (32.0, 32.8)  # the lidar says nothing
+MUD = (34.0, 36.0)  # the wheels turn, and the base stands
+ICE = (36.2, 37.4)  # it turns otherwise than its wheels
+PUSHED = (39.0, 41.0)  # and rolls on
+TIPPING = Tipping(44.0)  # over the edge of a dock
+LATE = [(10.2 + 0.4 * count, 10.35 + 0.4 * count) for count in range(5)]
+SILENT = (31.2, 31.7)  # the odometry of the wheels
 
 # Out of doors most beams of the LMS111 come back from nowhere: its driver tells that as 0. It hangs
 # upside down: its angles grow clockwise.
@@ -49,7 +57,10 @@ BASE = Base(
         Leg(26.0),
         Leg(29.0, 0.5, -0.1),
         Leg(31.0),
-        Leg(SECONDS, 0.4),
+        Leg(38.0, 0.4),
+        Leg(41.6),
+        Leg(43.5, 0.4),
+        Leg(SECONDS),
     ),
     start=(0.0, 0.0, 0.0),
     acceleration=3.0,
@@ -62,7 +73,7 @@ THINGS: Sequence[Thing] = [
     Pillar(21.0, -2.5, 0.3),
 ]
 FRAMES = (
-    Frame("front_laser", "base_link", (LIDAR.x, 0.0, 0.308), (math.pi, 0.0, 0.0)),
+    Frame("front_laser", "base_link", (LIDAR.x, 0.0, 0.30795), (math.pi, 0.0, 0.0)),
     Frame("imu_link", "base_link", (0.19, 0.0, 0.149)),
 )
 STORE = store_of(robot("husky"))
@@ -83,9 +94,20 @@ def tilt(t: float) -> tuple[float, float]:
     return math.radians(roll), math.radians(pitch)
 
 
-def jolt(t: float) -> float:
-    """The acceleration that stones give it (m/s^2)."""
-    return 6.0 * math.sin(2 * math.pi * 7.0 * t) if during(t, ROUGH) else 0.0
+def inertia(t: float) -> dict[str, Any]:
+    """What its IMU feels: stones under its wheels, and at last a fall."""
+    jolt = 6.0 * math.sin(2 * math.pi * 7.0 * t) if during(t, ROUGH) else 0.0
+    return TIPPING.imu(t, BASE.at(t), *tilt(t), jolt)
+
+
+def body(t: float) -> Now:
+    """How the base moves, beside what its wheels do."""
+    now = BASE.at(t)
+    if during(t, MUD):
+        return replace(now, speed=0.0)
+    if during(t, ICE):
+        return replace(now, turn=now.turn + 0.8)
+    return replace(now, speed=0.3) if during(t, PUSHED) else now
 
 
 def status(t: float) -> dict[str, Any]:
@@ -118,7 +140,22 @@ def sensors() -> Sequence[Sensor]:
     """All topics."""
     controller = "/husky_velocity_controller"
     return [
-        *driving(STORE, BASE, FRAMES, 50, f"{controller}/odom", f"{controller}/cmd_vel"),
+        *driving(
+            STORE, BASE, FRAMES, 50, f"{controller}/odom", f"{controller}/cmd_vel", [*LATE, SILENT]
+        ),
+        Sensor(
+            f"{controller}/unfil_cmd_vel",
+            "geometry_msgs/Twist",
+            every(20, SECONDS),
+            lambda t: command(BASE.wanted(t)),
+        ),
+        Sensor(
+            "/odometry/filtered",
+            "nav_msgs/Odometry",
+            every(50, SECONDS),
+            lambda t: odometry(body(t)),
+            "odom",
+        ),
         Sensor(
             "/front/scan",
             "sensor_msgs/LaserScan",
@@ -131,7 +168,7 @@ def sensors() -> Sequence[Sensor]:
             "/imu/data",
             "sensor_msgs/Imu",
             every(50, SECONDS),
-            lambda t: imu(BASE.at(t), *tilt(t), jolt(t)),
+            inertia,
             "imu_link",
         ),
         Sensor("/status", "husky_msgs/HuskyStatus", every(1, SECONDS), status, ""),

@@ -18,8 +18,11 @@ def driving(
     rate: float,
     odometry_topic: str = "/odom",
     command_topic: str = "/cmd_vel",
+    silent: Sequence[tuple[float, float]] = (),
 ) -> Sequence[Sensor]:
-    """Its frames, its odometry at a rate (Hz), and its commands, for as long as it drives."""
+    """Its frames, its odometry at a rate (Hz), and its commands, for as long as it drives. In the
+    stretches `silent` the odometry does not come.
+    """
     seconds, tree = base.legs[-1].until, "tf2_msgs/TFMessage"
     return [
         Sensor("/tf_static", tree, [0.0], lambda t: transforms(store, t, *frames)),
@@ -35,6 +38,7 @@ def driving(
             every(rate, seconds),
             lambda t: odometry(base.at(t)),
             "odom",
+            silent,
         ),
         Sensor(
             command_topic,

@@ -22,7 +22,7 @@ from support.made_messages import made
 
 START_NS = 1_750_000_000_000_000_000
 SPLIT_NS = 1_000_000
-"""No two sensors speak at one instant: else the order of their messages would decide."""
+"""After the beginning no two sensors speak at one instant: else their order would decide."""
 
 Reading = tuple[str, int, str, Any]
 """Topic, stamp, message type and message."""
@@ -38,6 +38,13 @@ class Sensor:
     read: Callable[[float], dict[str, Any] | None]
     frame: str | None = None
     silent: Sequence[tuple[float, float]] = ()
+    hangs: Sequence[tuple[float, float]] = ()
+    """Stretches in which its driver sends its last message again and again, with the old stamp."""
+
+    def measured_at(self, at_ns: int) -> int:
+        """The instant of what it sends at an instant (ns)."""
+        stuck = [round(begin * 1e9) for begin, end in self.hangs if begin <= at_ns / 1e9 < end]
+        return stuck[0] if stuck else at_ns
 
 
 def every(rate: float, seconds: float) -> Sequence[float]:
@@ -69,18 +76,19 @@ def store_of(robot: Robot, stores: Stores = Stores.ROS2_HUMBLE) -> Typestore:
 def readings(store: Typestore, sensors: Sequence[Sensor]) -> Iterator[Reading]:
     """The messages of sensors, in the order of time."""
     due = sorted(
-        (round(t * 1e9) + index * SPLIT_NS, index)
+        (round(t * 1e9) + (index * SPLIT_NS if t > 0 else 0), index)
         for index, sensor in enumerate(sensors)
         for t in sensor.times
         if not during(t, *sensor.silent)
     )
     for at_ns, index in due:
         sensor = sensors[index]
-        fields = sensor.read(at_ns / 1e9)
+        measured_ns = sensor.measured_at(at_ns)
+        fields = sensor.read(measured_ns / 1e9)
         if fields is None:
             continue
         if sensor.frame is not None:
-            fields |= header(at_ns, sensor.frame)
+            fields |= header(measured_ns, sensor.frame)
         name = sensor.type.replace("/", "/msg/")
         yield sensor.topic, START_NS + at_ns, name, made(store, sensor.type, **fields)
 

@@ -1,4 +1,4 @@
-"""A TurtleBot 4 in a room: all that its rules are there for happens to it once, in 40 s."""
+"""A TurtleBot 4 in a room: all that its rules are there for happens to it once, in 64 s."""
 
 from __future__ import annotations
 
@@ -10,22 +10,31 @@ import numpy as np
 
 from rossmarie.driver.robots import robot
 from support.made_messages import made
-from support.simulated.base import Base, Leg, curve, imu
+from support.simulated.base import GRAVITY, Base, Leg, curve, imu
 from support.simulated.frames import Frame
 from support.simulated.mobile import driving
 from support.simulated.recording import Sensor, during, every, header, rounded, store_of
+from support.simulated.troubles import Scanner
 from support.simulated.world import Lidar, Pillar, Thing, Wall, room
 
-SECONDS = 40.0
+SECONDS = 64.0
 PERSON = (5.0, 9.0)  # somebody steps in front of it, and goes on
 SPEEDING = (10.5, 12.5)  # as with the safety override: the robot reaches 0.46 m/s
 BUMP = (14.0, 14.6)  # against something that the lidar does not see
 BACKED_UP = (15.6, 16.2)
 SILL = (18.0, 20.0)  # it climbs
 STALL = (21.0, 23.0)
-LIFTED = (25.0, 27.0)
+LIFTED = (25.0, 27.0)  # so that its lidar sees nothing near
+TUMBLING = (26.55, 26.65)  # it slips out of the hands
+DROPPED = (27.1, 27.3)
 UNPLUGGED = (29.0, 30.2)  # the lidar
+HANGING = (32.0, 33.0)  # its driver
 DOCKED = 36.0
+HOT = (9.0, 13.0)  # the battery
+STRAINED = (20.5, 25.0)
+EMPTY = (27.5, 36.5)
+COLD = (37.0, 49.5)  # while it is charged
+ILL = (50.5, 52.5)
 
 # Beams as in turtlebot/turtlebot4#664: less than a whole turn, 7.7 times a second. The lidar is
 # mounted with a quarter turn: ahead of the robot is at -90 degrees of the scan.
@@ -36,6 +45,16 @@ LIDAR = Lidar(
     most=12.0,
     x=-0.04,
     yaw=math.pi / 2,
+)
+SCANNER = Scanner(
+    LIDAR,
+    PERIOD,
+    blind=LIFTED,
+    covered=(38.0, 40.0),
+    dusty=(42.0, 44.0),
+    narrow=(35.0, 35.8),
+    narrowed=(-3.05, -0.09),
+    cloth=0.1640625,
 )
 BASE = Base(
     legs=(
@@ -80,7 +99,7 @@ def scan(t: float) -> dict[str, Any]:
         1.65, curve(t, (PERSON[0], 1.4), (6.2, 0.0), (7.8, 0.0), (PERSON[1], -1.4)), 0.2
     )
     things = [*THINGS, person] if during(t, PERSON) else THINGS
-    return LIDAR.fields(LIDAR.scan(BASE.at(t).place, things), PERIOD)
+    return SCANNER.fields(t, BASE.at(t).place, things)
 
 
 def tilt(t: float) -> tuple[float, float]:
@@ -88,8 +107,17 @@ def tilt(t: float) -> tuple[float, float]:
     pitch = curve(
         t, (18.0, 0.0), (18.3, -14.0), (19.0, -14.0), (19.4, 0.0), (19.8, 9.0), (20.1, 0.0)
     )
-    roll = curve(t, (25.0, 0.0), (25.4, 24.0), (26.6, 24.0), (27.0, 0.0))
+    roll = curve(
+        t, (25.0, 0.0), (25.4, 24.0), (26.5, 24.0), (26.7, 52.0), (26.8, 52.0), (27.0, 0.0)
+    )
     return math.radians(roll), math.radians(pitch)
+
+
+def inertia(t: float) -> dict[str, Any]:
+    """What its IMU feels: in a fall nothing, and at the foot of the sill a jolt."""
+    jolt = -GRAVITY if during(t, DROPPED) else 5.0 if during(t, (20.1, 20.15)) else 0.0
+    tumbling = math.radians(140.0) if during(t, TUMBLING) else 0.0
+    return imu(BASE.at(t), *tilt(t), jolt, tumbling)
 
 
 HAZARDS = {
@@ -116,13 +144,17 @@ def hazards(t: float) -> dict[str, Any]:
 
 
 def battery(t: float) -> dict[str, Any]:
-    """A battery that runs low, and is charged at the dock; hours pass in seconds."""
-    percentage = curve(t, (0.0, 0.23), (DOCKED, 0.17), (SECONDS - 1.5, 0.24))
+    """A battery that gets hot, strains, is empty, is charged in the cold, and gets ill; hours pass
+    in seconds.
+    """
+    is_strained = during(t, STRAINED)
+    percentage = 0.04 if during(t, EMPTY) else 0.4
     return {
-        "voltage": rounded(12.0 + 14.0 * percentage),
-        "temperature": rounded(curve(t, (0.0, 28.0), (SECONDS, 31.0))),
-        "current": 1.5 if t > DOCKED else -0.8,
+        "voltage": 12.5 if is_strained else rounded(13.5 + 3.0 * percentage),
+        "temperature": 58.0 if during(t, HOT) else -3.0 if during(t, COLD) else 28.0,
+        "current": -4.5 if is_strained else 1.5 if t > DOCKED else -0.8,
         "percentage": rounded(percentage),
+        "power_supply_health": 2 if during(t, ILL) else 1,
         "present": True,
     }
 
@@ -157,12 +189,13 @@ def sensors() -> Sequence[Sensor]:
             scan,
             "rplidar_link",
             [UNPLUGGED],
+            [HANGING],
         ),
         Sensor(
             "/imu",
             "sensor_msgs/Imu",
             every(62.5, SECONDS),
-            lambda t: imu(BASE.at(t), *tilt(t)),
+            inertia,
             "imu_link",
         ),
         Sensor(

@@ -1,4 +1,4 @@
-"""A UR5e at a bench: all that its rules are there for happens to it once, in 32 s."""
+"""A UR5e at a bench: all that its rules are there for happens to it once, in 42 s."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from support.simulated.base import curve
 from support.simulated.motion import Floats, Motion, about_x, about_z, joint_state, moved, pose
 from support.simulated.recording import Sensor, during, every, rounded, store_of
 
-SECONDS = 32.0
+SECONDS = 42.0
 CHATTER = (8.0, 9.0)  # the tool on the workpiece
 PUSH = (10.0, 10.6)  # against something hard
 TWIST = (12.0, 12.6)
@@ -21,6 +21,9 @@ RESTART = (16.0, 16.6)  # of the driver, which tells joints in another order aft
 PROTECTIVE_STOP = (19.0, 21.0)
 REDUCED = (23.0, 25.0)
 HOT = (26.0, 30.0)  # the tool
+NUMB = (38.0, 39.0)  # the force sensor tells the same again and again
+STUTTER = [(8.0 + 0.4 * count, 8.17 + 0.4 * count) for count in range(5)]
+"""Stretches in which no joints are told: the network is busy."""
 
 JOINTS = (
     "shoulder_pan_joint",
@@ -35,6 +38,7 @@ ELBOW_FIRST = (2, 1, 0, 3, 4, 5)
 HOME = (0.0, -1.57, 1.57, -1.57, -1.57, 0.0)
 BENCH = (0.5, -1.2, 1.9, -2.2, -1.57, 0.0)
 FAR = (0.5, -0.35, 0.3, -1.5, -1.57, 0.0)
+LOW = (0.5, -0.8, 1.9, -2.2, -1.57, 0.0)  # below its bench
 FOLDED = (0.5, -1.2, 2.75, -2.2, -1.57, 0.0)
 TURNED = (2.0, -1.57, 1.57, -1.57, -1.57, 0.0)
 MOTION = Motion(
@@ -45,7 +49,7 @@ MOTION = Motion(
         (5.2, TURNED),  # too fast for its shoulder
         (7.0, BENCH),
         (13.0, BENCH),
-        (14.2, FOLDED),
+        (13.45, FOLDED),  # and stops with a jerk
         (14.8, FOLDED),
         (16.0, BENCH),
         (18.0, BENCH),
@@ -54,6 +58,9 @@ MOTION = Motion(
         (24.0, HOME),
         (28.0, HOME),
         (31.0, BENCH),
+        (33.0, LOW),
+        (33.6, LOW),
+        (35.0, BENCH),
     )
 )
 STORE = store_of(robot("ur5e"))
@@ -90,7 +97,7 @@ def wrench(t: float) -> dict[str, Any]:
     push = curve(t, (9.98, 0.0), (10.05, 62.0), (10.5, 62.0), (10.6, 0.0))
     twist = curve(t, (11.98, 0.0), (12.1, 9.0), (12.5, 9.0), (12.6, 0.0))
     return {
-        "wrench__force__x": 1.5,
+        "wrench__force__x": 1.5 if during(t, NUMB) else 1.5 + (round(t * 125) % 2) / 64,
         "wrench__force__z": rounded(-3.0 - chatter - push),
         "wrench__torque__z": rounded(0.2 + twist),
     }
@@ -119,18 +126,18 @@ def tool(t: float) -> dict[str, Any]:
 
 def sensors() -> Sequence[Sensor]:
     """All topics. Modes are told when they change."""
-    changes = [0.1, *PROTECTIVE_STOP, *REDUCED]
+    changes = [0.0, *PROTECTIVE_STOP, *REDUCED]
     status = "/io_and_status_controller"
     return [
         Sensor(f"{status}/safety_mode", "ur_dashboard_msgs/SafetyMode", changes, safety_mode),
-        Sensor(f"{status}/robot_mode", "ur_dashboard_msgs/RobotMode", [0.1], robot_mode),
+        Sensor(f"{status}/robot_mode", "ur_dashboard_msgs/RobotMode", [0.0], robot_mode),
         Sensor(
             "/joint_states",
             "sensor_msgs/JointState",
             every(125, SECONDS),
             joints,
             "base_link",
-            [RESTART],
+            [RESTART, *STUTTER],
         ),
         Sensor(
             "/force_torque_sensor_broadcaster/wrench",

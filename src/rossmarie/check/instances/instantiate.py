@@ -57,6 +57,7 @@ class _Program:
                 space.take(item)
                 if isinstance(item, ast.Skills):
                     self._instances.guesses.take(MOST_COMPARISONS + 1)
+                self._instances.frames.update(_frames(item))
         self._open_rewriters()
         for each in self._files:
             self._take_imports(each)
@@ -95,7 +96,10 @@ class _Program:
             alias = rewriter.node(item.alias)
             first = space.inner.setdefault(alias.text, alias)
             if first is not alias:
-                reason = "each name behind `as` stands for one file"
+                reason = (
+                    "each name behind `as` stands for one file; files that have the same name in"
+                    " them are each imported under one of their own"
+                )
                 report_second(alias, first, "import", reason, self._collector)
             declared = space.names.get(alias.text)
             if declared is not None:
@@ -259,6 +263,14 @@ class _Program:
             key = imported.module.file, item.name.text
             return self._hazards.setdefault(key, imported) is not imported
         return isinstance(item, ast.Test) and imported.written is not None
+
+
+def _frames(item: ast.Item) -> Iterator[str]:
+    """All names that an item declares frames by."""
+    for each in item.members if isinstance(item, ast.System) else ():
+        if isinstance(each, ast.FrameDeclaration):
+            names = (each.alias, each.frame, each.parent)
+            yield from (name.text for name in names if name is not None)
 
 
 def _setting(constant: ast.Constant) -> ast.Input:

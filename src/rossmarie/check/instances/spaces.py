@@ -87,9 +87,10 @@ def flat(path: Path, name: str) -> str:
 class Instances:
     """All that messages need: the `names` that this stage made, each with its space and the name
     there; and of each file of an instance its space, and the imports that lead to it. `guesses` is
-    the effort that is left to find out which names are misspelt.
+    the effort that is left to find out which names are misspelt. `frames` are the names of frames.
     """
 
     names: dict[str, tuple[Path, str]] = field(default_factory=dict)
     files: dict[SourceFile, tuple[Path, tuple[ast.Import, ...]]] = field(default_factory=dict)
     guesses: Suggestions = field(default_factory=Suggestions)
+    frames: set[str] = field(default_factory=set)

@@ -15,6 +15,7 @@ from rossmarie.check.instances.spaces import Instances, Path
 from rossmarie.syntax import ast
 
 _MOST_IMPORTS = 4
+_STRING = re.compile(r'((?<!\btest )"[^"\n]*")')
 
 
 def told(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic, ...]:
@@ -37,14 +38,23 @@ def told(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic,
 
 
 def spelled(text: str, instances: Instances) -> str:
-    """A text that names things of a program, as its main file would write it."""
+    """Tests that name things of a program, as its main file would write them. Strings are values,
+    and stay as they are; titles of tests are none.
+    """
     pattern = _pattern(instances)
-    return text if pattern is None else _Wording(instances, pattern, ()).text(text)
+    if pattern is None:
+        return text
+    wording = _Wording(instances, pattern, ())
+    parts = _STRING.split(text)
+    parts[::2] = map(wording.text, parts[::2])
+    return "".join(parts)
 
 
 def _pattern(instances: Instances) -> re.Pattern[str] | None:
-    """A pattern of all names that were made; None if there are none."""
-    names = sorted(instances.names, key=len, reverse=True)
+    """A pattern of all names that were made; None if there are none. One that is also the name of a
+    frame stays as it is, because nobody could tell which of the two is meant.
+    """
+    names = sorted(instances.names.keys() - instances.frames, key=len, reverse=True)
     return re.compile(rf"\b(?:{'|'.join(map(re.escape, names))})\b") if names else None
 
 

@@ -10,6 +10,7 @@ from rossmarie.check.names.frame_errors import MixedFrames, NothingToTransform, 
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import path_of, root_of, stripped, text_of
 from rossmarie.core import Sampling
+from rossmarie.ir.path import EACH, Path
 from rossmarie.syntax import ast
 from rossmarie.types import (
     Array,
@@ -38,14 +39,21 @@ class Framed(NamedTuple):
     used: CheckedInput
 
 
-def frame_field(whole: Type | None, path: Sequence[object]) -> tuple[str, ...] | None:
+def frame_field(whole: Type | None, path: Sequence[object]) -> Path | None:
     """The field that says the frame of a part of a message; None if no field does. It is that of
-    the innermost header around the part.
+    the innermost header around the part; around elements of a list, that of the message with the
+    list, unless it has none and each element has its own (S77).
     """
-    found: tuple[str, ...] | None = None
+    found: Path | None = None
     type_ = whole
-    before: tuple[str, ...] = ()
+    before: Path = ()
     for step in (*path, None):
+        if isinstance(type_, List):
+            type_, before = type_.element, (*before, EACH)
+            if found is not None or not isinstance(type_, Message):
+                break
+            if step is EACH:
+                continue
         if not isinstance(type_, Message):
             break
         if _has_header(type_):
@@ -154,13 +162,14 @@ def is_left_in_its_frame(node: ast.Member | ast.Sector, type_: Type, context: Co
         case ast.Sector():
             names, span = path, node.arc.span
         case ast.Member(member=member) if _goes_by_axes(context.type_of(node.value), member, type_):
-            names, span = (*path, member.text), member.span
+            is_covariance = isinstance(type_, Array)  # of a beam, all of its list is wanted
+            names, span = (*path, member.text) if is_covariance else path, member.span
         case ast.Member():
             return False
     reason = "it goes by the axes of its message"
     finding = NothingToTransform(field=text_of(node), frame=used.target, reason=reason)
-    field = ".".join(map(str, (*used.path, *names)))
-    context.collector.add(finding.at(span, help=finding.Untransformed(field=field)))
+    fields = [each for each in (*used.path, *names) if isinstance(each, str)]
+    context.collector.add(finding.at(span, help=finding.Untransformed(field=".".join(fields))))
     return True
 
 

@@ -8,13 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from dslkit.diagnostics import Edit, Fix, Remark
-from dslkit.source import Span
+from dslkit.diagnostics import Fix, Remark
 from rossmarie.check.operations.beside import CONDITIONAL, QUANTIFIERS, unfit_part
 from rossmarie.check.operations.errors import ArrayAsScalar
 from rossmarie.check.operations.function_errors import ElementwiseMixture
 from rossmarie.check.operations.rewriting import rewritten
-from rossmarie.check.operations.sector_errors import RawReadings
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import quoted, stripped, text_of
 from rossmarie.syntax import ast
@@ -24,14 +22,12 @@ from rossmarie.types import Array, Boolean, Unknown
 Temporal = ast.Held | ast.Since | ast.Once | ast.Response
 """The operators over time."""
 
-_ALL_AROUND = "[-180 deg .. 180 deg]"
-
 
 def check_elements(fold: ast.Call, context: Context) -> None:
     """Report parts of the argument of a fold that may not stand in it."""
     (argument,) = fold.arguments
     first: ast.Expression | None = None
-    for part in _parts(argument, context):
+    for part in parts_of(argument, context):
         is_array = isinstance(context.type_of(part), Array)
         if is_array and first is None:
             first = part
@@ -55,54 +51,6 @@ def _reason(part: ast.Expression, context: Context) -> str | None:
         return "this is the same for all elements"
     unfit = unfit_part(part, context)
     return None if unfit is None else unfit[1]
-
-
-def warn_of_raw_readings(fold: ast.Call, context: Context) -> None:
-    """Warn of a fold over all readings of a scan, in which one that is no distance decides."""
-    (argument,) = fold.arguments
-    parts = [part for part in _parts(argument, context) if _is_raw(part, context)]
-    if not parts or fold.function.text == "max" or _is_bounded_below(argument, context):
-        return
-    if fold.function.text in ("any", "count") and _asks_what_is_far(argument, context):
-        return
-    text = parts[0].span.text
-    edits = (Edit(_behind(part.span), _ALL_AROUND) for part in parts)
-    fix = Fix(f"write `{quoted(f'{text}{_ALL_AROUND}')}`", tuple(edits))
-    context.collector.add(RawReadings(text=quoted(text)).at(parts[0].span, fix=fix))
-
-
-def _is_raw(part: ast.Expression, context: Context) -> bool:
-    """Say whether these are all readings, although the input reads the whole scan, and so brings
-    what tells which of them are distances.
-    """
-    if not isinstance(part, ast.Member):
-        return False
-    type_ = context.type_of(part)
-    return isinstance(type_, Array) and type_.has_sectors
-
-
-def _is_bounded_below(argument: ast.Expression, context: Context) -> bool:
-    """Say whether a condition asks for a range that begins above 0."""
-    node = stripped(argument)
-    if not isinstance(node, ast.Membership) or node.is_negated:
-        return False
-    value = context.values.get(node.container)
-    return value is not None and bool(value.numbers) and value.numbers[0] > 0.0
-
-
-def _asks_what_is_far(argument: ast.Expression, context: Context) -> bool:
-    """Say whether a condition is that of elements above something, which a reading of 0 is not."""
-    node = stripped(argument)
-    if not isinstance(node, ast.Binary):
-        return False
-    if node.operator in (ast.BinaryOperator.GREATER, ast.BinaryOperator.GREATER_OR_EQUAL):
-        return node.left not in context.values
-    below = (ast.BinaryOperator.LESS, ast.BinaryOperator.LESS_OR_EQUAL)
-    return node.operator in below and node.right not in context.values
-
-
-def _behind(span: Span) -> Span:
-    return Span(span.file, span.end, span.end)
 
 
 def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[Remark, Fix | None]:
@@ -155,8 +103,10 @@ def report_elements_over_time(
     context.collector.add(finding.at(operand.span, help=help, fix=fix))
 
 
-def _parts(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:
-    """The arrays, and the changing single values, in the order in which they are written."""
+def parts_of(argument: ast.Expression, context: Context) -> Iterator[ast.Expression]:
+    """Find the arrays in an argument of a fold, and the changing single values, in the order in
+    which they are written.
+    """
     pending = [argument]
     while pending:
         node = pending.pop()

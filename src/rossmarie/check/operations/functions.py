@@ -11,7 +11,7 @@ from rossmarie.check.operations.amounts import AMOUNTS, type_of_amount
 from rossmarie.check.operations.angles import warn_of_filter, warn_of_rate
 from rossmarie.check.operations.changes import type_of_changed
 from rossmarie.check.operations.edges import report_edges_elsewhere
-from rossmarie.check.operations.elements import check_elements, warn_of_raw_readings
+from rossmarie.check.operations.elements import check_elements
 from rossmarie.check.operations.errors import DurationOutOfRange, NotAnArray
 from rossmarie.check.operations.function_errors import (
     OscillationCount,
@@ -29,6 +29,7 @@ from rossmarie.check.operations.operands import (
     scalar_operand,
 )
 from rossmarie.check.operations.operators import applied
+from rossmarie.check.operations.raw_readings import warn_of_raw_readings
 from rossmarie.check.operations.stopping import wanted_speed
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import stripped, text_of

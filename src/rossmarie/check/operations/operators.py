@@ -27,6 +27,7 @@ from rossmarie.check.operations.operands import (
     report_not_a_number,
     report_uncompared,
 )
+from rossmarie.check.operations.raw_readings import warn_of_raw_reading
 from rossmarie.check.operations.temporal import report_ambiguous
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, quoted, stripped, text_of
@@ -163,6 +164,7 @@ def _comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
     if not outcome.faults:
         check_ratio(node.left, node.right, context)
         check_ratio(node.right, node.left, context)
+        warn_of_raw_reading(node, context)
     if operator in EQUALITY and not outcome.faults:
         _warn_of_equality(operator, node, context)
     return outcome.type

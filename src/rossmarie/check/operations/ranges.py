@@ -19,6 +19,7 @@ from rossmarie.check.operations.range_errors import (
     ScalarAsRange,
     StringsAsRange,
 )
+from rossmarie.check.operations.raw_readings import warn_of_raw_reading
 from rossmarie.check.operations.rewriting import rewritten
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.trees import constant_of, quoted, stripped, text_of
@@ -138,6 +139,7 @@ def type_of_membership(node: ast.Membership, context: Context) -> Type:
         check_frame_of_region(node.value, node.container, context)
     elif not outcome.faults:
         check_ratio(node.value, node.container, context)
+        warn_of_raw_reading(node, context)
     return outcome.type
 
 

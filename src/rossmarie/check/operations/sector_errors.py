@@ -48,7 +48,7 @@ class LongWay(Warning, code="ROSS273", name="long-way-round"):
 
 
 class RawReadings(Warning, code="ROSS274", name="raw-readings"):
-    """All readings of a scan, those included that are no distances."""
+    """Readings of a scan, those included that are no distances."""
 
     title = "`{text}` has readings that are no distances"
     label = "a reading of 0 counts as something at 0 m"
@@ -56,8 +56,18 @@ class RawReadings(Warning, code="ROSS274", name="raw-readings"):
         "many lidars say 0 where nothing returns; only the scan itself says from which distance on "
         "a reading is one (`range_min`)"
     )
-    help = "take those that are distances: `{text}[-180 deg .. 180 deg]`, or the sector that counts"
     text: str
+
+    class Sector(Remark):
+        says = (
+            "take the distances among them: `{text}[-30 deg .. 30 deg]` are those ahead, and "
+            "`{text}[-180 deg .. 180 deg]` those of a scanner that sees all around"
+        )
+        text: str
+
+    class Angle(Remark):
+        says = "say at which angle it is: `min({text}[-5 deg .. 5 deg])` are those ahead"
+        text: str
 
 
 ALL: tuple[type[Template], ...] = (NoSectors, NoSector, LongWay, RawReadings)

@@ -121,7 +121,8 @@ def report_second(
 ) -> None:  # fmt: skip
     """Report the second declaration of one kind and name."""
     text = name.text if isinstance(name, ast.Name) else name.value
-    finding = DuplicateName(identifier=text, kind=kind, other=f"a {kind}", reason=reason)
+    article = "an" if kind[0] in "aeiou" else "a"
+    finding = DuplicateName(identifier=text, kind=kind, other=f"{article} {kind}", reason=reason)
     collector.add(finding.at(name.span, finding.First().at(first.span)))
 
 

@@ -20,11 +20,12 @@ from rossmarie.check.operations.operands import duration_ns, require_constant, s
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.scopes.declarations import report_second
 from rossmarie.check.scopes.errors import DuplicateName
+from rossmarie.check.scopes.trees import text_of
 from rossmarie.check.system.errors import Here
 from rossmarie.check.units.quantities import read_unit
 from rossmarie.check.wording.describe import describe, is_plain
 from rossmarie.check.wording.suggestions import near_name, rename
-from rossmarie.ir import Edge
+from rossmarie.ir import Edge, bare_frame
 from rossmarie.syntax import ast
 from rossmarie.types import Quantity, Type, Unknown, message_value, unit_faults
 from rossmarie.units import parse_unit
@@ -32,6 +33,8 @@ from rossmarie.units import parse_unit
 TRANSFORM = "geometry_msgs/Transform"
 _METRE, _RADIAN = parse_unit("m"), parse_unit("rad")
 _FORMS = {"at": "`at [0.3, 0, 0.5] m`", "turned": "`turned [0, 20, 180] deg`: roll, pitch, yaw"}
+_MOST = {"at": (1e6, "1000 km"), "turned": (2.0 * math.pi + 1e-9, "a full turn")}
+"""In m and rad, with the words for it."""
 _AXES = 3
 
 
@@ -111,7 +114,7 @@ def _input_of(frame: CheckedFrame, name: str, context: Context) -> CheckedInput:
     """The input that a frame comes by, which no rule declares."""
     topic, span = frame.topic, frame.declaration.frame.span
     assert topic is not None, "what is mounted comes with no topic"
-    edge = Edge(topic, frame.parent, frame.name)
+    edge = Edge(topic, bare_frame(frame.parent), bare_frame(frame.name))
     declaration = ast.Input(
         ast.Name(name, span), ast.Name(str(edge), span), None, (), None, None, None, None, span
     )
@@ -198,6 +201,11 @@ def _numbers(
             _report(
                 word, frame, element.span, f"is {kind}", describe(quantity), _FORMS[word], context
             )
+            return nothing
+        most, limit = _MOST[word]
+        if not abs(number) <= most:
+            found, reason = f"`{text_of(element)}`", f"is no more than {limit}"
+            _report(word, frame, element.span, reason, found, _FORMS[word], context)
             return nothing
         found_numbers.append(number)
     x, y, z = found_numbers

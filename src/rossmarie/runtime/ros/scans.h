@@ -1,8 +1,8 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
 // The beams of a laser scan: sectors, points, and beams that tell nothing. A scan says itself at
-// which angles its beams are, and nothing of that is trusted. Compile with -ffp-contract=off: angles
-// are those of replays to the last bit.
+// which angles its beams are, and nothing of that is trusted. Compile with -ffp-contract=off:
+// angles are those of replays to the last bit.
 #pragma once
 
 #include <algorithm>

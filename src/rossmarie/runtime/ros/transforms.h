@@ -3,8 +3,10 @@
 // Transforms between frames: a message on /tf has any number of them, for anybody.
 #pragma once
 
+#include <cmath>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 // Whether a text is the name of a frame. Older programs write a slash in front, which tf2 leaves
 // out.
@@ -14,15 +16,31 @@ inline bool is_frame(const std::string &text, const char *name)
     return text.compare(first, std::string::npos, name) == 0;
 }
 
-// The transform from the frame `child` to `parent`, the last one if there are several; null if
-// there is none.
 template <class Message>
-auto transform_in(const Message &message, const char *parent, const char *child)
-    -> const std::decay_t<decltype(message.transforms[0].transform)> *
+using Transform = std::decay_t<decltype(std::declval<const Message &>().transforms[0].transform)>;
+
+// The transform of a frame that somebody says is in another parent: nobody knows where it is.
+template <class Message> const Transform<Message> &unknown_transform()
 {
-    const std::decay_t<decltype(message.transforms[0].transform)> *found = nullptr;
+    static const Transform<Message> unknown = [] {
+        Transform<Message> found;
+        found.translation.x = found.translation.y = found.translation.z = NAN;
+        found.rotation.x = found.rotation.y = found.rotation.z = found.rotation.w = NAN;
+        return found;
+    }();
+    return unknown;
+}
+
+// The transform from the frame `child` to `parent`, the last one if there are several; one that is
+// not known if the last one is to another parent; null if there is none.
+template <class Message>
+const Transform<Message> *transform_in(const Message &message, const char *parent,
+                                       const char *child)
+{
+    const Transform<Message> *found = nullptr;
     for (const auto &each : message.transforms)
-        if (is_frame(each.header.frame_id, parent) && is_frame(each.child_frame_id, child))
-            found = &each.transform;
+        if (is_frame(each.child_frame_id, child))
+            found = is_frame(each.header.frame_id, parent) ? &each.transform
+                                                           : &unknown_transform<Message>();
     return found;
 }

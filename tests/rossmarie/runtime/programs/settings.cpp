@@ -1,5 +1,6 @@
 // Parameters that cannot be meant are refused.
 #include "settings.h"
+#include "descriptions.h"
 
 #include <cmath>
 #include <map>
@@ -7,6 +8,11 @@
 #include <vector>
 
 #include "check.h"
+
+const std::vector<RuleParameter> RULE_PARAMETERS = {
+    {"gap", 0.5, 500.0, "m"},
+    {"braking", 1.2, 0.0012, "m/s^2"},
+};
 
 class Given : public ParameterSource {
 public:
@@ -85,5 +91,15 @@ int main()
     CHECK(!refusal("clock_timeout", INFINITY).empty());
     CHECK(refusal("patients", 1.0).find("there is no such parameter; there are command_timeout") !=
           std::string::npos);
+
+    CHECK(usual.given == std::vector<double>({0.5, 1.2}));
+    given.numbers["gap"] = 0.8;
+    given.numbers["braking"] = 0.6;
+    CHECK(settings(given).given == std::vector<double>({0.8, 0.6}));
+    CHECK(refusal("gap", 0.4).find("parameter gap: it must be from 0.500000 to 500") == 0);
+    CHECK(refusal("gap", 500.0).empty() && !refusal("gap", 501.0).empty());
+    CHECK(refusal("braking", 0.0012).empty() && !refusal("braking", 0.001).empty());
+    CHECK(!refusal("braking", 1.3).empty() && !refusal("braking", -0.6).empty());
+    CHECK(!refusal("gap", NAN).empty() && !refusal("braking", NAN).empty());
     return result();
 }

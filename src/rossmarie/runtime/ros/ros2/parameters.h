@@ -170,9 +170,8 @@ private:
     static bool is_own(const std::string &name)
     {
         const std::vector<ParameterText> &all = parameter_texts();
-        return name == AUTOSTART || std::any_of(all.begin(), all.end(), [&name](auto &each) {
-                   return each.name == name;
-               });
+        return name == AUTOSTART || std::any_of(all.begin(), all.end(),
+                                                [&name](auto &each) { return each.name == name; });
     }
 
     static bool is_quality(const std::string &name) { return name.rfind(QUALITY, 0) == 0; }

@@ -1,0 +1,93 @@
+"""Points of scans in tests: they are beams at whole degrees, of which the readings are set.
+
+A solver would have to go through sines and cosines to find out at which angle a point lies. So
+the points of a proposal are neighbours, straight ahead of the scanner, to its left, behind it, or
+to its right; the solver chooses the side and the distances.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+import z3
+
+from rossmarie import ir
+from rossmarie.analysis.terms import constant
+from rossmarie.core import Function
+from rossmarie.ir.beams import USUAL_DISTANCES, scan_path
+from rossmarie.ir.script import Setting
+
+SIDES = (0, 90, -180, -90)
+"""The angles in degrees at which the first point can be."""
+_NOTHING = USUAL_DISTANCES[1] + 1.0
+_WAVES = {Function.COSINE: math.cos, Function.SINE: math.sin}
+
+
+def is_column(array: ir.Array, field: str) -> bool:
+    """Say whether an array is a field of the points of a scan."""
+    return tuple(array.path[-3:]) == (ir.RETURNS, ir.EACH, field)
+
+
+def sides(side: z3.ArithRef) -> z3.BoolRef:
+    """That a term is the number of a side."""
+    return z3.Or([side == number for number in range(len(SIDES))])
+
+
+def angle(side: z3.ArithRef, part: int) -> z3.ArithRef:
+    """The angle in rad of a point."""
+    return _by_side(side, [constant(math.radians(each + part)) for each in SIDES])
+
+
+def coordinate(
+    machine: ir.Machine, share: int, distance: z3.ArithRef, side: z3.ArithRef, part: int
+) -> z3.ArithRef:
+    """The distance of a point, times its share along an axis: the sine or cosine that the signal
+    `share` is.
+    """
+    wave = _wave_of(machine, share)
+    assert wave is not None, "it is one"
+    shares = (_WAVES[wave](math.radians(each + part)) for each in SIDES)
+    return _by_side(side, [distance * constant(each) for each in shares])
+
+
+def list_of_share(machine: ir.Machine, signal: int) -> int | None:
+    """The list of a scan of whose points a signal is the sine or cosine of the angle."""
+    node = machine.signals[signal].node
+    if _wave_of(machine, signal) is None or not isinstance(node, ir.Apply):
+        return None
+    element = machine.signals[node.operands[0]].node
+    return machine.arrays[element.array].list if isinstance(element, ir.Element) else None
+
+
+def _wave_of(machine: ir.Machine, signal: int) -> Function | None:
+    node = machine.signals[signal].node
+    if not isinstance(node, ir.Apply) or node.function not in (Function.COSINE, Function.SINE):
+        return None
+    element = machine.signals[node.operands[0]].node
+    is_angle = isinstance(element, ir.Element) and is_column(machine.arrays[element.array], "angle")
+    return Function(node.function) if is_angle else None
+
+
+def _by_side(side: z3.ArithRef, terms: Sequence[z3.ArithRef]) -> z3.ArithRef:
+    found = terms[-1]
+    for number, term in enumerate(terms[:-1]):
+        found = z3.If(side == number, term, found)
+    return found
+
+
+def readings(
+    machine: ir.Machine, array: ir.Array, distances: Sequence[float], side: float
+) -> Iterator[Setting]:
+    """The settings after which a scan has points at these distances in m, and no others."""
+    path = scan_path(array.path)
+    assert path is not None, "it is of a scan"
+    used = machine.inputs[array.input]
+    topic = machine.channels[used.channel].topic
+    all_around = ir.Sector(-math.pi, 2.0 * math.pi)
+    pairs = [(all_around, _NOTHING)]
+    for part, distance in enumerate(distances):
+        degree = SIDES[int(side)] + part
+        pairs.append((ir.Sector(math.radians(degree - 0.5), math.radians(1.0)), distance))
+    for sector, value in pairs:
+        yield Setting(used.name, topic, (*path, "ranges", sector), value, None, "m")

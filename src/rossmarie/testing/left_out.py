@@ -1,0 +1,34 @@
+"""Conditions on points that generated tests leave out, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Set
+
+from rossmarie import ir
+from rossmarie.ir.support import supports
+from rossmarie.testing.goals import Aspect, Goal, goals
+
+
+def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
+    """Say of each condition on points of a scan that it was not made true, or false, and why."""
+    rests_on = supports(machine).truths
+    missing: dict[tuple[int, int], list[str]] = {}
+    for goal in goals(machine):
+        if goal.aspect in (Aspect.TRUE, Aspect.FALSE) and goal not in reached:
+            missing.setdefault((goal.rule, goal.subject), []).append(goal.aspect.value)
+    for (rule, truth), aspects in missing.items():
+        used = _scan_of(machine, rests_on[truth].inputs)
+        if used is None:
+            continue
+        text = " ".join(machine.truths[truth].text.split())
+        yield (
+            f"{machine.rules[rule].name}: no test makes `{text}` {' or '.join(aspects)}: points "
+            f"were tried straight ahead of the scanner, to its left, to its right and behind it; "
+            f"set other beams by hand: `{used}.ranges[A .. B] = ...`"
+        )
+
+
+def _scan_of(machine: ir.Machine, inputs: Set[int]) -> str | None:
+    """The input of points of a scan among some; None if there is none."""
+    of_points = (each.input for each in machine.arrays if ir.RETURNS in each.path)
+    return next((machine.inputs[used].name for used in of_points if used in inputs), None)

@@ -1,0 +1,37 @@
+"""Units in which the values of tests are written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+
+from rossmarie import ir
+from rossmarie.testing.goals import Edge, edges
+from rossmarie.units import Unit, parse_unit
+
+
+def unit_of_field(machine: ir.Machine, kind: str, index: int) -> Unit:
+    """The unit of what a variable of the solver stands for, by its kind and its index."""
+    own = ""
+    if kind == "slot":
+        own = machine.slots[index].unit
+    elif kind == "element":
+        own = machine.arrays[index].unit
+    elif kind == "angle":
+        own = "deg"
+    elif kind in ("rate", "previous"):
+        own = machine.signals[index].unit
+    return parse_unit(own or "1")
+
+
+def unit_of_edge(
+    machine: ir.Machine, truths: Iterable[int], own: Unit, reads: Callable[[Edge], bool]
+) -> Unit | None:
+    """The unit of a threshold that `reads` knows, of the dimension of a unit; None if there is
+    none.
+    """
+    for truth in truths:
+        for edge in edges(machine, truth):
+            written = parse_unit(machine.signals[edge.constant].unit or "1")
+            if written.dimension == own.dimension and reads(edge):
+                return written
+    return None

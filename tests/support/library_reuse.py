@@ -1,0 +1,223 @@
+"""The page that says which rules of the library the robots in the box use, and how."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from rossmarie.driver.robots import Robot, robots
+from rossmarie.driver.workspace import LIBRARY, SYSTEM_MODEL
+from rossmarie.syntax import ast
+from support.library import library_files, module_of, name_of, parameters_of, rules_of
+
+_REASON = re.compile(r"^// Not rossmarie/(\S+): (.*)$", re.MULTILINE)
+_SHIPPED = "rossmarie/"
+
+_HEAD = """\
+# One library, five robots
+
+Written by `benchmarks/library_reuse.py` from the rules of [the robots in the box](command-line.md)
+and those of [the library](library.md); do not edit. What it means:
+[one library, several robots](../explanation/one-library.md).
+
+A rule is used *as it is* where no number on which it rests was changed: names of topics, joints and
+frames do not count. It is used *with other numbers* where an import gives at least one of them.
+"""
+
+
+@dataclass(frozen=True)
+class _Use:
+    """How a robot imports a file of the library: the numbers that it gives."""
+
+    path: Path
+    numbers: frozenset[str]
+
+    @cached_property
+    def changed(self) -> list[str]:
+        """The rules that rest on one of these numbers."""
+        return [
+            rule.name.text
+            for rule in rules_of(self.path)
+            if rule.name and self.numbers & {*parameters_of(self.path, rule)}
+        ]
+
+
+@dataclass(frozen=True)
+class _Told:
+    """A robot, and what its rules say."""
+
+    robot: Robot
+
+    @cached_property
+    def uses(self) -> dict[str, _Use]:
+        """The files of the library with rules that it imports, by their names."""
+        found = {}
+        for item in module_of(self.robot.rules).items:
+            if isinstance(item, ast.Import) and item.path.value.startswith(_SHIPPED):
+                name = item.path.value.removeprefix(_SHIPPED)
+                given = (each for each in item.given if not _is_name(LIBRARY / name, each))
+                numbers = frozenset(each.name.text for each in given)
+                found[name] = _Use(LIBRARY / name, numbers)
+        return {name: use for name, use in found.items() if rules_of(use.path)}
+
+    @cached_property
+    def reasons(self) -> dict[str, str]:
+        """The reasons that its rules give for a file that they do not import."""
+        text = self.robot.rules.read_text(encoding="utf-8")
+        return {name: reason.rstrip(".") for name, reason in _REASON.findall(text)}
+
+    @cached_property
+    def types(self) -> set[str]:
+        """The types of the messages that the robot sends or takes."""
+        model = module_of(self.robot.folder / SYSTEM_MODEL)
+        return {
+            part.message_type.text
+            for item in model.items
+            if isinstance(item, ast.System)
+            for part in item.members
+            if isinstance(part, ast.TopicDeclaration)
+        }
+
+    @cached_property
+    def replaced(self) -> set[str]:
+        """The actions of the library that stand otherwise in a copy beside its rules."""
+        folder = self.robot.folder / "rossmarie"
+        copies = sorted(folder.glob("*.ross")) if folder.exists() else []
+        return {
+            name
+            for copy in copies
+            for name, text in _actions(LIBRARY / copy.name).items()
+            if _actions(copy).get(name) != text
+        }
+
+    def lacks(self, path: Path) -> list[str]:
+        """The types of messages that a file reads and the robot does not have."""
+        inputs = [item for item in module_of(path).items if isinstance(item, ast.Input)]
+        types = {item.message_type.text for item in inputs if item.message_type}
+        return sorted(types - self.types)
+
+
+def _is_name(path: Path, given: ast.Given) -> bool:
+    """Say whether a parameter stands for a topic, a frame or another name, and so for no number."""
+    for item in module_of(path).items:
+        if isinstance(item, ast.Parameter) and item.name.text == given.name.text:
+            words = item.span.text.split("=", 1)[-1].split()
+            return words[0] in ("topic", "frame") or words[0].startswith('"')
+    return False
+
+
+def _actions(path: Path) -> dict[str, str]:
+    """The text of each action of a file."""
+    items = module_of(path).items if path.exists() else ()
+    return {
+        item.name.text: " ".join(item.span.text.split())
+        for item in items
+        if isinstance(item, ast.Action)
+    }
+
+
+def page() -> str:
+    """The whole page."""
+    told = [_Told(robot) for robot in robots()]
+    files = [path for path in library_files() if rules_of(path)]
+    parts = [_rules(told, files), _files(told, files), _own(told), _recoveries(told, files)]
+    return _HEAD + "".join("\n" + "\n".join(part) + "\n" for part in parts)
+
+
+def _rules(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
+    every = sum(len(rules_of(path)) for path in files)
+    yield "## Rules"
+    yield ""
+    yield (
+        "| Robot | Used as they are | With other numbers | Not used: lacks a message "
+        "| Not used else | Own |"
+    )
+    yield "|---|---|---|---|---|---|"
+    for each in told:
+        changed = sum(len(use.changed) for use in each.uses.values())
+        used = sum(len(rules_of(use.path)) for use in each.uses.values())
+        own = len(rules_of(each.robot.rules))
+        left = [path for path in files if name_of(path) not in each.uses]
+        lacking = sum(len(rules_of(path)) for path in left if each.lacks(path))
+        numbers = (used - changed, changed, lacking, every - used - lacking, own)
+        yield f"| {each.robot.name} | {' | '.join(map(str, numbers))} |"
+    anywhere = {name for each in told for name in each.uses}
+    used = sum(len(rules_of(path)) for path in files if name_of(path) in anywhere)
+    several = {name for name in anywhere if sum(name in each.uses for each in told) > 1}
+    shared = sum(len(rules_of(path)) for path in files if name_of(path) in several)
+    yield ""
+    yield f"Of {every} rules of the library {used} are used by a robot, {shared} by several."
+
+
+def _files(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
+    yield "## Files of the library"
+    yield ""
+    yield "Numbers that an import gives stand in the table; a dash says that the file is not used."
+    yield ""
+    yield f"| File | {' | '.join(each.robot.name for each in told)} |"
+    yield f"|---|{'---|' * len(told)}"
+    for path in files:
+        cells = (_cell(each.uses.get(name_of(path))) for each in told)
+        yield f"| {name_of(path)} | {' | '.join(cells)} |"
+    yield ""
+    yield "Files that a robot does not use, and why:"
+    yield ""
+    for each in told:
+        for path in files:
+            if name_of(path) not in each.uses:
+                yield f"- {each.robot.name}, {name_of(path)}: {_reason(each, path)}."
+
+
+def _cell(use: _Use | None) -> str:
+    if use is None:
+        return "-"
+    return ", ".join(f"`{name}`" for name in sorted(use.numbers)) or "as it is"
+
+
+def _reason(told: _Told, path: Path) -> str:
+    lacking = told.lacks(path)
+    if name_of(path) in told.reasons:
+        return told.reasons[name_of(path)]
+    if lacking:
+        return "it has no " + ", and no ".join(lacking)
+    return "nothing stands in the way, and its rules do not import it"
+
+
+def _own(told: Sequence[_Told]) -> Iterator[str]:
+    yield "## Rules that one robot has"
+    yield ""
+    for each in told:
+        names = [f"`{rule.name.text}`" for rule in rules_of(each.robot.rules) if rule.name]
+        yield f"- {each.robot.name}: {', '.join(names) or 'none'}"
+
+
+def _recoveries(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
+    yield "## Recoveries"
+    yield ""
+    yield "The actions of the rules of the library. A rule says whether its recovery depends on the"
+    yield "task. The last two columns: the robots whose rules use the action, and those that"
+    yield "replace it by one of their own."
+    yield ""
+    yield "| Action | Rules, whatever the task | Rules of a task | Robots | Replaced by |"
+    yield "|---|---|---|---|---|"
+    tasks: dict[str, dict[str, set[str]]] = {}
+    for path in files:
+        for rule in rules_of(path):
+            for action in rule.actions:
+                name = action.text.rpartition(".")[2]
+                found = tasks.setdefault(name, {"independent": set(), "dependent": set()})
+                assert rule.task is not None
+                assert rule.name is not None
+                found[rule.task.text].add(f"{name_of(path)} {rule.name.text}")
+    for name, found in sorted(tasks.items()):
+        rules = {each for group in found.values() for each in group}
+        users = [
+            each for each in told if any(rule.partition(" ")[0] in each.uses for rule in rules)
+        ]
+        robots_ = ", ".join(each.robot.name for each in users) or "-"
+        replaced = ", ".join(each.robot.name for each in users if name in each.replaced) or "-"
+        counts = f"{len(found['independent'])} | {len(found['dependent'])}"
+        yield f"| `{name}` | {counts} | {robots_} | {replaced} |"
