@@ -255,17 +255,21 @@ def test_parameters_of_the_node_are_the_same_in_c(tmp_path: Path) -> None:
         input distance = topic /sonar : sensor_msgs/Range .range timeout 0.3 sec;
         input speed = topic /speed : std_msgs/Float64 in m/s timeout 0.3 sec;
         rule near: if distance < gap then { stop; } clear when distance > 2 * gap;
+        input around = topic /around : std_msgs/Float64MultiArray .data in m timeout 0.3 sec;
         rule late: if distance < gap + speed * speed / (2 * braking) for 0.2 sec then { stop; };
+        rule beside: if any(around < gap + 10 cm) then { stop; };
         test "none" {
-            every 0.1 s from 0 s to 1 s distance = 0.7 m, speed = 0 m/s;
+            every 0.1 s from 0 s to 1 s distance = 0.7 m, speed = 0 m/s, around = [0.7, 3] m;
             expect near inactive at 1 s;
             expect late inactive at 1 s;
+            expect beside inactive from 0 s to 1 s;
         }
         test "tighter" {
             at 0 s gap = 80 cm, braking = 0.6 m/s^2;
-            every 0.1 s from 0 s to 1 s distance = 0.7 m, speed = 0 m/s;
+            every 0.1 s from 0 s to 1 s distance = 0.7 m, speed = 0 m/s, around = [0.7, 3] m;
             every 0.1 s from 1.1 s to 2 s distance = 1.5 m, speed = 1 m/s;
             expect near active from 0 s to 2 s;
+            expect beside active from 0 s to 1 s;
             expect late active at 2 s;
         }
         test "looser" {

@@ -86,7 +86,8 @@ class Messages:
 
     def _constants(self) -> str:
         """Compute, once, what rests on constants only, or on a parameter that has its default."""
-        pieces = (*self.expressions.signals(), *self.expressions.tests())
+        made = self.expressions
+        pieces = (*made.prepared(), *made.signals(), *made.tests())
         given = {each.channel for each in ir.settings_of(self._layout.machine)}
         lines = [
             line
