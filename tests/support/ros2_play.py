@@ -2,8 +2,7 @@
 """Plays messages with simulated time: `ros2_play.py FILE`, a line [topic, type, ns, hex] for each.
 
 ROS 2 need not come with rosbag2, which could do nearly the same: here time goes on only when the
-generated node, of which there has to be one, has heard what was said before. Only its clock is
-heard by a thread of its own, for which nobody can wait.
+generated node, of which there has to be one, has heard what was said before.
 """
 
 import json

@@ -22,8 +22,11 @@
 
 class SafetyNode : public rclcpp_lifecycle::LifecycleNode {
 public:
+    // Simulated time comes in turn with the messages. On a thread of its own it may stand still
+    // while they arrive and then jump, so that all of them count as old.
     explicit SafetyNode(const rclcpp::NodeOptions &options)
-        : LifecycleNode(NODE, options), parameters_(*this)
+        : LifecycleNode(NODE, rclcpp::NodeOptions(options).use_clock_thread(false)),
+          parameters_(*this)
     {
         const say::As as(get_logger());
         const auto context = get_node_base_interface()->get_context();
