@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import run_test_file
+from support.generated import generated_tests
 
 DEMO = Path(__file__).parents[2] / "examples" / "demo" / "demo.ross"
 
 
 def test_the_generated_tests_are_those_beside_the_rules(bless: bool) -> None:
-    written = generate_tests(DEMO)
+    written = generated_tests(DEMO)
+    beside = DEMO.with_suffix(".tests.ross")
     if bless:
-        written.path.write_text(written.text, encoding="utf-8")
-    assert written.path.read_text(encoding="utf-8") == written.text
+        beside.write_text(written, encoding="utf-8")
+    assert beside.read_text(encoding="utf-8") == written
 
 
 def test_they_pass_and_cover_everything() -> None:

@@ -20,13 +20,13 @@ from rosbags.highlevel import AnyReader
 from rossmarie.driver import check_file
 from rossmarie.driver.build import build_files
 from rossmarie.driver.formatting import format_text
-from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.replay import replay_file
 from rossmarie.driver.robots import ROBOTS, Robot, robots
 from rossmarie.driver.testing import Outcome, run_test_file
 from rossmarie.ir import Change, Verdict
 from rossmarie.recordings import open_recording
 from rossmarie.testing.goals import Aspect
+from support.generated import generated_tests
 from support.simulated import simulated
 from support.simulated.recording import write
 
@@ -66,10 +66,11 @@ def test_rules_are_short_and_in_the_one_layout(robot: Robot) -> None:
 
 @of_each_robot
 def test_the_generated_tests_are_those_beside_the_rules(robot: Robot, bless: bool) -> None:
-    written = generate_tests(robot.rules)
+    written = generated_tests(robot.rules)
+    beside = robot.rules.with_suffix(".tests.ross")
     if bless:
-        written.path.write_text(written.text, encoding="utf-8")
-    assert written.path.read_text(encoding="utf-8") == written.text
+        beside.write_text(written, encoding="utf-8")
+    assert beside.read_text(encoding="utf-8") == written
 
 
 @of_each_robot

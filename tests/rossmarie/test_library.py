@@ -6,12 +6,12 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.driver.generating import generate_tests
 from rossmarie.driver.testing import run_test_file
 from rossmarie.driver.verifying import prove, questions_of
 from rossmarie.testing.goals import Aspect
 from rossmarie.verification.prover import Prover, Verdict
 from support.command_line import run
+from support.generated import generated_tests
 from support.library import BOUNDARIES, LABELS, library_files, name_of, paragraphs, rules_of
 from support.parts import PROVER, needs
 
@@ -82,10 +82,9 @@ def test_the_tests_of_a_file_pass_and_decide_every_condition(path: Path) -> None
     assert [goal for goal in missing if goal.aspect in _DECIDING] == []
 
 
-@pytest.mark.deep
 @of_rules
 def test_the_generated_tests_are_those_of_the_rules(path: Path, bless: bool) -> None:
-    written = generate_tests(path).text
+    written = generated_tests(path)
     beside = path.with_name(path.stem + BOUNDARIES)
     if bless:
         beside.write_text(written, encoding="utf-8")
