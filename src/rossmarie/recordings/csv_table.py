@@ -25,7 +25,7 @@ from typing import TextIO
 
 from dslkit.diagnostics import Collector
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import Array, Batch, Machine
+from rossmarie.ir import Array, Batch, Machine, is_setting
 from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings.batches import batched
 from rossmarie.recordings.clock import SEEN_BY_THE_MONITOR, Setbacks, stamps_of
@@ -103,7 +103,8 @@ class CsvRecording:
         read = {column for _, columns in found for column in columns.used()}
         unread = [name for column, name in enumerate(self._names) if column and column not in read]
         for match, columns in found:
-            self._report_missing(match, columns, unread, machine, collector)
+            if not is_setting(machine.channels[match.channel]):
+                self._report_missing(match, columns, unread, machine, collector)
         if not read and machine.channels:
             raise self._nothing_to_replay(machine, collector)
         readers = [self._reader(*pair, machine) for pair in found if pair[1].used()]

@@ -10,7 +10,17 @@ from pathlib import Path
 from dslkit import diagnostics
 from dslkit.diagnostics import Collector, Diagnostic, Remark, Template, remarked
 from dslkit.source import SourceFile, Span
-from rossmarie.ir import TRANSFORMS, Array, Channel, Kind, Machine, Slot, Step, path_text
+from rossmarie.ir import (
+    TRANSFORMS,
+    Array,
+    Channel,
+    Kind,
+    Machine,
+    Slot,
+    Step,
+    is_setting,
+    path_text,
+)
 from rossmarie.recordings.errors import (
     MessagesUnreadable,
     NothingToReplay,
@@ -97,7 +107,8 @@ def match_topics(
 ) -> list[Match]:
     """The channels whose topics are recorded with the type expected and at least one message.
 
-    The others are reported. Raises `RecordingError` if none is left.
+    The others are reported, but for parameters of the node: without a value, the default counts.
+    Raises `RecordingError` if none is left.
     """
     check_topic_map(machine, topic_map)
     matches = []
@@ -106,7 +117,7 @@ def match_topics(
         finding, help = _trouble(topics, channel, match.topic)
         if finding is None:
             matches.append(match)
-        else:
+        elif not is_setting(channel):
             for reader in match.inputs:
                 collector.add(finding.at(input_span(machine, reader), help=help))
     if not matches and machine.channels:
@@ -118,7 +129,8 @@ def nothing_to_replay(
     topics: Mapping[str, Topic], machine: Machine, path: Path, collector: Collector
 ) -> RecordingError:
     """That no channel of a machine can be read, and what has been found out about each."""
-    expected = listed({channel.source for channel in machine.channels})
+    topics_read = {each.source for each in machine.channels if not is_setting(each)}
+    expected = listed(topics_read)
     finding = at_file(NothingToReplay(expected=expected, recorded=listed(topics)), path)
     return with_reasons(finding, collector)
 

@@ -47,6 +47,17 @@ def test_missing_topic(tmp_path: Path) -> None:
     assert len(updates) == 10
 
 
+def test_a_parameter_of_the_node_need_not_be_recorded(tmp_path: Path) -> None:
+    """Its default counts (S87), as for a node that was given nothing."""
+    rules = battery_and("~gap", "std_msgs/Float64", "data")
+    table = tmp_path / "drive.csv"
+    table.write_text("time,battery\n0,12\n1,11\n")
+    for path in (write_ros1(tmp_path / "drive.bag", readings(ROS1)), table):
+        updates, found = replay(path, rules)
+        assert codes(found) == []
+        assert len(updates) > 1
+
+
 @pytest.mark.parametrize("topic", ["/scna", "/robot/scan", "/laser"])
 def test_missing_topic_with_a_likely_one(tmp_path: Path, topic: str) -> None:
     rules = battery_and(topic, "sensor_msgs/LaserScan", "range_min")
