@@ -129,8 +129,17 @@ def _cell(make: _Make, at_s: float) -> _Sent:
     is_moving = _during(at_s, 0.0, 2.3) or _during(at_s, 3.0, 6.0)
     yield send("/odom", "nav_msgs/Odometry", twist__twist__linear__x=0.5 * is_moving)
     if not _during(at_s, 6.0, 6.8):
-        ranges = [4.0, 1.2 if _during(at_s, 3.5, 3.6) else math.inf, 3.0]
-        yield send("/scan", "sensor_msgs/LaserScan", ranges=[] if at_s > 7.5 else ranges)
+        ranges = [4.0, 1.2 if _during(at_s, 3.5, 3.6) else math.inf, 3.0, 4.0, 4.0]
+        yield send(
+            "/scan",
+            "sensor_msgs/LaserScan",
+            angle_min=-math.pi,
+            angle_max=math.pi * 3 / 5,
+            angle_increment=math.tau / 5,
+            range_min=0.05,
+            range_max=30.0,
+            ranges=[] if at_s > 7.5 else ranges,
+        )
 
 
 def _gripper(make: _Make, at_s: float) -> _Sent:
