@@ -42,7 +42,7 @@ class Made:
         found = [
             readable(reading)
             for beam, reading in zip(turned, self.scan.ranges, strict=True)
-            if 0 < beam <= width and told(reading)
+            if 0 < (beam or 360) <= width and told(reading)
         ]
         return found or None
 

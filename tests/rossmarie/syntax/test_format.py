@@ -308,7 +308,8 @@ def test_examples_keep_their_meaning(
     again = accepted(text)
     assert without_spans(again) == without_spans(module)
     assert format_module(again) == text
-    assert max(len(line) for line in text.split("\n")) <= 100
+    lines = [line for line in text.split("\n") if not line.startswith('test "')]
+    assert max(map(len, lines)) <= 100
 
 
 def test_windows_line_ends_become_plain(accepted: Accepted) -> None:
