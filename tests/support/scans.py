@@ -36,8 +36,11 @@ class Made:
         turned = [(self.first + self.step * beam - low) % 360 for beam in range(count)]
         size = abs(self.step)
         is_whole = count * size >= 360
-        reached = {degree % 360 for beam in turned for degree in range(beam - size, beam + size)}
-        if not is_whole and not reached.issuperset(range(1, width)):
+        least = self.first + min(0, self.step * (count - 1))
+        ahead = (
+            low - (least - size)
+        ) % 360  # from where the scan reaches to, by one increment more
+        if not is_whole and ahead + width + 1 > (count + 1) * size:
             return None
         found = [
             readable(reading)
