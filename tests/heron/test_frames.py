@@ -42,6 +42,19 @@ def started(tmp_path: Path) -> tuple[Guarded, InProcessGuard]:
     return guarded, guarded.start(path)
 
 
+def standing(tmp_path: Path) -> tuple[Guarded, InProcessGuard]:
+    """A guard that has heard everything once, of a robot at the origin; no rule is active."""
+    guarded, guard = started(tmp_path)
+    for topic, message in (
+        (STATIC, placed("scanner", "base_link", 0.5)),
+        (FRAMES, placed("base_link", "odom", 0.0)),
+        (HAND, hand(1.0)),
+        (SCAN, scan(2.0)),
+    ):
+        guarded.publish(topic, message)
+    return guarded, guard
+
+
 def active_in(guard: InProcessGuard) -> tuple[str, ...]:
     """The rules that are active by now."""
     return guard.active
@@ -96,14 +109,7 @@ def test_points_and_poses_are_seen_through_the_transforms(tmp_path: Path) -> Non
 
 
 def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
-    guarded, guard = started(tmp_path)
-    for topic, message in (
-        (STATIC, placed("scanner", "base_link", 0.5)),
-        (FRAMES, placed("base_link", "odom", 0.0)),
-        (HAND, hand(1.0)),
-        (SCAN, scan(2.0)),
-    ):
-        guarded.publish(topic, message)
+    guarded, guard = standing(tmp_path)
     guarded.now_ns += 299 * MS
     guard.tick(guarded.now_ns)
     assert active_in(guard) == ()
@@ -115,14 +121,7 @@ def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
 
 def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
     """Also one that would stay for ever."""
-    guarded, guard = started(tmp_path)
-    for topic, message in (
-        (STATIC, placed("scanner", "base_link", 0.5)),
-        (FRAMES, placed("base_link", "odom", 0.0)),
-        (HAND, hand(1.0)),
-        (SCAN, scan(2.0)),
-    ):
-        guarded.publish(topic, message)
+    guarded, guard = standing(tmp_path)
     assert active_in(guard) == ()
     guarded.publish(STATIC, placed("scanner", "mast", 0.5))
     guarded.publish(SCAN, scan(2.0))

@@ -70,7 +70,7 @@ def drive(store: Typestore) -> Iterator[Reading]:
 def test_points_of_scans_give_the_same_verdicts(
     ros: Ros, programs: Sequence[Path], tmp_path: Path
 ) -> None:
-    """By a laser that stays on a mast that turns, on a robot that drives."""
+    """The laser is fixed to a mast that turns, on a robot that drives."""
     kind = {"ros1": "bag", "ros2": "mcap directory"}[ros.name]
     recording = write_kind(tmp_path, kind, list(scanning_drive(store_of(kind))))
     expected = replayed(SCANS, recording, NEAR[ros.name])

@@ -30,7 +30,7 @@ def is_column(array: ir.Array, field: str) -> bool:
 
 
 def sides(side: z3.ArithRef) -> z3.BoolRef:
-    """That a term is the number of a side."""
+    """A formula: a term is the number of a side."""
     return z3.Or([side == number for number in range(len(SIDES))])
 
 

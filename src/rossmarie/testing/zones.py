@@ -11,7 +11,7 @@ _CLEAR = 0.01  # in m
 
 
 def clear_of(region: Region, x: z3.ArithRef, y: z3.ArithRef) -> z3.BoolRef:
-    """That a point is not level with a corner of a region, in either direction."""
+    """A formula: a point is not level with a corner of a region, in either direction."""
     apart = [
         z3.Or(place > constant(corner + _CLEAR), place < constant(corner - _CLEAR))
         for place, corners in ((x, 0), (y, 1))

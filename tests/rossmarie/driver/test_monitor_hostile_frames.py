@@ -72,7 +72,7 @@ def transform(random: Random) -> dict[str, float]:
 
 
 def told(monitor: Monitor, seed: int) -> list[tuple[str, tuple[str, ...]]]:
-    """What a monitor says of a random drive."""
+    """The verdicts of a monitor on a random drive."""
     random, found = Random(seed), []
     for tick in range(250):
         at_ns = tick * 100_000_000 - (random.random() < 0.02) * 10**9

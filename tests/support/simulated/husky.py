@@ -95,7 +95,7 @@ def tilt(t: float) -> tuple[float, float]:
 
 
 def inertia(t: float) -> dict[str, Any]:
-    """What its IMU feels: stones under its wheels, and at last a fall."""
+    """The accelerations of its IMU: stones under its wheels, and at last a fall."""
     jolt = 6.0 * math.sin(2 * math.pi * 7.0 * t) if during(t, ROUGH) else 0.0
     return TIPPING.imu(t, BASE.at(t), *tilt(t), jolt)
 

@@ -114,7 +114,7 @@ def tilt(t: float) -> tuple[float, float]:
 
 
 def inertia(t: float) -> dict[str, Any]:
-    """What its IMU feels: in a fall nothing, and at the foot of the sill a jolt."""
+    """The accelerations of its IMU: none in a fall, and a jolt at the foot of the sill."""
     jolt = -GRAVITY if during(t, DROPPED) else 5.0 if during(t, (20.1, 20.15)) else 0.0
     tumbling = math.radians(140.0) if during(t, TUMBLING) else 0.0
     return imu(BASE.at(t), *tilt(t), jolt, tumbling)

@@ -184,19 +184,9 @@ class _Program:
     ) -> ast.Expression | ast.Name | None:
         """A value that is of the kind of its parameter; None after reporting another one."""
         value, meaning = written.value, parameter.meaning
-        match meaning, value:
-            case ast.Meaning.VALUE, _ if not isinstance(value, ast.Name):
-                return importing.node(value)
-            case ast.Meaning.TOPIC, ast.Name():
-                return importing.topic(value)
-            case ast.Meaning.TOPIC, ast.Reference(name=name):
-                return importing.topic(name)
-            case ast.Meaning.FRAME, ast.Reference(name=name):
-                return importing.frame(name)
-            case ast.Meaning.FRAME, ast.Text(value=text, span=span):
-                return importing.frame(ast.Name(text, span))
-            case _:  # open: all other pairs do not fit
-                pass
+        meant = _meant(meaning, value, importing)
+        if meant is not None:
+            return meant
         is_topic = isinstance(value, ast.Name)
         expected = meaning.value
         found = (ast.Meaning.TOPIC if is_topic else ast.Meaning.VALUE).value
@@ -263,6 +253,22 @@ class _Program:
             key = imported.module.file, item.name.text
             return self._hazards.setdefault(key, imported) is not imported
         return isinstance(item, ast.Test) and imported.written is not None
+
+
+def _meant(
+    meaning: ast.Meaning, value: ast.Expression | ast.Name, importing: Rewriter
+) -> ast.Expression | ast.Name | None:
+    """A value of an import as a parameter of this kind takes it; None if it is of another kind."""
+    if meaning is ast.Meaning.VALUE:
+        return None if isinstance(value, ast.Name) else importing.node(value)
+    if meaning is ast.Meaning.FRAME and isinstance(value, ast.Text):
+        return importing.frame(ast.Name(value.value, value.span))
+    if isinstance(value, ast.Reference):
+        is_topic = meaning is ast.Meaning.TOPIC
+        return importing.topic(value.name) if is_topic else importing.frame(value.name)
+    if meaning is ast.Meaning.TOPIC and isinstance(value, ast.Name):
+        return importing.topic(value)
+    return None
 
 
 def _frames(item: ast.Item) -> Iterator[str]:
