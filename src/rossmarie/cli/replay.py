@@ -127,7 +127,7 @@ def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:
     """Write the .msg files of a model. One that is there may be completed by hand, so it stays."""
     for name, text in definitions.items():
         path = folder / definition_path(name)
-        if path.exists():
+        if path.is_file():
             typer.echo(f"kept {path}")
             continue
         with output.writing_to(path.parent):

@@ -208,6 +208,18 @@ def test_generated_tests_name_what_instances_have(main: Path) -> None:
     assert not any(ran.found for ran in outcome.ran)
 
 
+def test_a_misspelt_name_of_an_element_is_guessed(main: Path) -> None:
+    main.write_text("""
+        parameter elbow = "elbow_joint";
+        action stop;
+        input joints = topic /j : sensor_msgs/JointState .position in rad timeout 1 sec;
+        rule far: if joints[elbwo] > 1 rad then { stop; };
+    """)
+    (found,) = check_file(main).diagnostics
+    assert found.code == "ROSS159"
+    assert found.help == "did you mean `elbow`?"
+
+
 def test_a_frame_with_the_name_of_something_in_an_instance_keeps_it(main: Path) -> None:
     """`front_ranges` is an input to the compiler, and a frame to the user."""
     (main.parent / "system.ross").write_text("""

@@ -6,9 +6,10 @@ import dataclasses
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from dslkit.diagnostics import Collector
+from dslkit.diagnostics import Collector, DidYouMean
 from dslkit.source import Span
 from rossmarie.check.instances.errors import NoElementName
+from rossmarie.check.wording.suggestions import near_name, rename
 from rossmarie.syntax import ast, walk
 from rossmarie.syntax.walk import expressions
 
@@ -79,7 +80,13 @@ class _Lookup:
         if text in self._constants:
             reason, advice = "this constant is not a string", "take another constant"
         finding = NoElementName(identifier=text, reason=reason, advice=advice)
-        self._collector.add(finding.at(name.span))
+        strings = [each for each, it in self._constants.items() if isinstance(it.value, ast.Text)]
+        near = near_name(text, strings)
+        if near is None:
+            self._collector.add(finding.at(name.span))
+        else:
+            help = DidYouMean(near=near)
+            self._collector.add(finding.at(name.span, help=help, fix=rename(name, near)))
 
 
 def _inside(value: ast.Expression) -> ast.Expression:
