@@ -50,9 +50,9 @@ def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.Bo
         if answer is not None:
             yield number.value == (1 if answer else 0)
     contexts = {state.machine.slots[slot].input for slot in answers}
-    for index, truth in enumerate(state.machine.truths):
-        if isinstance(truth.node, ir.AgeReaches) and truth.node.input in contexts:
-            yield state.truth(index).false
+    for index, proposition in enumerate(state.machine.propositions):
+        if isinstance(proposition.node, ir.AgeReaches) and proposition.node.input in contexts:
+            yield state.proposition(index).false
 
 
 def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
@@ -68,8 +68,8 @@ def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
 def asked_by(machine: ir.Machine, rule: int) -> tuple[ir.Doing, ...]:
     """The questions of the condition of a rule to the skills that run, each once."""
     asked, found = questions(machine), dict[ir.Doing, None]()
-    for truth in ir.reachable_truths(machine, machine.rules[rule].condition):
-        node = machine.truths[truth].node
+    for proposition in ir.reachable_propositions(machine, machine.rules[rule].condition):
+        node = machine.propositions[proposition].node
         if isinstance(node, ir.Flag):
             signal = machine.signals[node.signal].node
             if isinstance(signal, ir.Read) and signal.slot in asked:
@@ -87,5 +87,5 @@ def rests_on_skills(machine: ir.Machine, rule: ir.Rule) -> bool:
         for slot in machine.slots
         if any(isinstance(step, ir.Doing | ir.Quantity) for step in slot.path)
     }
-    truths = ir.supports(machine).truths
-    return any(heard & ir.all_channels(machine, truths[root]) for root in rule.roots)
+    propositions = ir.supports(machine).propositions
+    return any(heard & ir.all_channels(machine, propositions[root]) for root in rule.roots)

@@ -76,11 +76,11 @@ def _things_of(robot: Robot, skill: Skill) -> Iterator[Parameter]:
 def _asked(machine: ir.Machine) -> Iterator[tuple[Span, ir.Doing]]:
     """The questions to the skills, each by the place where rules write it."""
     asked = questions(machine)
-    for truth in machine.truths:
-        if isinstance(truth.node, ir.Flag):
-            signal = machine.signals[truth.node.signal].node
+    for proposition in machine.propositions:
+        if isinstance(proposition.node, ir.Flag):
+            signal = machine.signals[proposition.node.signal].node
             if isinstance(signal, ir.Read) and signal.slot in asked:
-                yield truth.span, asked[signal.slot]
+                yield proposition.span, asked[signal.slot]
 
 
 # --- numbers -------------------------------------------------------------------------------------
@@ -163,7 +163,7 @@ def _is_lost(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | N
 
     def is_lost(state: ArbitraryState) -> z3.BoolRef:
         others = [state.slot(slot).known for slot in sorted(read - {reading.slot})]
-        condition = state.truth(machine.rules[0].condition)
+        condition = state.proposition(machine.rules[0].condition)
         return z3.And(
             *tells(state, answers), *others, z3.Not(state.slot(reading.slot).known), condition.lost
         )

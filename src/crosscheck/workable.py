@@ -73,7 +73,7 @@ def _shown(about: Inquiry, skill: str) -> list[Remark]:
 
     def in_course(course: Course) -> z3.BoolRef:
         first = course.moments[0]
-        return z3.And(runs(first, skill), first.truth(condition).true)
+        return z3.And(runs(first, skill), first.proposition(condition).true)
 
     def in_view(seen: Sequence[View]) -> bool:
         return seen[-1].active[0] and all(seen[-1].signals[index] == 1.0 for index in running)

@@ -41,9 +41,9 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "all_skills, next(iter(skill.parameters)), None, text",
         ),
         Damage(
-            "any number is a truth",
-            'is_truth = parameter.type == "bool"',
-            "is_truth = False",
+            "any number is a proposition",
+            'is_proposition = parameter.type == "bool"',
+            "is_proposition = False",
         ),
     ),
     "ir/skills.py": (
@@ -92,7 +92,9 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "bool(numbers) and all(each == numbers[0] for each in numbers[1:])",
             "bool(numbers)",
         ),
-        Damage("a truth is any number", "step.is_truth and numbers", "False and numbers"),
+        Damage(
+            "a proposition is any number", "step.is_proposition and numbers", "False and numbers"
+        ),
         Damage("a number of another property", "if p.property == step.property", "if p.property"),
     ),
     "lowering/skills.py": (
@@ -272,5 +274,7 @@ NODE: Sequence[Damage] = (
     ),
     Damage("a number of another argument", "        if (argument.parameter == parameter)\n", ""),
     Damage("a number of another property", "            if (each.property == property)\n", ""),
-    Damage("a truth is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"),
+    Damage(
+        "a proposition is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"
+    ),
 )

@@ -46,7 +46,9 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
 
 
 def assert_same(machine: ir.Machine, data: st.DataObject) -> None:
-    found = [each for each in thresholds(machine) if cone_of(machine, each.truths) is not None]
+    found = [
+        each for each in thresholds(machine) if cone_of(machine, each.propositions) is not None
+    ]
     assume(found)
     threshold = data.draw(st.sampled_from(found))
     trace = [step for step in data.draw(traces(machine)) if isinstance(step, Update)]
@@ -55,7 +57,7 @@ def assert_same(machine: ir.Machine, data: st.DataObject) -> None:
     watcher = Watcher(machine, kept=compared_with_constants(machine))
     steps = [Step(step.at_ns, step.messages) for step in trace]
     history = watcher.watch(steps, end_ns, from_zero=False)
-    cone = cone_of(machine, threshold.truths)
+    cone = cone_of(machine, threshold.propositions)
     assert cone is not None
     if threshold.constant is None:
         value = data.draw(st.integers(1, 12)) * TICK / 1e9

@@ -38,10 +38,10 @@ def machines(draw: st.DrawFn, max_nodes: int = 14) -> ir.Machine:
     for _ in range(draw(st.integers(1, max_nodes))):
         growing.signal()
     for _ in range(draw(st.integers(1, max_nodes))):
-        growing.truth()
+        growing.proposition()
     for _ in range(draw(st.integers(1, 3))):
         growing.rule()
-    watches = draw(st.lists(st.sampled_from(growing.truths), max_size=2))
+    watches = draw(st.lists(st.sampled_from(growing.propositions), max_size=2))
     return replace(growing.draft.machine("random"), watches=tuple(watches))
 
 
@@ -267,5 +267,5 @@ def exactly(event: ir.Event) -> object:
     if isinstance(event, ir.TimeJump):
         return event
     values = tuple("nan" if x != x else struct.pack("<d", x).hex() for x in event.values)
-    return (event.rule, event.at_ns, event.change, event.truths, event.since_ns, values,
+    return (event.rule, event.at_ns, event.change, event.truth_values, event.since_ns, values,
             event.inputs)  # fmt: skip

@@ -147,7 +147,7 @@ def reacting(found: ir.Reactions, watches: int) -> ir.Machine:
     flags = []
     for _ in range(len(found.plans) + watches):
         slot = draft.slot(used, ir.Kind.FLAG)
-        flags.append(draft.truth(ir.Flag(draft.signal(ir.Read(slot)))))
+        flags.append(draft.proposition(ir.Flag(draft.signal(ir.Read(slot)))))
     for flag in flags[: len(found.plans)]:
         draft.rule(flag)
     watched = tuple(flags[len(found.plans) :])

@@ -60,15 +60,15 @@ def random_lie(random: Random, context: SkillContext) -> SkillContext:
 
 
 def random_question(random: Random) -> SkillStep:
-    """A question: one in five for a truth that is an argument."""
+    """A question: one in five for a boolean that is an argument."""
     skills = _some(random, SKILLS)
     if random.random() < 0.6:
         parameters = sorted(random.sample(PARAMETERS, random.randrange(3)))
         limits = tuple((each, _some(random, CLASSES)) for each in parameters)
         return Doing(DIGEST, skills, limits, is_ahead=random.random() < 0.3)
     properties = random.choice([None, *PROPERTIES])
-    is_truth = random.random() < 0.5
-    return Quantity(DIGEST, skills, random.choice(PARAMETERS), properties, is_truth=is_truth)
+    is_boolean = random.random() < 0.5
+    return Quantity(DIGEST, skills, random.choice(PARAMETERS), properties, is_boolean=is_boolean)
 
 
 def crowd(count: int, each: Each) -> tuple[Each, ...]:

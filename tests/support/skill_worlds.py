@@ -26,16 +26,16 @@ _ASKED = ("float", "int", "bool")
 
 @dataclass(frozen=True)
 class Question:
-    """A question as rules write it: for a truth the classes of parameters, in `limits`, and whether
-    it is about what can start next (`is_ahead`); for a number its `parameter`, and the `property`
-    of the thing that is it. `is_truth` tells that the number is one of a truth.
+    """A question as rules write it: for a boolean the classes of parameters, in `limits`, and
+    whether it is about what can start next (`is_ahead`); for a number its `parameter`, and the
+    `property` of the thing that is it. `is_boolean` tells that the number is one of a boolean.
     """
 
     skill: str
     limits: tuple[tuple[str, str], ...] = ()
     parameter: str | None = None
     property: str | None = None
-    is_truth: bool = False
+    is_boolean: bool = False
     is_ahead: bool = False
 
 
@@ -131,7 +131,7 @@ def _one_of(question: Question, running: RunningSkill) -> float:
         ]
     if not numbers or any(each != numbers[0] for each in numbers):
         return math.nan
-    return math.nan if question.is_truth and numbers[0] not in (0, 1) else numbers[0]
+    return math.nan if question.is_boolean and numbers[0] not in (0, 1) else numbers[0]
 
 
 # --- files of skills -----------------------------------------------------------------------------
@@ -245,7 +245,7 @@ def asked_of(random: Random, world: World, folder: Path) -> Asked:
         asked = text
         if question.parameter is not None:
             lines.append(f"input n{number} = doing {text};")
-            asked = f"n{number}" if question.is_truth else f"n{number} > 0.5"
+            asked = f"n{number}" if question.is_boolean else f"n{number} > 0.5"
         lines.append(f"rule r{number}: if {asked} then {{ stop; }};")
     machine = machine_of("\n".join(lines))
     questions = tuple(words[str(slot.path[0])] for slot in machine.slots)

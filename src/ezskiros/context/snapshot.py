@@ -259,7 +259,7 @@ def _text(value: object) -> str:
 
 
 def _number(value: Value | object) -> float:
-    """A number, or a truth as 0 or 1; else not a number."""
+    """A number, or a boolean as 0 or 1; else not a number."""
     if not isinstance(value, (bool, int, float)) or isinstance(value, enum.Enum):
         return math.nan
     try:

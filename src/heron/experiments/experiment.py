@@ -82,7 +82,7 @@ class Episode(Protocol):
 
     @property
     def trace(self) -> Trace:
-        """The truth about the episode."""
+        """The ground truth of the episode."""
 
 
 ARM_NAMES: Mapping[Arm, str] = {

@@ -10,8 +10,8 @@ from rossmarie.analysis.terms import NO
 from rossmarie.ir import Machine
 
 
-def truths_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
-    """The truths that some rules rest on: conditions and releases."""
+def propositions_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
+    """The propositions that some rules rest on: conditions and releases."""
     found = [machine.rules[rule].condition for rule in rules]
     found += [release for rule in rules if (release := machine.rules[rule].release) is not None]
     return tuple(dict.fromkeys(found))
@@ -19,7 +19,7 @@ def truths_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
 
 def becomes_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
     """Say whether a rule that is not active becomes so (S35)."""
-    return state.truth(state.machine.rules[rule].condition).activates
+    return state.proposition(state.machine.rules[rule].condition).activates
 
 
 def may_be_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
@@ -32,7 +32,9 @@ def is_cleared(state: ArbitraryState, rule: int) -> z3.BoolRef:
     declared = state.machine.rules[rule]
     if declared.release is None:
         return NO
-    return z3.And(state.truth(declared.condition).false, state.truth(declared.release).true)
+    return z3.And(
+        state.proposition(declared.condition).false, state.proposition(declared.release).true
+    )
 
 
 def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:

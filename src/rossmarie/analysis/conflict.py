@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark
-from rossmarie.analysis.activity import truths_of
+from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.errors import (
     ConflictOrdered,
     NameRules,
@@ -100,8 +100,8 @@ def _judged(
         return Finding(never.at(span, place))
     notes: tuple[Remark, ...] = ()
     if result.witness is not None:
-        truths = truths_of(pair.machine, (0, 1))
-        notes = (witness_note(pair.machine, result.witness, truths),)
+        propositions = propositions_of(pair.machine, (0, 1))
+        notes = (witness_note(pair.machine, result.witness, propositions),)
     if (first, second) in ordered or (second, first) in ordered:
         upper = names if (first, second) in ordered else names[::-1]
         known = "they can be active together" if notes else "whether both can be active is open"

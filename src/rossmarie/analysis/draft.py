@@ -151,8 +151,8 @@ def _unit_of(signal: ir.Signal) -> Unit:
 
 
 def _shakes(machine: Machine, leg: Leg, model: z3.ModelRef) -> Iterator[tuple[int, float]]:
-    for truth, shakes in leg.shakes.items():
-        node = machine.truths[truth].node
+    for proposition, shakes in leg.shakes.items():
+        node = machine.propositions[proposition].node
         assert isinstance(node, ir.Oscillates)
         read = machine.signals[node.signal].node
         if _is_true(model, shakes) and isinstance(read, ir.Read):

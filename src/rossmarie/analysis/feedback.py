@@ -10,7 +10,7 @@ from dataclasses import replace
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis.activity import becomes_active, is_cleared, truths_of
+from rossmarie.analysis.activity import becomes_active, is_cleared, propositions_of
 from rossmarie.analysis.closed_loop import Loop, Outside
 from rossmarie.analysis.closed_state import Carried, ClosedState, Ends, Published
 from rossmarie.analysis.course import Course, Leg
@@ -94,8 +94,8 @@ def _longer(
 
 def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
     """The channels that a rule rests on."""
-    truths = truths_of(inquiry.machine, (rule,))
-    found = (inquiry.asked.supports.truths[each] for each in truths)
+    propositions = propositions_of(inquiry.machine, (rule,))
+    found = (inquiry.asked.supports.propositions[each] for each in propositions)
     return frozenset().union(*(ir.all_channels(inquiry.machine, support) for support in found))
 
 
@@ -115,7 +115,7 @@ class Circle:
         self._rules = [each.rule for each in circle]
         self._published = [each for each in published if each.rule in self._rules]
         self._part = inquiry.about(*self._rules)
-        self._truths = truths_of(self._part.machine, tuple(range(len(circle))))
+        self._propositions = propositions_of(self._part.machine, tuple(range(len(circle))))
 
     @property
     def group(self) -> frozenset[int]:
@@ -169,7 +169,7 @@ class Circle:
         order = [*range(start, len(self._rules)), *range(start)]
         self._part.check_time()
         is_whole = beginning in (_Beginning.TURNS, _Beginning.CIRCLE)
-        course = Course(self._part.asked, self._truths, len(order) + 1 if is_whole else 1)
+        course = Course(self._part.asked, self._propositions, len(order) + 1 if is_whole else 1)
         claim = self._follows(course, order)
         if beginning is not _Beginning.ANY:
             claim = z3.And(claim, course.is_active(start, 1))
@@ -331,8 +331,8 @@ def _awaits(machine: Machine, rules: Sequence[int]) -> bool:
 def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
     """The time in which each timer of some rules and their inputs runs out often enough."""
     found = [used.timeout_ns or 0 for used in part.inputs]
-    for truth in part.truths:
-        match truth.node:
+    for proposition in part.propositions:
+        match proposition.node:
             case ir.Held(duration_ns=time_ns) | ir.AgeReaches(age_ns=time_ns):
                 found.append(time_ns)
             case ir.Oscillates(window_ns=time_ns) | ir.Recurs(window_ns=time_ns):
@@ -367,8 +367,8 @@ def _alternating(machine: Machine, circle: Sequence[Publication], witness: Witne
         for place, each in enumerate(circle)
         if place > 0
     ]
-    truths = truths_of(machine, tuple(each.rule for each in circle))
-    note = witness_note(machine, witness, truths)
+    propositions = propositions_of(machine, tuple(each.rule for each in circle))
+    note = witness_note(machine, witness, propositions)
     who = "each of them" if circle[1:] else "it"
     often = finding.Often(who=who, within=duration_text(witness.end_ns))
     head = machine.rules[circle[0].rule].head

@@ -21,8 +21,8 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
     """A note if a requirement is proved; an error if it does not hold, with a witness, and if it is
     not decided. The inquiry is about the machine of the requirement.
     """
-    below = inquiry.below(required.truth)
-    last = len(below.machine.truths) - 1
+    below = inquiry.below(required.proposition)
+    last = len(below.machine.propositions) - 1
     result = below.decide(has_value(last, TruthValue.TRUE))
     if result.outcome is Outcome.IMPOSSIBLE:
         proved = InTime(rule=required.rule, text=required.text)

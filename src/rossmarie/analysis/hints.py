@@ -48,9 +48,11 @@ def _apart(course: Course) -> list[z3.BoolRef]:
     """Signals that are compared with one another, and not with a constant, are not nearly equal."""
     machine = course.asked.machine
     found = []
-    for truth in course.times.truths:
-        node = machine.truths[truth].node
-        if course.asked.elements.truths[truth] is not None or not isinstance(node, ir.Compare):
+    for proposition in course.times.propositions:
+        node = machine.propositions[proposition].node
+        if course.asked.elements.propositions[proposition] is not None or not isinstance(
+            node, ir.Compare
+        ):
             continue
         sides = (node.left, node.right)
         if any(isinstance(machine.signals[side].node, ir.Constant) for side in sides):
@@ -65,10 +67,10 @@ def _near(course: Course) -> dict[int, tuple[float, float]]:
     """Numbers around the constants that each signal is compared with."""
     machine = course.asked.machine
     limits: dict[int, list[float]] = {}
-    for truth in course.times.truths:
-        if course.asked.elements.truths[truth] is not None:
+    for proposition in course.times.propositions:
+        if course.asked.elements.propositions[proposition] is not None:
             continue
-        compared = ir.compared_signals(machine.truths[truth].node)
+        compared = ir.compared_signals(machine.propositions[proposition].node)
         nodes = [machine.signals[signal].node for signal in compared]
         values = [node.value for node in nodes if isinstance(node, ir.Constant)]
         for signal, node in zip(compared, nodes, strict=True):
@@ -88,8 +90,8 @@ def _lengths(course: Course) -> set[int]:
     machine = course.asked.machine
     waiting = [
         signal
-        for truth in course.times.truths
-        for signal in ir.compared_signals(machine.truths[truth].node)
+        for proposition in course.times.propositions
+        for signal in ir.compared_signals(machine.propositions[proposition].node)
     ]
     found: set[int] = set()
     while waiting:

@@ -14,7 +14,7 @@ import z3
 from rossmarie.analysis.activity import (
     becomes_active,
     is_cleared,
-    truths_of,
+    propositions_of,
 )
 from rossmarie.analysis.errors import NeverItsTurn, RuleImplied, WheneverNot
 from rossmarie.analysis.finding import Finding, witness_note
@@ -116,8 +116,8 @@ def _told(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
         return  # told of the later one
     pair = inquiry.about(rule, other)
     witness = pair.witness(both_active(pair.machine))
-    truths = truths_of(pair.machine, (0, 1))
-    notes = () if witness is None else (witness_note(pair.machine, witness, truths),)
+    propositions = propositions_of(pair.machine, (0, 1))
+    notes = () if witness is None else (witness_note(pair.machine, witness, propositions),)
     place = WheneverNot().at(two.head)
     resource = _shared(machine, rule, other)
     if is_same:

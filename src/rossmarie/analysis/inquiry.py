@@ -9,7 +9,7 @@ from functools import partial
 
 import z3
 
-from rossmarie.analysis.activity import seen_together, together, truths_of
+from rossmarie.analysis.activity import propositions_of, seen_together, together
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.draft import drafted
 from rossmarie.analysis.encoding import Questioned
@@ -35,10 +35,10 @@ class OutOfTimeError(Exception):
 @dataclass(frozen=True)
 class Asked:
     """A question: the claim as terms over one state, and over a course, and as the interpreter sees
-    it. `truths` are those that it rests on, by index.
+    it. `propositions` are those that it rests on, by index.
     """
 
-    truths: tuple[int, ...]
+    propositions: tuple[int, ...]
     in_state: StateClaim
     in_course: CourseClaim
     in_view: Claim
@@ -69,9 +69,9 @@ class Inquiry:
         """An inquiry about these rules only, which are its first, second and so on."""
         return Inquiry(part_of(self.machine, rules), self.deadline_s)
 
-    def below(self, truth: int) -> Inquiry:
-        """An inquiry about a truth, which is the last of its machine."""
-        return Inquiry(part_below(self.machine, truth), self.deadline_s)
+    def below(self, proposition: int) -> Inquiry:
+        """An inquiry about a proposition, which is the last of its machine."""
+        return Inquiry(part_below(self.machine, proposition), self.deadline_s)
 
     def decide(self, question: Asked) -> Result:
         """All that can be found out, by what costs least."""
@@ -112,7 +112,9 @@ class Inquiry:
         return outcome is Outcome.IMPOSSIBLE
 
     def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
-        """The truths that are true only while another is, and have not been true for longer."""
+        """The propositions that are true only while another is, and have not been true for
+        longer.
+        """
         for one in state.awaited:
             for other in state.awaited:
                 if not self._may_need(one, other) or not self._needs(one, other, TruthValue.TRUE):
@@ -124,16 +126,18 @@ class Inquiry:
 
     def _may_need(self, one: int, other: int) -> bool:
         """Say whether it is worth asking: what rests on other messages is rarely needed."""
-        supports = self.asked.supports.truths
+        supports = self.asked.supports.propositions
         return one != other and not supports[one].channels.isdisjoint(supports[other].channels)
 
     def _needs(self, one: int, other: int, value: TruthValue) -> bool:
-        """Say whether it is proved that one truth has a value only while another one has it."""
+        """Say whether it is proved that one proposition has a value only while another one has
+        it.
+        """
         if (one, other, value) not in self._orders:
             state = ArbitraryState(self.asked)
-            theirs = z3.Not(state.truth(other).is_value(value))
-            without = z3.And(state.truth(one).is_value(value), theirs)
-            proved = self._is_refuted(state, without)  # about truths that lie deeper
+            theirs = z3.Not(state.proposition(other).is_value(value))
+            without = z3.And(state.proposition(one).is_value(value), theirs)
+            proved = self._is_refuted(state, without)  # about propositions that lie deeper
             self._orders[one, other, value] = proved
         return self._orders[one, other, value]
 
@@ -145,7 +149,7 @@ class Inquiry:
         """A witness that the interpreter bears out: one in which all sensors work, if there is."""
         for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
             self.check_time()
-            course = Course(self.asked, question.truths, legs)
+            course = Course(self.asked, question.propositions, legs)
             witness = self._borne_out(course, question, is_calm)
             if witness is not None:
                 return witness
@@ -160,24 +164,24 @@ class Inquiry:
             if answer.model is None:
                 continue
             draft = drafted(course, answer.model, is_calm=is_calm)
-            replays = Replays(self.machine, question.in_view, question.truths)
+            replays = Replays(self.machine, question.in_view, question.propositions)
             witness = shortened(self.machine, draft, replays)
             if witness is not None:
                 return witness
         return None
 
     def quick_witness(
-        self, truths: tuple[int, ...], legs: int, in_course: CourseClaim, in_view: Claim
+        self, propositions: tuple[int, ...], legs: int, in_course: CourseClaim, in_view: Claim
     ) -> Witness | None:
         """A witness of single messages, one after the other, while all sensors work."""
         self.check_time()
-        course = Course(self.asked, truths, legs, is_brief=True)
+        course = Course(self.asked, propositions, legs, is_brief=True)
         claim = in_course(course)
         for preferred in hints(course):
             answer = ask(course.facts, claim, *course.calm, *preferred)
             if answer.model is not None:
                 draft = drafted(course, answer.model, is_calm=True)
-                replays = Replays(self.machine, in_view, truths)
+                replays = Replays(self.machine, in_view, propositions)
                 return shortened(self.machine, draft, replays)
         return None
 
@@ -196,27 +200,27 @@ needs more changes than three legs allow stays undecided.
 def both_active(machine: Machine) -> Asked:
     """Ask whether the first two rules of a machine can be active at the same time."""
     return Asked(
-        truths_of(machine, (0, 1)),
+        propositions_of(machine, (0, 1)),
         partial(together, one=0, other=1),
         partial(seen_together, one=0, other=1),
         lambda seen: seen[-1].active[0] and seen[-1].active[1],
     )
 
 
-def has_value(truth: int, value: TruthValue) -> Asked:
-    """Ask whether a truth can have a value."""
+def has_value(proposition: int, value: TruthValue) -> Asked:
+    """Ask whether a proposition can have a value."""
     return Asked(
-        (truth,),
-        partial(is_value, truth=truth, value=value),
-        partial(_comes_to, truth=truth, value=value),
-        lambda seen: seen[-1].truths[truth] is value,
+        (proposition,),
+        partial(is_value, proposition=proposition, value=value),
+        partial(_comes_to, proposition=proposition, value=value),
+        lambda seen: seen[-1].truth_values[proposition] is value,
     )
 
 
-def is_value(state: ArbitraryState, truth: int, value: TruthValue) -> z3.BoolRef:
-    """Say whether a truth has a value in a state."""
-    return state.truth(truth).is_value(value)
+def is_value(state: ArbitraryState, proposition: int, value: TruthValue) -> z3.BoolRef:
+    """Say whether a proposition has a value in a state."""
+    return state.proposition(proposition).is_value(value)
 
 
-def _comes_to(course: Course, truth: int, value: TruthValue) -> z3.BoolRef:
-    return z3.Or([moment.truth(truth).is_value(value) for moment in course.moments])
+def _comes_to(course: Course, proposition: int, value: TruthValue) -> z3.BoolRef:
+    return z3.Or([moment.proposition(proposition).is_value(value) for moment in course.moments])

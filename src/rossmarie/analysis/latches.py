@@ -9,7 +9,7 @@ from functools import partial
 import z3
 
 from dslkit.diagnostics import Remark
-from rossmarie.analysis.activity import becomes_active, may_be_active, truths_of
+from rossmarie.analysis.activity import becomes_active, may_be_active, propositions_of
 from rossmarie.analysis.conflict import ordered_pairs
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import LatchReleased, Undecided
@@ -88,8 +88,8 @@ class Release:
     @property
     def asked(self) -> Asked:
         """The claim as it is asked."""
-        truths = truths_of(self.part, tuple(range(len(self.part.rules))))
-        return Asked(truths, self.in_state, self._in_course, self.in_view)
+        propositions = propositions_of(self.part, tuple(range(len(self.part.rules))))
+        return Asked(propositions, self.in_state, self._in_course, self.in_view)
 
     @property
     def _condition(self) -> int:
@@ -104,7 +104,7 @@ class Release:
         is_start = self.is_at_once and not self._unless
         engaged = (becomes_active if is_start else may_be_active)(state, RESETTING)
         in_the_way = [becomes_active(state, other) for other in self._unless]
-        return z3.And(engaged, z3.Not(z3.Or(in_the_way)), state.truth(self._condition).false)
+        return z3.And(engaged, z3.Not(z3.Or(in_the_way)), state.proposition(self._condition).false)
 
     def _in_course(self, course: Course) -> z3.BoolRef:
         return z3.Or([self._at(course, moment) for moment in range(1, len(course.moments))])
@@ -112,13 +112,13 @@ class Release:
     def _at(self, course: Course, moment: int) -> z3.BoolRef:
         engaged = partial(_is_engaged, course, self._unless)
         before = engaged(moment - 1) if self.is_at_once else z3.BoolVal(False)
-        is_over = course.moments[moment].truth(self._condition).false
+        is_over = course.moments[moment].proposition(self._condition).false
         return z3.And(engaged(moment), z3.Not(before), course.is_active(LATCHED, moment), is_over)
 
     def in_view(self, seen: Sequence[View]) -> bool:
         """Tell whether the last of some evaluations is so."""
         now = seen[-1]
-        is_over = now.active[LATCHED] and now.truths[self._condition] is TruthValue.FALSE
+        is_over = now.active[LATCHED] and now.truth_values[self._condition] is TruthValue.FALSE
         if not is_over or not self._is_seen_engaged(now):
             return False
         return not self.is_at_once or (len(seen) > 1 and not self._is_seen_engaged(seen[-2]))

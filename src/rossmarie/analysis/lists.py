@@ -25,7 +25,7 @@ class Encoding(Protocol):
     def is_fresh(self, used: int) -> z3.BoolRef:
         """Say whether an input is there and has not expired."""
 
-    def is_lost(self, index: int, node: ir.TruthNode) -> z3.BoolRef:
+    def is_lost(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
         """Say whether an unknown leaf lacks an input with a timeout."""
 
 

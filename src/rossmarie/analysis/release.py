@@ -7,7 +7,7 @@ from functools import partial
 
 import z3
 
-from rossmarie.analysis.activity import is_cleared, truths_of
+from rossmarie.analysis.activity import is_cleared, propositions_of
 from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import NoWayOut, Undecided
 from rossmarie.analysis.finding import Finding
@@ -30,7 +30,7 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
             continue  # always active, which is said elsewhere
         result = alone.decide(
             Asked(
-                truths_of(alone.machine, (0,)),
+                propositions_of(alone.machine, (0,)),
                 partial(is_cleared, rule=0),
                 partial(_clears, rule=0),
                 partial(_is_seen_to_clear, rule=0),
@@ -46,7 +46,7 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
 
 
 def _is_false(state: ArbitraryState, condition: int) -> z3.BoolRef:
-    return state.truth(condition).is_value(TruthValue.FALSE)
+    return state.proposition(condition).is_value(TruthValue.FALSE)
 
 
 def _clears(course: Course, rule: int) -> z3.BoolRef:

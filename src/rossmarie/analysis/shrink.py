@@ -116,9 +116,15 @@ def _simpler(machine: Machine, draft: Draft) -> Iterator[Draft]:
 def _lengths(machine: Machine) -> list[int]:
     """The lengths of a leg, the best first: no time at all, or a duration in the rules."""
     durations = {
-        node.duration_ns for truth in machine.truths if isinstance(node := truth.node, Held)
+        node.duration_ns
+        for proposition in machine.propositions
+        if isinstance(node := proposition.node, Held)
     }
-    ages = {node.age_ns for truth in machine.truths if isinstance(node := truth.node, AgeReaches)}
+    ages = {
+        node.age_ns
+        for proposition in machine.propositions
+        if isinstance(node := proposition.node, AgeReaches)
+    }
     return sorted({0} | durations | ages)
 
 

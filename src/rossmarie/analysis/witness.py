@@ -43,11 +43,11 @@ class Witness:
 
 @dataclass(frozen=True)
 class View:
-    """The view right after an evaluation: rules and asked truths, by index; signals."""
+    """The view right after an evaluation: rules and asked propositions, by index; signals."""
 
     at_ns: int
     active: tuple[bool, ...]
-    truths: Mapping[int, TruthValue]
+    truth_values: Mapping[int, TruthValue]
     signals: tuple[float, ...]
 
 
@@ -80,13 +80,13 @@ def within(machine: Machine, witness: Witness) -> Witness:
 
 
 def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iterator[View]:
-    """The evaluations that a witness leads to, with what some truths are worth."""
+    """The evaluations that a witness leads to, with what some propositions are worth."""
     watching = replace(machine, watches=tuple(asked))
     monitor = Interpreter(watching)
 
     def seen(at_ns: int) -> View:
-        truths = dict(zip(asked, monitor.watches, strict=True))
-        return View(at_ns, monitor.active, truths, monitor.signals)
+        propositions = dict(zip(asked, monitor.watches, strict=True))
+        return View(at_ns, monitor.active, propositions, monitor.signals)
 
     for sending in witness.events:
         while (wake_ns := monitor.next_wake()) is not None and wake_ns < sending.at_ns:

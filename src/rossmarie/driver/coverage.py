@@ -146,7 +146,7 @@ def _replay(
     """A function that runs whatever rests on a threshold: all of the machine if that cannot be told
     apart.
     """
-    cone = cone_of(machine, threshold.truths)
+    cone = cone_of(machine, threshold.propositions)
     if cone is None:
         return lambda candidate: replayed(candidate, traces)
     return lambda candidate: tuple(

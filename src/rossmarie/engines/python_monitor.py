@@ -54,7 +54,7 @@ class PythonMonitor:
 
     @property
     def watches(self) -> tuple[TruthValue, ...]:
-        """The values of the watched truths, by index."""
+        """The values of the watched propositions, by index."""
         return tuple(map(TruthValue, self._generated.watches())) if self._has_watches else ()
 
     @property
@@ -165,7 +165,7 @@ class PythonMonitor:
             rule=told.rule,
             at_ns=told.at_ns,
             change=Change(told.change),
-            truths=tuple(map(TruthValue, told.truths)),
+            truth_values=tuple(map(TruthValue, told.truth_values)),
             since_ns=told.since_ns,
             values=told.values,
             inputs=tuple(map(InputState, told.inputs)),

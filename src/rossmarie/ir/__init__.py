@@ -62,6 +62,8 @@ from rossmarie.ir.model import (
     Not,
     Or,
     Oscillates,
+    Proposition,
+    PropositionNode,
     Quantified,
     Quantifier,
     Read,
@@ -72,8 +74,6 @@ from rossmarie.ir.model import (
     SignalNode,
     Since,
     Slot,
-    Truth,
-    TruthNode,
 )
 from rossmarie.ir.naming import (
     ScanFields,
@@ -121,14 +121,14 @@ from rossmarie.ir.support import (
     is_leaf,
     is_of_list,
     kind_of,
-    leaf_truths,
-    reachable_truths,
+    leaf_propositions,
+    proposition_operands,
+    reachable_propositions,
     rule_signals,
     signal_operands,
     supports,
-    truth_operands,
 )
-from rossmarie.ir.terms import rule_terms, told_truths
+from rossmarie.ir.terms import rule_terms, told_propositions
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
@@ -208,6 +208,8 @@ __all__ = [
     "Path",
     "PointColumns",
     "Points",
+    "Proposition",
+    "PropositionNode",
     "Publication",
     "Quantified",
     "Quantifier",
@@ -237,8 +239,6 @@ __all__ = [
     "Taken",
     "TimeJump",
     "Told",
-    "Truth",
-    "TruthNode",
     "TruthValue",
     "UnreadableMachine",
     "Verdict",
@@ -268,7 +268,7 @@ __all__ = [
     "is_setting",
     "kind_of",
     "known_count",
-    "leaf_truths",
+    "leaf_propositions",
     "list_names",
     "machine_from_json",
     "machine_to_json",
@@ -279,7 +279,8 @@ __all__ = [
     "path_names",
     "path_text",
     "point_columns",
-    "reachable_truths",
+    "proposition_operands",
+    "reachable_propositions",
     "reactions",
     "require_instant",
     "rule_signals",
@@ -291,8 +292,7 @@ __all__ = [
     "signal_operands",
     "stand_beside",
     "supports",
-    "told_truths",
-    "truth_operands",
+    "told_propositions",
     "verify",
     "wakes",
     "without_margins",

@@ -9,7 +9,7 @@ from rossmarie.ir.verdict import TruthValue
 _NEGATED = {TruthValue.FALSE: TruthValue.TRUE, TruthValue.TRUE: TruthValue.FALSE}
 
 
-def truth_of(value: bool) -> TruthValue:
+def proposition_of(value: bool) -> TruthValue:
     """A definite value."""
     return TruthValue.TRUE if value else TruthValue.FALSE
 

@@ -102,7 +102,7 @@ class _UnreadableError(Exception):
 
 def answer(step: SkillStep, context: SkillMessage) -> float:
     """The answer of a context to a question: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
-    the message has it; NaN if nobody knows, or if a truth is neither 0 nor 1.
+    the message has it; NaN if nobody knows, or if a boolean is neither 0 nor 1.
     """
     try:
         if _text(context, "digest") != step.export:
@@ -141,7 +141,7 @@ def _quantity(step: Quantity, running: Sequence[RunningSkill]) -> float:
         return math.nan
     numbers = list(_numbers(step, asked[0]))
     is_one = bool(numbers) and all(each == numbers[0] for each in numbers[1:])
-    if not is_one or (step.is_truth and numbers[0] not in (0.0, 1.0)):
+    if not is_one or (step.is_boolean and numbers[0] not in (0.0, 1.0)):
         return math.nan
     return numbers[0]
 

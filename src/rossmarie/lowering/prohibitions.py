@@ -98,7 +98,7 @@ def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
     """The questions to skills that run of which each alone makes a condition true."""
     waiting = [condition]
     while waiting:
-        node = machine.truths[waiting.pop()].node
+        node = machine.propositions[waiting.pop()].node
         if isinstance(node, ir.Or):
             waiting += node.operands
         elif isinstance(node, ir.Flag):

@@ -30,11 +30,13 @@ class Skills:
         self._nodes = nodes
 
     def asked(self, node: ast.Doing) -> int:
-        """The truth that the skill runs: lost when nobody says for too long what runs."""
+        """The proposition that the skill runs: lost when nobody says for too long what runs."""
         return self._flag(node, self._context(CONTEXT, self._skills.timeout_ns))
 
     def kept(self, node: ast.Doing) -> int:
-        """The truth that the skill runs and that the context is not late: false when it is."""
+        """The proposition that the skill runs and that the context is not late: false when it
+        is.
+        """
         used = self._context(f"{CONTEXT}_kept", None)
         timeout_ns = self._skills.timeout_ns
         timeout = duration_text(timeout_ns)

@@ -11,7 +11,7 @@ from rosbags.typesys.store import Typestore
 from rossmarie.ir import Doing, Quantity, SkillStep, Slot
 
 _TEXT: Any = (Nodetype.BASE, ("string", 0))
-_TRUTH: Any = (Nodetype.BASE, ("bool", 0))
+_PROPOSITION: Any = (Nodetype.BASE, ("bool", 0))
 _NUMBER: Any = (Nodetype.BASE, ("float64", 0))
 _PACKAGE = "skill_context_msgs/msg"
 
@@ -25,7 +25,7 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
         "digest": _TEXT,
         "running": _list_of("RunningSkill"),
         "ahead": _list_of("SkillAhead"),
-        "is_ahead_known": _TRUTH,
+        "is_ahead_known": _PROPOSITION,
     },
     "RunningSkill": {"skill": _TEXT, "arguments": _list_of("SkillArgument")},
     "SkillAhead": {"skill": _TEXT, "arguments": _list_of("SkillArgument")},

@@ -76,8 +76,8 @@ def questions(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]
         if goal.aspect in (*_DECIDING, *_BOUNDARIES):
             groups.setdefault((goal.subject, goal.decision), []).append(goal)
     for (subject, _), found in groups.items():
-        truth = coverage.machine.truths[subject]
-        yield truth.name or " ".join(truth.text.split()), found
+        proposition = coverage.machine.propositions[subject]
+        yield proposition.name or " ".join(proposition.text.split()), found
     if lost := [goal for goal in own if goal.aspect is Aspect.LOST]:
         yield "lost inputs", lost
 

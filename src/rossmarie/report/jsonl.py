@@ -37,7 +37,7 @@ CHANGES = {
     Change.ACTIVATED: "activated",
     Change.ACTIVATED_LOST: "activated_lost",
 }
-TRUTHS = {
+TRUTH_VALUES = {
     TruthValue.FALSE: "false",
     TruthValue.TRUE: "true",
     TruthValue.UNKNOWN: "unknown",
@@ -158,7 +158,7 @@ def _condition(cause: Cause, origin_ns: int) -> dict[str, object]:
     return {
         "name": cause.name,
         "text": cause.text,
-        "truth": TRUTHS[cause.value],
+        "truth": TRUTH_VALUES[cause.value],
         "since_ns": cause.since_ns,
         "since_s": (cause.since_ns - origin_ns) / 1e9,
         "values": [_reading(reading) for reading in cause.readings],

@@ -85,7 +85,7 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
         if f"rule {rule.name} " in f"{words} ":
             return rule.head
     said = [
-        *((truth.text, truth.span) for truth in machine.truths),
+        *((proposition.text, proposition.span) for proposition in machine.propositions),
         *((signal.text, signal.span) for signal in machine.signals),
     ]
     for text, span in said:

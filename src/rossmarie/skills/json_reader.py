@@ -10,7 +10,7 @@ from typing import Any, NoReturn, TypeVar
 
 Made = TypeVar("Made")
 
-_KINDS = {dict: "an object", list: "a list", str: "a text", bool: "a truth", type(None): "null"}
+_KINDS = {dict: "an object", list: "a list", str: "a text", bool: "a boolean", type(None): "null"}
 _LONGEST_SHOWN = 40
 
 
@@ -110,10 +110,10 @@ class Json:
             self.fail("is not a finite number")
         return found
 
-    def truth(self) -> bool:
+    def boolean(self) -> bool:
         """True or false."""
         if not isinstance(self.value, bool):
-            self._expected("a truth")
+            self._expected("a boolean")
         return bool(self.value)
 
     def whole(self) -> int:

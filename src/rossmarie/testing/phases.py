@@ -47,7 +47,7 @@ def beat_ns(machine: ir.Machine, rule: ir.Rule) -> int:
     """
     timeouts = [machine.inputs[used].timeout_ns for used in rule.inputs]
     most_ns = min([2 * _USUAL_BEAT_NS, *(each for each in timeouts if each is not None)]) // 2
-    samples = ir.supports(machine).truths[rule.condition].samples
+    samples = ir.supports(machine).propositions[rule.condition].samples
     has_rate = any(_is_rate(machine.signals[each].node) for each in samples)
     if has_rate and most_ns >= _SECOND // 512:
         return _SECOND >> math.ceil(math.log2(_SECOND / most_ns))
@@ -246,7 +246,7 @@ class Stage:
             yield 0, [self._of_slot(slot, value)]
             yield self.beat_ns, [self._of_slot(slot, now)]
         elif variable.kind == "oscillating" and value != 0.0:
-            node = self.machine.truths[variable.index].node
+            node = self.machine.propositions[variable.index].node
             assert isinstance(node, ir.Oscillates)
             swing = _visible_swing(self.machine.slots[slot], node.swing, now)
             step_ns = min(self.beat_ns, node.window_ns // (node.count + 3))
@@ -257,7 +257,7 @@ class Stage:
     def _slot_of(self, variable: Variable) -> int:
         """The field that a rate, a sample or an oscillation is of; -1 if it is of none alone."""
         if variable.kind == "oscillating":
-            node = self.machine.truths[variable.index].node
+            node = self.machine.propositions[variable.index].node
             signal = node.signal if isinstance(node, ir.Oscillates) else -1
         elif variable.kind in ("rate", "previous"):
             sampled = self.machine.signals[variable.index].node
@@ -284,9 +284,9 @@ def ramp_of(machine: ir.Machine, rule: int, beat: int) -> Ramp:
     return Ramp(beat / 1e9, min(math.ceil(longest_ns / beat), 63))
 
 
-def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
-    """The time after which a truth is `value` once its leaves are so, at most."""
-    node = machine.truths[truth].node
+def delay_ns(machine: ir.Machine, proposition: int, *, value: bool = True) -> int:
+    """The time after which a proposition is `value` once its leaves are so, at most."""
+    node = machine.propositions[proposition].node
     own_ns = 0
     match node:
         case ir.Not(operand=operand):
@@ -313,9 +313,9 @@ def _windows(machine: ir.Machine, signals: Sequence[int]) -> Iterator[int]:
         yield own_ns + max(_windows(machine, ir.signal_operands(node)), default=0)
 
 
-def ir_operands(node: ir.TruthNode) -> tuple[int, ...]:
-    """The truths that a truth joins; those of elements are not among them."""
-    return () if isinstance(node, ir.Quantified) else tuple(ir.truth_operands(node))
+def ir_operands(node: ir.PropositionNode) -> tuple[int, ...]:
+    """The propositions that a proposition joins; those of elements are not among them."""
+    return () if isinstance(node, ir.Quantified) else tuple(ir.proposition_operands(node))
 
 
 def round_up(length_ns: int, beat: int) -> int:

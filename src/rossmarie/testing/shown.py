@@ -181,8 +181,8 @@ class _Teller:
 
     def _unit(self, read: ir.SignalNode, own: str) -> str:
         """The unit of a threshold of a field, or else its own."""
-        for truth in range(0 if self.is_plain else len(self.machine.truths)):
-            for edge in edges(self.machine, truth):
+        for proposition in range(0 if self.is_plain else len(self.machine.propositions)):
+            for edge in edges(self.machine, proposition):
                 if self.machine.signals[edge.signal].node == read:
                     return self.machine.signals[edge.constant].unit or own
         return own

@@ -41,15 +41,15 @@ def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goa
             yield goal, NO_VALUES
 
 
-def _ends_late(machine: ir.Machine, truth: int) -> bool:
+def _ends_late(machine: ir.Machine, proposition: int) -> bool:
     """Say whether `not (C for e) for d` has an e that is not below d. C is false at the beginning,
     and has to be true for e before the outer `for` can end.
     """
-    node = machine.truths[truth].node
+    node = machine.propositions[proposition].node
     if not isinstance(node, ir.Held):
         return False
-    negated = machine.truths[node.operand].node
-    inner = machine.truths[negated.operand].node if isinstance(negated, ir.Not) else None
+    negated = machine.propositions[node.operand].node
+    inner = machine.propositions[negated.operand].node if isinstance(negated, ir.Not) else None
     return isinstance(inner, ir.Held) and inner.duration_ns >= node.duration_ns
 
 
@@ -67,7 +67,7 @@ def _wanted(world: World, goal: Goal) -> list[z3.BoolRef]:
         ):  # fmt: skip
             pass
     found = edges(world.machine, goal.subject)
-    is_array = isinstance(world.machine.truths[goal.subject].node, ir.Quantified)
+    is_array = isinstance(world.machine.propositions[goal.subject].node, ir.Quantified)
     if found and not is_array and goal.aspect not in (Aspect.TRUE, Aspect.FALSE):
         edge = found[goal.edge]
         value, threshold = world.signal(edge.signal), constant(edge.threshold)

@@ -26,7 +26,7 @@ static unsigned spec_or(unsigned a, unsigned b)
 
 
 CONSTANTS = """\
-/* The range of instants and durations, and truths and states as the header calls them. */
+/* The range of instants and durations, and propositions and states as the header calls them. */
 _Static_assert(EARLIEST == -INT64_C(0x2000000000000000), "instants lie above -2^61");
 _Static_assert(LATEST == INT64_C(0x4000000000000000), "instants lie below 2^62");
 _Static_assert(LONGEST == INT64_C(0x2000000000000000), "durations lie below 2^61");

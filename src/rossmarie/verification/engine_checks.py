@@ -49,23 +49,23 @@ class EngineChecks:
     # --- evaluation --------------------------------------------------------------------------
 
     def _visits(self) -> Iterator[Written]:
-        for truth in (*self._layout.oscillations, *self._layout.derived):
-            node = self._layout.node_of_truth[truth]
-            about = f"`{self._machine.truths[truth].text}` is evaluated"
+        for proposition in (*self._layout.oscillations, *self._layout.derived):
+            node = self._layout.node_of_proposition[proposition]
+            about = f"`{self._machine.propositions[proposition].text}` is evaluated"
             yield Written(Check(f"visit_{node}", about), self._visit(node))
         for index, rule in enumerate(self._machine.rules):
-            node = self._layout.truth_count + index
+            node = self._layout.proposition_count + index
             about = f"rule {rule.name} is judged"
             yield Written(Check(f"visit_{node}", about), self._visit(node))
 
     def _visit(self, node: int) -> str:
-        rule = node - self._layout.truth_count
+        rule = node - self._layout.proposition_count
         change = self._events.changed(rule) if rule >= 0 else "0"
         claims = [
             claim(f"events == {change}", "a change of the rule, and nothing else, is counted"),
             *self._events.reported({rule}),
             "    must_be_looked(m, t_ns);",
-            claim("!is_marked_up_to(m, node)", "what depends on a truth stands behind it"),
+            claim("!is_marked_up_to(m, node)", "what depends on a proposition stands behind it"),
             *(self._rule(index, node) for index in range(len(self._machine.rules))),
             *(self._before(k, node) for k in range(len(self._layout.held))),
             *(self._remembered(k, node) for k in range(len(self._layout.sinces))),
@@ -90,34 +90,36 @@ class EngineChecks:
     def _rule(self, index: int, node: int) -> str:
         """S35 to S37, and that no other rule changes."""
         rule = self._machine.rules[index]
-        condition = self._definitions.truth(rule.condition)
+        condition = self._definitions.proposition(rule.condition)
         was, now = (f"(({m}active[{index // 8}] >> {index % 8} & 1) != 0)" for m in ("old.", "m->"))
         cleared = "false"
         if rule.release is not None:
-            cleared = f"{condition} == FALSE && {self._definitions.truth(rule.release)} == TRUE"
+            cleared = (
+                f"{condition} == FALSE && {self._definitions.proposition(rule.release)} == TRUE"
+            )
         becomes = f"({condition} == TRUE || {condition} == LOST || ({was} && !({cleared})))"
-        mine = node == self._layout.truth_count + index
+        mine = node == self._layout.proposition_count + index
         about = f"rule {rule.name} is active as S35 to S37 say"
         return claim(f"{now} == {becomes if mine else was}", about)
 
     def _before(self, k: int, node: int) -> str:
         """S33: what the operand of a duration was before it was true."""
-        truth = self._layout.held[k]
-        declared = self._machine.truths[truth]
+        proposition = self._layout.held[k]
+        declared = self._machine.propositions[proposition]
         assert isinstance(declared.node, ir.Held), "the layout lists durations"
-        operand = self._definitions.truth(declared.node.operand)
+        operand = self._definitions.proposition(declared.node.operand)
         was = f"old.held_before[{k}]"
-        if node == self._layout.node_of_truth[truth]:
+        if node == self._layout.node_of_proposition[proposition]:
             was = f"({operand} != TRUE ? {operand} : {was})"
         return claim(f"m->held_before[{k}] == {was}", f"what `{declared.text}` was before")
 
     def _remembered(self, k: int, node: int) -> str:
         """S44: what a `since` was when it was last evaluated."""
-        truth = self._layout.sinces[k]
+        proposition = self._layout.sinces[k]
         was = f"old.since_before[{k}]"
-        if node == self._layout.node_of_truth[truth]:
+        if node == self._layout.node_of_proposition[proposition]:
             was = self._definitions.since_then(k, "old.")
-        text = self._machine.truths[truth].text
+        text = self._machine.propositions[proposition].text
         return claim(f"m->since_before[{k}] == {was}", f"what `{text}` was")
 
     # --- the interface -----------------------------------------------------------------------
@@ -198,5 +200,5 @@ _EVALUATE = """\
     due = s;
     const int events = evaluate(m, t_ns);
     __CPROVER_assert(events == changes, "changes are counted");
-    must_be_due(m, TRUTHS + RULES);
+    must_be_due(m, TRUTH_VALUES + RULES);
     must_be_unmarked(m, t_ns);"""

@@ -33,7 +33,7 @@ class Events:
         changed, is_now = self.changed(rule), _bit("m->", rule)
         once = f"reports[{rule}] == ({changed} && m->on_event ? 1u : 0u)"
         lines = "\n".join(claim(f"!reports[{rule}] || {each}", about) for each in self._said(rule))
-        condition = self._definitions.truth(self._rules[rule].condition)
+        condition = self._definitions.proposition(self._rules[rule].condition)
         return _REPORTED.format(
             rule=rule,
             name=self._layout.name,
@@ -48,7 +48,7 @@ class Events:
         yield "said->change == change"
         found = told(self._layout.machine, self._rules[rule].condition)
         for place, term in enumerate(found.terms):
-            yield f"said->truths[{place}] == {self._definitions.truth(term)}"
+            yield f"said->propositions[{place}] == {self._definitions.proposition(term)}"
             yield f"said->since_ns[{place}] == {self._definitions.since(term)}"
         for place, signal in enumerate(found.signals):
             yield f"spec_same(said->values[{place}], {self._definitions.number(signal)})"

@@ -108,12 +108,12 @@ class Frames:
     def _some(self, name: str, places: Iterable[int]) -> Iterator[str]:
         yield from (f"expected.{name}[{place}] = m->{name}[{place}];" for place in places)
 
-    def _truths(self, nodes: Iterable[int]) -> Iterator[str]:
-        """Truths with any values, known since they changed."""
+    def _propositions(self, nodes: Iterable[int]) -> Iterator[str]:
+        """Propositions with any values, known since they changed."""
         for node in nodes:
-            yield f"if (m->truth[{node}] != old.truth[{node}])"
+            yield f"if (m->truth_value[{node}] != old.proposition[{node}])"
             yield f"    expected.since_ns[{node}] = t_ns;"
-            yield f"expected.truth[{node}] = m->truth[{node}];"
+            yield f"expected.proposition[{node}] = m->truth_value[{node}];"
 
     def _values(self, changed: Iterable[tuple[int, str]]) -> Iterator[str]:
         """Numbers that change where something is the case."""
@@ -132,15 +132,23 @@ class Frames:
 
     def visited(self, node: int) -> str:
         """Of `visit`; what becomes of rules is claimed apart."""
-        held = [k for k, t in enumerate(self._layout.held) if self._layout.node_of_truth[t] == node]
+        held = [
+            k
+            for k, t in enumerate(self._layout.held)
+            if self._layout.node_of_proposition[t] == node
+        ]
         sinces, recent = (
-            [k for k, truth in enumerate(each) if self._layout.node_of_truth[truth] == node]
+            [
+                k
+                for k, proposition in enumerate(each)
+                if self._layout.node_of_proposition[proposition] == node
+            ]
             for each in (self._layout.sinces, self._layout.recent)
         )
         lines = [
             *self.any_marks(),
             *self._any("wake_ns", "active"),
-            *self._truths([node] if node < self._layout.truth_count else []),
+            *self._propositions([node] if node < self._layout.proposition_count else []),
             *(line for name in ("held_due_ns", "held_before") for line in self._some(name, held)),
             *self._some("since_before", sinces),
             *(line for name in ("gap", "gap_end_ns") for line in self._some(name, recent)),
@@ -154,7 +162,7 @@ class Frames:
         if not isinstance(node, ir.Recurs):
             return
         place = k - len(self._layout.oscillations)
-        operand, following = self._definitions.truth(node.operand), f"old.recent_next[{k}]"
+        operand, following = self._definitions.proposition(node.operand), f"old.recent_next[{k}]"
         yield f"expected.edge_before[{place}] = {operand};"
         yield f"if ({operand} == TRUE && old.edge_before[{place}] == FALSE) {{"
         for each in range(node.count):
@@ -179,7 +187,7 @@ class Frames:
         ]
         lines += [
             *self._values((value, where or "false") for value, where in lost),
-            *self._truths(range(self._layout.leaf_count)),
+            *self._propositions(range(self._layout.leaf_count)),
             *self.any_marks(),
             *self._any("wake_ns", "quiet", "swinging", *_GUARDS, *_SAMPLES),
             *forgotten(self._layout, self._definitions),
@@ -206,8 +214,8 @@ class Frames:
         for name in ("gap", "edge_before"):
             was = "old.started ? UNKNOWN : FALSE"
             lines += [f"expected.{place} = {was};" for place in self._places.get(name, ())]
-        for k, truth in enumerate(self._layout.held):
-            node = self._machine.truths[truth].node
+        for k, proposition in enumerate(self._layout.held):
+            node = self._machine.propositions[proposition].node
             at_start = "TRUE" if isinstance(node, ir.Held) and node.initially else "FALSE"
             lines.append(f"expected.held_before[{k}] = old.started ? UNKNOWN : {at_start};")
         rates = [v for v, found in enumerate(self._layout.values) if self._is_sampled(v)]
@@ -279,10 +287,10 @@ class Frames:
             was, now = (
                 f"(({m}active[{index // 8}] >> {index % 8} & 1) != 0)" for m in ("old.", "m->")
             )
-            node = self._layout.node_of_truth[rule.condition]
+            node = self._layout.node_of_proposition[rule.condition]
             expected = was
             if rule.release is None:
-                then = becomes.format(was=was, condition=f"m->truth[{node}]", index=index)
+                then = becomes.format(was=was, condition=f"m->truth_value[{node}]", index=index)
                 expected = f"({which.format(index=index)} ? {then} : {was})"
             about = f"rule {rule.name} is active as S38 says"
             lines.append(claim(f"{now} == {expected}", about))

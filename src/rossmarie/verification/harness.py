@@ -128,7 +128,7 @@ class _Writer:
         """Loops run over the parts of a machine, or over what is marked."""
         layout = self._layout
         limits = sum(guard.limit_count + 2 for guard in layout.guards)
-        nodes = layout.truth_count + len(self._machine.rules)
+        nodes = layout.proposition_count + len(self._machine.rules)
         return max(nodes, len(layout.values), limits, ELEMENTS) + 2
 
     # --- predicates --------------------------------------------------------------------------
@@ -158,7 +158,9 @@ class _Writer:
 
     def _restarted(self) -> list[Sentence]:
         """Everything that is computed is to be evaluated; the inputs are as they were."""
-        marked = range(self._layout.leaf_count, self._layout.truth_count + len(self._machine.rules))
+        marked = range(
+            self._layout.leaf_count, self._layout.proposition_count + len(self._machine.rules)
+        )
         return [
             *(Sentence("everything is evaluated", self._invariants.marked(n)) for n in marked),
             Sentence("its clock is set", "m->now_ns == t_ns && m->wake_ns == t_ns"),
@@ -166,16 +168,16 @@ class _Writer:
               for k in range(len(self._layout.held))),
             *(Sentence("no channel is quiet", f"!m->quiet[{c}]")
               for c in range(len(self._machine.channels))),
-            *(Sentence("ages are looked at", f"{self._definitions.truth(truth)} == UNSET")
-              for truth in self._layout.ages),
+            *(Sentence("ages are looked at", f"{self._definitions.proposition(age)} == UNSET")
+              for age in self._layout.ages),
         ]  # fmt: skip
 
 
 def _told(invariants: Invariants, layout: Layout) -> list[Sentence]:
-    """Each truth told of an oscillation was right at the last evaluation, or it is marked."""
+    """Each proposition told of an oscillation was right at the last evaluation, or it is marked."""
     found = []
-    for k, truth in enumerate(layout.oscillations):
+    for k, proposition in enumerate(layout.oscillations):
         told = invariants.told(k).replace("t_ns -", "m->now_ns -")
-        marked = invariants.marked(layout.node_of_truth[truth])
+        marked = invariants.marked(layout.node_of_proposition[proposition])
         found.append(Sentence("what was told of an oscillation", f"({marked} || {told})"))
     return found

@@ -139,7 +139,7 @@ class MessageChecks:
     ) -> Iterator[Written]:
         """A message before any timer is due may take a short way; the long one is always right.
         The short way ends at the first of its guards that is left. What is `idle` does not matter
-        once truths are evaluated.
+        once propositions are evaluated.
         """
         declared = "\n".join(lines)
         late = (*self._parts, ("is_calm", "never_calm"))

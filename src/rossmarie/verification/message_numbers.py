@@ -68,14 +68,15 @@ class MessageNumbers:
             if self._folds(signal.node, array):
                 kept = f"m->value[{self._layout.value_of_signal[index]}]"
                 meant = f"spec_fold_{index}({arguments})"
-                yield claim(f"spec_same({kept}, {meant})", f"`{signal.text}` is what it means")
-        for truth, value in self._layout.places.value_of_test.items():
-            node = self._machine.truths[truth].node
+                yield claim(f"spec_same({kept}, {meant})", f"`{signal.text}` has its defined value")
+        for proposition, value in self._layout.places.value_of_test.items():
+            node = self._machine.propositions[proposition].node
             if not isinstance(node, ir.Quantified):
                 continue
-            if self._layout.elements.truths[node.element] == array:
-                meant = f"spec_quantified_{truth}({arguments})"
-                about = f"`{self._machine.truths[truth].text}` is what it means"
+            if self._layout.elements.propositions[node.element] == array:
+                meant = f"spec_quantified_{proposition}({arguments})"
+                text = self._machine.propositions[proposition].text
+                about = f"`{text}` has its defined value"
                 yield claim(f"spec_same(m->value[{value}], {meant})", about)
 
     def _folds(self, node: ir.SignalNode, array: int) -> bool:
@@ -83,7 +84,7 @@ class MessageNumbers:
             case ir.Fold(element=element):
                 return self._layout.elements.signals[element] == array
             case ir.Count(element=element):
-                return self._layout.elements.truths[element] == array
+                return self._layout.elements.propositions[element] == array
             case ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled() | ir.Element():
                 return False
 
@@ -95,17 +96,20 @@ class MessageNumbers:
                 kept = f"m->value[{value}]"
                 if value in covered and not self._definitions.is_never_infinite(index):
                     kept = f"spec_finite({kept})"
-                about = f"`{self._machine.signals[index].text}` is what it means"
+                about = f"`{self._machine.signals[index].text}` has its defined value"
                 yield claim(f"spec_same({kept}, spec_signal_{index}(m))", about)
 
     def _tests(self, channel: int) -> Iterator[str]:
         """Comparisons that are kept as numbers: 0, 1 or unknown."""
-        for truth, value in self._layout.places.value_of_test.items():
-            is_here = channel in self._layout.support_of_truth(truth).channels
-            if is_here and not isinstance(self._machine.truths[truth].node, ir.Quantified):
-                kept, meant = f"m->value[{value}]", f"spec_truth_{truth}(m, t_ns)"
+        for proposition, value in self._layout.places.value_of_test.items():
+            is_here = channel in self._layout.support_of_proposition(proposition).channels
+            if is_here and not isinstance(
+                self._machine.propositions[proposition].node, ir.Quantified
+            ):
+                kept, meant = f"m->value[{value}]", f"spec_proposition_{proposition}(m, t_ns)"
                 known = f"{kept} == ({meant} == TRUE ? 1.0 : 0.0)"
-                about = f"`{self._machine.truths[truth].text}` is what it means"
+                text = self._machine.propositions[proposition].text
+                about = f"`{text}` has its defined value"
                 yield claim(f"{meant} >= UNKNOWN ? isnan({kept}) : {known}", about)
 
     def _samples(self, channel: int) -> Iterator[str]:

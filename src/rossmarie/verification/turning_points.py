@@ -41,7 +41,7 @@ def followed(layout: Layout, definitions: Definitions, channel: int) -> Iterator
 def _followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
     """The claims about the k-th oscillation."""
     node, first = oscillation(layout, k), first_recent(layout, k)
-    about = f"the turning points of `{layout.machine.truths[layout.oscillations[k]].text}`"
+    about = f"the turning points of `{layout.machine.propositions[layout.oscillations[k]].text}`"
     extreme, heading, turns = f"old.extreme[{k}]", f"old.heading[{k}]", f"old.recent_count[{k}]"
     following = f"old.recent_next[{k}]"
     places = range(first, first + node.count)

@@ -84,8 +84,8 @@ def test_a_rule_that_is_late_is_refuted(tmp_path: Path, condition: str) -> None:
     (required,) = compile_file(path).requirements
     (late,) = ask_required(required, thorough=False)
     assert late.witness is not None
-    last = list(views(required.machine, late.witness, (required.truth,)))[-1]
-    assert last.truths[required.truth] is TruthValue.TRUE
+    last = list(views(required.machine, late.witness, (required.proposition,)))[-1]
+    assert last.truth_values[required.proposition] is TruthValue.TRUE
     assert not last.active[0]
 
 

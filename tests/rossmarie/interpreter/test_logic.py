@@ -1,4 +1,4 @@
-"""Truth and logic: rules S1 and S2 of docs/explanation/semantics.md."""
+"""Proposition and logic: rules S1 and S2 of docs/explanation/semantics.md."""
 
 from rossmarie.ir import TruthValue
 from rossmarie.ir.kleene import conjunction, disjunction, negation

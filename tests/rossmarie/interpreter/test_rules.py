@@ -56,7 +56,7 @@ def test_s36_clear_when() -> None:
 def test_s36_clear_for() -> None:
     draft = Draft()
     positive = draft.above(draft.read(), 0.0)
-    draft.rule(positive, draft.truth(Held(draft.truth(Not(positive)), 2 * SECOND)))
+    draft.rule(positive, draft.proposition(Held(draft.proposition(Not(positive)), 2 * SECOND)))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     bench.send(1, c0=-1.0)
@@ -79,7 +79,7 @@ def test_s38_a_reset_clears_while_the_condition_is_false() -> None:
     draft = Draft()
     positive = draft.above(draft.read(), 0.0)
     draft.rule(positive, latched=True)
-    draft.rule(positive, draft.truth(Literal(False)))
+    draft.rule(positive, draft.proposition(Literal(False)))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     assert bench.send(1, c0=-1.0) == []
@@ -127,7 +127,7 @@ def test_s39_a_rule_changes_once_in_an_evaluation(case: Case) -> None:
 def test_s40_verdicts_come_in_the_order_of_the_rules() -> None:
     draft = Draft()
     positive = draft.above(draft.read(), 0.0)
-    draft.rule(draft.truth(Not(positive)))
+    draft.rule(draft.proposition(Not(positive)))
     draft.rule(positive)
     draft.rule(positive)
     bench = Bench(draft)
@@ -144,7 +144,7 @@ def test_s41_a_verdict_carries_a_snapshot() -> None:
     x = draft.read(timeout_ns=9 * SECOND)
     y = draft.read()
     positive, large = draft.above(x, 0.0), draft.above(y, 5.0)
-    draft.rule(draft.truth(Held(draft.truth(Or((positive, large))), 2 * SECOND)))
+    draft.rule(draft.proposition(Held(draft.proposition(Or((positive, large))), 2 * SECOND)))
     bench = Bench(draft)
     bench.send(0, c0=-1.0)
     bench.send(1, c0=1.5)
@@ -154,7 +154,7 @@ def test_s41_a_verdict_carries_a_snapshot() -> None:
         rule=0,
         at_ns=3 * SECOND,
         change=Change.ACTIVATED,
-        truths=(T, U, T),
+        truth_values=(T, U, T),
         since_ns=(SECOND, 0, 3 * SECOND),
         values=(1.5, verdict.values[1]),
         inputs=(InputState.FRESH, InputState.NEVER),

@@ -116,12 +116,16 @@ class Seen:
         }
         self._monitor.update(self._at_ns, {channel: ChannelValues(slots, arrays)})
         names = [rule.name or "" for rule in self.machine.rules]
-        truths = [self._monitor._memory.truths[rule.condition] for rule in self.machine.rules]
-        return {name for name, truth in zip(names, truths, strict=True) if truth is T}
+        propositions = [
+            self._monitor._memory.truth_values[rule.condition] for rule in self.machine.rules
+        ]
+        return {
+            name for name, proposition in zip(names, propositions, strict=True) if proposition is T
+        }
 
     def lost(self) -> set[str]:
         rules = self.machine.rules
-        memory = self._monitor._memory.truths
+        memory = self._monitor._memory.truth_values
         return {rule.name or "" for rule in rules if memory[rule.condition] is L}
 
 

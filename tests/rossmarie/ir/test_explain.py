@@ -211,8 +211,8 @@ def test_causes_decide(case: Case) -> None:
 def assert_causes_decide(machine: ir.Machine, verdict: Verdict) -> None:
     rule = machine.rules[verdict.rule]
     explanation = explain(machine, verdict)
-    told = dict(zip(rule.terms, verdict.truths, strict=True))
-    causes = {cause.truth: cause.value for cause in explanation.causes}
+    told = dict(zip(rule.terms, verdict.truth_values, strict=True))
+    causes = {cause.proposition: cause.value for cause in explanation.causes}
     assert explanation.line() == explain(machine, verdict).line()
     outcome = value_from(machine, rule.condition, causes)
     assert outcome is value_from(machine, rule.condition, told)
@@ -221,11 +221,13 @@ def assert_causes_decide(machine: ir.Machine, verdict: Verdict) -> None:
         assert set(causes.values()) == {TruthValue.LOST}
 
 
-def value_from(machine: ir.Machine, truth: int, known: dict[int, TruthValue]) -> TruthValue | None:
-    """The value of a truth where only some are known; None if these do not decide it."""
-    if truth in known:
-        return known[truth]
-    match machine.truths[truth].node:
+def value_from(
+    machine: ir.Machine, proposition: int, known: dict[int, TruthValue]
+) -> TruthValue | None:
+    """The value of a proposition where only some are known; None if these do not decide it."""
+    if proposition in known:
+        return known[proposition]
+    match machine.propositions[proposition].node:
         case ir.Literal(value=value):
             return TruthValue(value)
         case ir.Not(operand=operand):
@@ -271,7 +273,7 @@ def test_a_verdict_has_no_parts_of_definitions() -> None:
         "rule it: if not after estop, battery > 3 V within 2 sec "
         "or (once estop within 1 sec) and (estop since battery > 9 V) then { stop; };"
     )
-    assert [machine.truths[term].text for term in machine.rules[0].terms] == [
+    assert [machine.propositions[term].text for term in machine.rules[0].terms] == [
         "estop",
         "battery > 3 V",
         "after estop, battery > 3 V within 2 sec",

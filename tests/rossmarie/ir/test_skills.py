@@ -131,7 +131,7 @@ def test_what_is_not_as_defined_is_not_known(name: str, wrong: object) -> None:
 
 
 @pytest.mark.parametrize("known", [None, 1, "True"])
-def test_what_is_ahead_is_not_known_by_anything_else_than_a_truth(known: object) -> None:
+def test_what_is_ahead_is_not_known_by_anything_else_than_a_proposition(known: object) -> None:
     message = SimpleNamespace(digest=DIGEST, running=[], ahead=[], is_ahead_known=known)
     assert math.isnan(answer(replace(PUSH, is_ahead=True), message))
     assert answer(PUSH, message) == 0.0
@@ -194,7 +194,7 @@ BACKWARDS = (("b", ("x",)), ("a", ("x",)))
     [
         ((PUSH,), REAL, "an answer of the kind real"),
         ((DEPTH,), FLAG, "a quantity of the kind flag"),
-        ((replace(DEPTH, is_truth=True),), REAL, "a quantity of the kind real"),
+        ((replace(DEPTH, is_boolean=True),), REAL, "a quantity of the kind real"),
         (("data", PUSH), FLAG, "a question to skills inside a message"),
         ((replace(PUSH, skills=()),), FLAG, NOT_SORTED),
         ((replace(WEIGHT, skills=("b", "a")),), REAL, NOT_SORTED),

@@ -33,7 +33,7 @@ def test_s58_a_question_asks_for_all_that_is_derived() -> None:
     assert str(push) == "doing Push(Object: Fragile)"
 
 
-def test_s58_the_flag_is_one_truth_of_all_skills_that_run() -> None:
+def test_s58_the_flag_is_one_boolean_of_all_skills_that_run() -> None:
     robot = Robot("rule it: if doing Push(Object: Fragile) then { stop; };")
     robot.tell(0, PUSH, running("Drive"))
     assert robot.active() == set()
@@ -69,7 +69,7 @@ def test_s58_a_number_is_that_of_the_one_skill_that_runs() -> None:
     ("number", "active"),
     [(1.0, {"it"}), (0.0, {"no"}), (-0.0, {"no"}), (0.25, {"it", "no"}), (-1.0, {"it", "no"})],
 )
-def test_s58_a_truth_of_a_skill_is_0_or_1(number: float, active: set[str]) -> None:
+def test_s58_a_boolean_of_a_skill_is_0_or_1(number: float, active: set[str]) -> None:
     robot = Robot("""
     input gently = doing Push.Gently;
     rule it: if gently then { stop; };

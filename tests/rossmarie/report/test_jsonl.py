@@ -41,7 +41,7 @@ def small() -> Replay:
     signal = draft.signal(ir.Read(draft.slot(used)), "level", "cm", 100.0)
     limit = draft.signal(ir.Constant(0.5), "50 cm", "cm", 100.0)
     node = ir.Compare(ir.Comparison.GREATER, signal, limit)
-    draft.rule(draft.truth(node, "tank.full", "level > 50 cm"))
+    draft.rule(draft.proposition(node, "tank.full", "level > 50 cm"))
     machine = draft.machine()
     monitor = Interpreter(machine)
     events = [

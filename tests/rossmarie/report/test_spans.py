@@ -114,7 +114,7 @@ def jumping() -> Replay:
             verdict,
             at_ns=3 * SECOND,
             change=Change.CLEARED,
-            truths=(ir.TruthValue.FALSE,),
+            truth_values=(ir.TruthValue.FALSE,),
             since_ns=(3 * SECOND,),
             values=(0.0,),
         ),

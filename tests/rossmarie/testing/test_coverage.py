@@ -27,7 +27,7 @@ def reached(folder: Path, rules: str, body: str) -> set[str]:
 
 
 def shown(machine: ir.Machine, subject: int, aspect: str) -> str:
-    return "" if subject < 0 or aspect == "lost" else machine.truths[subject].text
+    return "" if subject < 0 or aspect == "lost" else machine.propositions[subject].text
 
 
 RULE = "rule r: if speed > 1 m/s and not ok then { slow; };"
@@ -112,7 +112,7 @@ def test_generated_tests_cover_what_looks_back_in_time(condition: str) -> None:
 def test_what_looks_back_in_time_is_covered_as_it_was_written() -> None:
     machine = machine_of_condition("not after estop, battery > 3 V within 2 sec")
     subjects = {goal.subject for goal in goals(machine) if goal.subject >= 0}
-    assert {machine.truths[subject].text for subject in subjects} == {
+    assert {machine.propositions[subject].text for subject in subjects} == {
         "after estop, battery > 3 V within 2 sec",
         "estop",
         "battery > 3 V",

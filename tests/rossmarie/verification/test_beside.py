@@ -57,9 +57,9 @@ def test_they_are_what_they_mean(prover: Prover, machine: ir.Machine, part: str)
             (("        VALUE_ANY_RANGES_ABS_SPEED_1_SEC,\n};", "        VALUE_SPEED,\n};"), "tick",
              "is forgotten with what stands beside elements"),
             (("const double BESIDE_4 = ", "const double BESIDE_4 = 1.0 + "), "numbers_scan",
-             "is what it means"),
+             "has its defined value"),
             (("    prepare(m, arrived);\n    if (v->has_scan)\n", "    if (v->has_scan)\n"),
-             "step_numbers_odom", "is what it means"),
+             "step_numbers_odom", "has its defined value"),
         ]),
     ],
 )  # fmt: skip

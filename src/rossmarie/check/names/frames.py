@@ -87,7 +87,7 @@ def has_frame(type_: Type) -> bool:
             return has_frame(element)
         case Message(fields=fields):
             return any(has_frame(part) for name, part in fields.items() if name != HEADER[0])
-        case _:  # open: numbers, truths and texts alone have no frame
+        case _:  # open: numbers, booleans and texts alone have no frame
             return False
 
 
@@ -110,7 +110,7 @@ def frame_of(node: ast.Expression, context: Context) -> Framed | None:
         case ast.Call(function=function, arguments=arguments) if function.text in _KEEPING:
             frames = (frame_of(each, context) for each in arguments)
             return next((each for each in frames if each is not None), None)
-        case _:  # open: a length, a truth or a literal is in no frame
+        case _:  # open: a length, a boolean or a literal is in no frame
             return None
 
 

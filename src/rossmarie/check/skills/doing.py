@@ -25,7 +25,7 @@ from rossmarie.types import Boolean, Type, Unknown
 
 
 def type_of_doing(node: ast.Doing, context: Context) -> Type:
-    """A truth; what is asked for is recorded in `context.doing`."""
+    """A boolean; what is asked for is recorded in `context.doing`."""
     found = checked_doing(node, context)
     if found is None:
         return Unknown()
@@ -189,7 +189,7 @@ def kind_of(type_: str) -> str:
     words = {
         "float": "a number",
         "int": "a whole number",
-        "bool": "a truth",
+        "bool": "a boolean",
         "str": "a text",
         "enum": "one of several words",
     }

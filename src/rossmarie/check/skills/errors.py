@@ -116,7 +116,7 @@ class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
     """An input that is no number of a skill."""
 
     title = "`{field}` is {found}, not a number"
-    label = "an input of a skill is a number or a truth"
+    label = "an input of a skill is a number or a boolean"
     field: str
     found: str
 

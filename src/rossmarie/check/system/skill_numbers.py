@@ -98,9 +98,9 @@ def _find(
         finding = NoSkillNumber(field=text, found=kind_of(parameter.type))
         context.collector.add(finding.at(number.span, help=finding.Other()))
         return None
-    is_truth = parameter.type == "bool"
+    is_boolean = parameter.type == "bool"
     return (
-        Question(skills.file.digest, all_skills, parameter.name, None, text, is_truth),
+        Question(skills.file.digest, all_skills, parameter.name, None, text, is_boolean),
         parameter.type,
         None,
     )

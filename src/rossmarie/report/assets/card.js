@@ -1,7 +1,7 @@
 // The card that says why a rule became active or cleared.
 
 const GLYPHS = { true: "✓", false: "✗", unknown: "?", lost: "?" };
-const TRUTH_WORDS = { true: "true", false: "false", unknown: "unknown", lost: "unknown" };
+const TRUTH_VALUE_WORDS = { true: "true", false: "false", unknown: "unknown", lost: "unknown" };
 const STATE_WORDS = {
   never: "has never been received",
   expired: "is older than its timeout",
@@ -20,7 +20,7 @@ function conditionRow(condition) {
     html("td", {},
       html("span", { class: "truth " + condition.truth, "aria-hidden": "true" },
         GLYPHS[condition.truth]),
-      TRUTH_WORDS[condition.truth]),
+      TRUTH_VALUE_WORDS[condition.truth]),
     html("td", {},
       named ? html("strong", {}, condition.name) : null,
       named ? html("small", {}, condition.text) : condition.text,

@@ -285,14 +285,18 @@ class _Condition:
 
 def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]:
     """The conditions that have a name, and those that the sentences above refer to."""
-    wanted = {index for index, truth in enumerate(machine.truths) if truth.name is not None}
+    wanted = {
+        index
+        for index, proposition in enumerate(machine.propositions)
+        if proposition.name is not None
+    }
     said: dict[int, Phrase] = {}
     while missing := (wanted | set(conditions.apart)) - set(said):
         for index in sorted(missing):
             said[index] = conditions.in_full(index)
     return [
         _Condition(conditions.name(index), f"condition-{index}", said[index],
-                   machine.truths[index].span)
+                   machine.propositions[index].span)
         for index in sorted(said)
     ]  # fmt: skip
 

@@ -112,10 +112,10 @@ class _Writer:
         """The inputs of which values are read, and those of which the age is."""
         values: set[int] = set()
         ages: set[int] = set()
-        for leaf in ir.leaf_truths(self._machine, condition):
-            node = self._machine.truths[leaf].node
+        for leaf in ir.leaf_propositions(self._machine, condition):
+            node = self._machine.propositions[leaf].node
             found = ages if isinstance(node, ir.AgeReaches) else values
-            found |= self._supports.truths[leaf].inputs
+            found |= self._supports.propositions[leaf].inputs
         return sorted(values), sorted(ages)
 
     def _timeout(self, used: int) -> int | None:
@@ -188,7 +188,7 @@ class _Writer:
         over = self._conditions.phrase(rule.condition, is_so=False)
         if rule.release is None:
             return Phrase("It ends only when an operator resets it while this is so:", (over,))
-        release = self._machine.truths[rule.release].node
+        release = self._machine.propositions[rule.release].node
         if isinstance(release, ir.Literal) and release.value:
             return Phrase("It ends as soon as this is known to be so:", (over,))
         calm_ns = self._calm_ns(rule.condition, release)
@@ -198,11 +198,11 @@ class _Writer:
         both = (over, self._conditions.phrase(rule.release))
         return Phrase("It ends when both of these are known to be so:", both)
 
-    def _calm_ns(self, condition: int, release: ir.TruthNode) -> int | None:
+    def _calm_ns(self, condition: int, release: ir.PropositionNode) -> int | None:
         """For how long its condition has to have been false, if that is the release."""
         if not isinstance(release, ir.Held):
             return None
-        node = self._machine.truths[release.operand].node
+        node = self._machine.propositions[release.operand].node
         is_opposite = isinstance(node, ir.Not) and node.operand == condition
         return release.duration_ns if is_opposite else None
 

@@ -171,7 +171,7 @@ double quantity(const Context &context, const char *digest, const Asked &asked,
     return number.get();
 }
 
-// The number of a truth, which is 0 or 1.
-inline double truth(double number) { return number == 0.0 || number == 1.0 ? number : NAN; }
+// The number of a boolean, which is 0 or 1.
+inline double boolean(double number) { return number == 0.0 || number == 1.0 ? number : NAN; }
 
 } // namespace skills

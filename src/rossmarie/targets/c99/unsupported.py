@@ -28,8 +28,8 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
 
 def _table_sizes(machine: ir.Machine) -> dict[str, int]:
     layout = lay_out(machine)
-    truths = (truth.node for truth in machine.truths)
-    operands = sum(len(ir.truth_operands(node)) for node in truths)
+    propositions = (proposition.node for proposition in machine.propositions)
+    operands = sum(len(ir.proposition_operands(node)) for node in propositions)
     inputs = [used for used in range(len(machine.inputs)) if layout.has_timeout(used)]
     lost = sum(used in value.support.inputs for value in layout.values for used in inputs)
     blames = sum(len(layout.guard_blames(guard)) for guard in layout.guards)
@@ -38,7 +38,7 @@ def _table_sizes(machine: ir.Machine) -> dict[str, int]:
     bounds = sum(len(effect.bounds) for effect in effects if isinstance(effect, Limit))
     excuses = sum(len(layout.excuses(support)) for support in supports)
     return {
-        "conditions and rules": layout.truth_count + len(machine.rules),
+        "conditions and rules": layout.proposition_count + len(machine.rules),
         "operands of conditions": operands + 2 * len(machine.rules),
         "limits": sum(len(guard.limits) + 2 for guard in layout.guards),
         "numbers": len(layout.values),

@@ -116,10 +116,10 @@ def _computed(layout: Layout, channel: int) -> list[tuple[int, ir.Apply]]:
     ]
 
 
-def _unguarded(layout: Layout, channel: int) -> list[tuple[int, ir.TruthNode]]:
+def _unguarded(layout: Layout, channel: int) -> list[tuple[int, ir.PropositionNode]]:
     """The comparisons of numbers of a channel that have no fixed limits."""
-    nodes = ((index, layout.machine.truths[index].node) for index in layout.truths)
-    supports = layout.supports.truths
+    nodes = ((index, layout.machine.propositions[index].node) for index in layout.propositions)
+    supports = layout.supports.propositions
     return [
         (index, node)
         for index, node in nodes
@@ -203,7 +203,7 @@ class _Calm:
         named = (operand for operand in node.operands if self._layout.value(operand) == name)
         return any(expressions.is_shown(node, operand) for operand in named)
 
-    def _is_as_before(self, leaf: int, node: ir.TruthNode) -> str:
+    def _is_as_before(self, leaf: int, node: ir.PropositionNode) -> str:
         return f"(1 if {expressions.holds(node, self._value)} else 0) == t{leaf}"
 
     @cached_property

@@ -129,7 +129,8 @@ def _descriptions(machine: ir.Machine) -> Iterator[str]:
         yield f"{INDENT}Rule("
         yield f"{INDENT * 2}{rule.name!a},"
         yield f"{INDENT * 2}{names.strings(rule.actions)},"
-        yield f"{INDENT * 2}{names.strings(machine.truths[term].text for term in rule.terms)},"
+        terms = names.strings(machine.propositions[term].text for term in rule.terms)
+        yield f"{INDENT * 2}{terms},"
         yield f"{INDENT * 2}{names.strings(machine.signals[s].text for s in rule.signals)},"
         yield f"{INDENT * 2}{names.strings(machine.inputs[used].name for used in rule.inputs)},"
         yield f"{INDENT}),"
@@ -236,7 +237,7 @@ def _reset(layout: Layout) -> list[str]:
     function.line("return -1", 1)
     for number, rule in enumerate(layout.machine.rules):
         if rule.release is None:
-            is_over = f"active_{number} and {layout.truth(rule.condition)} == 0"
+            is_over = f"active_{number} and {layout.proposition(rule.condition)} == 0"
             function.line(f"if rule in (None, {number}) and {is_over}:")
             tell(layout, number, "0", function)
     function.line("return len(events) - told")
@@ -307,5 +308,5 @@ def _watches(layout: Layout) -> list[str]:
     unknown = names.tuple_of("2" for _ in layout.machine.watches)
     function.line("if now == EARLIEST:")
     function.line(f"return {unknown}", 1)
-    function.line(f"return {names.tuple_of(map(layout.truth, layout.machine.watches))}")
+    function.line(f"return {names.tuple_of(map(layout.proposition, layout.machine.watches))}")
     return function.text()

@@ -208,10 +208,10 @@ def skill_question(step: ir.SkillStep) -> str:
             )
             asks = "ahead" if is_ahead else "doing"
             return f"skills::{asks}({', '.join([asked, *limits])})"
-        case ir.Quantity(parameter=parameter, property=asked_property, is_truth=is_truth):
+        case ir.Quantity(parameter=parameter, property=asked_property, is_boolean=is_boolean):
             named = (parameter,) if asked_property is None else (parameter, asked_property)
             number = f"skills::quantity({asked}, {_texts(named)})"
-            return f"skills::truth({number})" if is_truth else number
+            return f"skills::boolean({number})" if is_boolean else number
 
 
 def _texts(texts: Sequence[str]) -> str:

@@ -35,7 +35,7 @@ enum memories_rule {
 };
 
 /* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum memories_truth { memories_FALSE, memories_TRUE, memories_UNKNOWN, memories_LOST };
+enum memories_truth_value { memories_FALSE, memories_TRUE, memories_UNKNOWN, memories_LOST };
 
 enum memories_input_state { memories_NEVER_RECEIVED, memories_FRESH, memories_EXPIRED };
 
@@ -52,11 +52,11 @@ enum memories_change {
 typedef struct memories_event {
     int64_t at_ns;
     int64_t from_ns;
-    int64_t since_ns[2]; /* since when truths[i] has its value */
+    int64_t since_ns[2]; /* since when truth_values[i] has its value */
     double values[3];    /* SI units; NaN is unknown */
     int32_t rule;
     int32_t change;
-    unsigned char truths[2];
+    unsigned char truth_values[2];
     unsigned char inputs[1];
 } memories_event;
 
@@ -69,7 +69,7 @@ typedef struct memories_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
-    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *terms;  /* the conditions behind truth_values[] of its events */
     const char *const *values; /* what values[] are */
     const char *const *inputs; /* what inputs[] are */
     int term_count;
@@ -96,7 +96,7 @@ typedef struct memories_monitor {
     int64_t stamp_ns[1];
     unsigned char state[1];
     unsigned char active[1];
-    unsigned char truth[14];
+    unsigned char truth_value[14];
     int64_t since_ns[14];
     int place[5];
     double latest[2];

@@ -98,9 +98,9 @@ def expected_of_conditions(machine: ir.Machine) -> Iterator[str]:
     """Words that a page owes to what the rules stand on."""
     for rule in machine.rules:
         yield rule.name
-        truths = ir.reachable_truths(machine, rule.condition)
-        for index in truths + (() if rule.release is None else (rule.release,)):
-            match machine.truths[index].node:
+        propositions = ir.reachable_propositions(machine, rule.condition)
+        for index in propositions + (() if rule.release is None else (rule.release,)):
+            match machine.propositions[index].node:
                 case ir.Held(duration_ns=duration_ns):
                     yield duration_text(duration_ns)
                 case ir.Recurs(count=count, window_ns=window_ns):

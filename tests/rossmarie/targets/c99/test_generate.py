@@ -70,7 +70,7 @@ def test_is_clean_as_c99(case: str, compiler: str, tmp_path: Path) -> None:
 def one_comparison() -> ir.Machine:
     """The smallest machine: optimizers unroll its loops to the end of its arrays."""
     draft = Draft()
-    draft.rule(draft.above(draft.read(), 1.0), draft.truth(ir.Literal(True)))
+    draft.rule(draft.above(draft.read(), 1.0), draft.proposition(ir.Literal(True)))
     return draft.machine("single")
 
 
@@ -120,7 +120,9 @@ def renamed(machine: ir.Machine, name: str, path: str) -> ir.Machine:
     """The same machine, where everything has the same unfortunate name."""
     return replace(
         machine,
-        truths=tuple(replace(truth, text=name, name=name) for truth in machine.truths),
+        propositions=tuple(
+            replace(proposition, text=name, name=name) for proposition in machine.propositions
+        ),
         rules=tuple(replace(rule, name=name, contract=name) for rule in machine.rules),
         inputs=tuple(replace(used, name=name) for used in machine.inputs),
         signals=tuple(replace(signal, text=name) for signal in machine.signals),
