@@ -97,17 +97,17 @@ class _Reading:
 
 def find_no_numbers(robot: Robot, scene: Scene, inquiry: Inquiry) -> Iterator[Diagnostic]:
     """A warning for each thing without a number that a rule needs while a skill runs with it."""
-    lost: dict[tuple[str, str], list[tuple[_Reading, Skill]]] = {}
+    stale: dict[tuple[str, str], list[tuple[_Reading, Skill]]] = {}
     for reading in _readings(robot.machine, inquiry):
         answers: dict[tuple[bool | None, ...], bool] = {}
         for skill, thing in _taken(robot, scene, reading):
             known = _answers(inquiry.about(reading.rule).machine, scene, reading, skill, thing)
             key = tuple(known.values())
             if key not in answers:
-                answers[key] = _is_lost(inquiry, reading, known)
+                answers[key] = _is_stale(inquiry, reading, known)
             if answers[key]:
-                lost.setdefault((thing, str(reading.step.property)), []).append((reading, skill))
-    for (thing, name), found in lost.items():
+                stale.setdefault((thing, str(reading.step.property)), []).append((reading, skill))
+    for (thing, name), found in stale.items():
         yield _without_number(robot, scene, thing, name, found)
 
 
@@ -155,20 +155,20 @@ def _answers(
     return found
 
 
-def _is_lost(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | None]) -> bool:
-    """Say whether a rule can be lost for lack of this number alone."""
+def _is_stale(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | None]) -> bool:
+    """Say whether a rule can be stale for lack of this number alone."""
     about = inquiry.about(reading.rule)
     machine = about.machine
     read = {each.node.slot for each in machine.signals if isinstance(each.node, ir.Read)}
 
-    def is_lost(state: ArbitraryState) -> z3.BoolRef:
+    def is_stale(state: ArbitraryState) -> z3.BoolRef:
         others = [state.slot(slot).known for slot in sorted(read - {reading.slot})]
         condition = state.proposition(machine.rules[0].condition)
         return z3.And(
-            *tells(state, answers), *others, z3.Not(state.slot(reading.slot).known), condition.lost
+            *tells(state, answers), *others, z3.Not(state.slot(reading.slot).known), condition.stale
         )
 
-    return about.is_possible(is_lost, settled=True)
+    return about.is_possible(is_stale, settled=True)
 
 
 def _without_number(

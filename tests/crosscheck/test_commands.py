@@ -115,15 +115,15 @@ def test_questions_that_take_too_long_are_an_error(
     ],
     ids=lambda command: command[0],
 )
-@pytest.mark.parametrize("lost", ["wide.ross", "skills/motions.py"])
+@pytest.mark.parametrize("stale", ["wide.ross", "skills/motions.py"])
 def test_nothing_that_is_read_is_written_over(
-    command: tuple[str, ...], lost: str, wide: Path
+    command: tuple[str, ...], stale: str, wide: Path
 ) -> None:
-    path = wide.parent / lost
+    path = wide.parent / stale
     before = path.read_bytes()
-    done = command_line.run(*command, lost, folder=wide.parent)
+    done = command_line.run(*command, stale, folder=wide.parent)
     assert done.returncode == 2
-    assert f"{lost} does not end in" in done.stderr
+    assert f"{stale} does not end in" in done.stderr
     assert path.read_bytes() == before
 
 

@@ -46,7 +46,7 @@ def test_the_example_is_fine_in_its_scene() -> None:
 
 
 @pytest.mark.parametrize(
-    ("rule", "is_lost"),
+    ("rule", "is_stale"),
     [
         ("doing Wipe and norm(force) > most", True),
         ("doing Wipe(Board: GlassBoard) and norm(force) > most", False),
@@ -56,11 +56,11 @@ def test_the_example_is_fine_in_its_scene() -> None:
         ("norm(force) > 10 N and doing Wipe", False),
     ],
 )
-def test_a_number_is_missed_where_the_rule_is_lost_without_it(
-    robot: Path, rule: str, is_lost: bool
+def test_a_number_is_missed_where_the_rule_is_stale_without_it(
+    robot: Path, rule: str, is_stale: bool
 ) -> None:
     found = in_scene(robot, rule, (f" ; {STRONG}", ""))
-    assert codes(tuple(found)) == ["CHK106"] * is_lost
+    assert codes(tuple(found)) == ["CHK106"] * is_stale
     for each in found:
         assert each.primary.span.text == "office:Whiteboard-5"
         assert [label.span.text for label in each.labels] == ["it"]

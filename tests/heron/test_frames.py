@@ -108,7 +108,7 @@ def test_points_and_poses_are_seen_through_the_transforms(tmp_path: Path) -> Non
     assert active_in(guard) == ("in_zone", "high")
 
 
-def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
+def test_a_frame_that_falls_silent_is_stale(tmp_path: Path) -> None:
     guarded, guard = standing(tmp_path)
     guarded.now_ns += 299 * MS
     guard.tick(guarded.now_ns)
@@ -119,7 +119,7 @@ def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
     assert active_in(guard) == ("in_zone", "high")
 
 
-def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
+def test_a_frame_that_is_hung_elsewhere_is_stale(tmp_path: Path) -> None:
     """Also one that would stay for ever."""
     guarded, guard = standing(tmp_path)
     assert active_in(guard) == ()
@@ -135,7 +135,7 @@ def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("turn", [(0.0, 0.0, 0.0, 0.0), (0.0, 0.0, math.nan, 1.0)])
-def test_a_turn_that_is_none_is_lost(tmp_path: Path, turn: tuple[float, ...]) -> None:
+def test_a_turn_that_is_none_is_stale(tmp_path: Path, turn: tuple[float, ...]) -> None:
     guarded, guard = started(tmp_path)
     lying = placed("base_link", "odom", 0.0)
     lying.transforms[0].transform.rotation = messages.Quaternion(*turn)

@@ -32,7 +32,7 @@ def test_nothing_passes_before_all_inputs_have_come(robot: Robot, start: Start) 
     robot.passes(1.0)
 
 
-def test_an_input_that_does_not_come_counts_as_lost(robot: Robot, start: Start) -> None:
+def test_an_input_that_does_not_come_counts_as_stale(robot: Robot, start: Start) -> None:
     robot.set(pitch=None)
     start(patience=0.5)
     until(lambda: robot.state().get("active") == ["tilted", "fallen"], "rules are active")

@@ -68,8 +68,8 @@ def test_nothing_passes_while_the_clock_stands_still_and_an_input_is_silent(
     robot.passes(0.0)
     robot.stays_at(0.0)
     robot.diagnosed("ROS time stands still")
-    lost = "input orientation (/imu/data) is older than its timeout"
-    until(lambda: lost in robot.call("why")["text"], "the input is lost")
+    stale = "input orientation (/imu/data) is older than its timeout"
+    until(lambda: stale in robot.call("why")["text"], "the input is stale")
     robot.set(clock=1010.0, pitch=0.0)
     until(lambda: robot.call("reset", rule="")["success"], "it is safe")
     robot.passes(1.0)

@@ -217,24 +217,24 @@ def test_the_loss_of_an_input_does_nothing_to_rules_of_which_that_is_said(
     ]
     assume(found)
     loss = data.draw(st.sampled_from(found))
-    lost = machine.inputs[loss.input].channel
+    stale = machine.inputs[loss.input].channel
     monitor = watching(machine)
-    monitor.update(0, {lost: data.draw(channel_values(machine, lost))})
-    others = [channel for channel in range(len(machine.channels)) if channel != lost]
+    monitor.update(0, {stale: data.draw(channel_values(machine, stale))})
+    others = [channel for channel in range(len(machine.channels)) if channel != stale]
     calm = 0
     for tick in range(1, 24):
         sent = {channel: data.draw(channel_values(machine, channel)) for channel in others}
         monitor.update(tick * TICK, sent) if sent else monitor.advance(tick * TICK)
         values = values_of(machine, monitor)
         is_over = tick * TICK >= (loss.after_ns or 0) and is_settled(machine, values)
-        if is_over and _are_known(machine, monitor, lost):
+        if is_over and _are_known(machine, monitor, stale):
             calm += 1
             condition = values[machine.rules[0].condition]
             assert condition in (TruthValue.FALSE, TruthValue.UNKNOWN)
     assume(calm)
 
 
-def _are_known(machine: ir.Machine, monitor: Interpreter, lost: int) -> bool:
+def _are_known(machine: ir.Machine, monitor: Interpreter, stale: int) -> bool:
     """Whether all numbers of the messages that the rule rests on are, but for one channel."""
     slots = ir.supports(machine).propositions[machine.rules[0].condition].slots
     reads = {
@@ -243,7 +243,7 @@ def _are_known(machine: ir.Machine, monitor: Interpreter, lost: int) -> bool:
         if isinstance(signal.node, ir.Read)
     }
     channels = {slot: machine.inputs[machine.slots[slot].input].channel for slot in slots}
-    return not any(channels[slot] != lost and math.isnan(reads[slot]) for slot in slots)
+    return not any(channels[slot] != stale and math.isnan(reads[slot]) for slot in slots)
 
 
 @st.composite

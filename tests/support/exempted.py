@@ -161,7 +161,7 @@ class Model:
     active: list[bool] = field(default_factory=list)
 
     def happens(self, at_ns: int, event: Event) -> None:
-        """Time passes, with the instants at which something is lost, and then it is told."""
+        """Time passes, with the instants at which something is stale, and then it is told."""
         for due_ns in sorted(self._due(at_ns)):
             self._evaluate(due_ns)
         match event.told:

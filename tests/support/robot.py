@@ -88,7 +88,7 @@ class Robot(Ears):
         if not self.frozen:
             self._stamp_s = time.time() if self.clock is None else self.clock
         self._publish_pitch(self.pitch, self._stamp_s)
-        # Much older, as the one before may be lost on a busy machine.
+        # Much older, as the one before may be stale on a busy machine.
         self._publish_pitch(self.belated, self._stamp_s - 1.0)
         if self.near is not None:
             self._scan = self._scan or self.sensor("/scan", LaserScan)

@@ -35,7 +35,7 @@ from support.parts import Part
 
 THERE = Part("hands", lambda: None, "grow them")
 AWAY = Part("wings", lambda: "no feathers", "make wings")
-GONE = Part("a tail", lambda: "lost", "apt-get install tail")
+GONE = Part("a tail", lambda: "stale", "apt-get install tail")
 PARTS = (THERE, AWAY, GONE)
 """
 SKIPPING = """\
@@ -75,12 +75,12 @@ import no_such_module
 
 def test_nothing(): pass
 """
-MISSING = ["skipped: wings (no feathers)", "skipped: a tail (lost)"]
+MISSING = ["skipped: wings (no feathers)", "skipped: a tail (stale)"]
 TOLD = [
     *MISSING,
     "not run on this machine:",
     "  3 tests: wings (no feathers). To have it: make wings",
-    "  1 test and 2 files: a tail (lost). To have it: apt-get install tail",
+    "  1 test and 2 files: a tail (stale). To have it: apt-get install tail",
     "  1 test: it rains",
     "2 deep tests left to `make deep`",
 ]
@@ -150,7 +150,7 @@ def test_where_nothing_is_missing_that_is_told(suite: Path, tmp_path: Path) -> N
 def test_of_a_single_file_only_the_end_is_told(suite: Path) -> None:
     assert told(suite, "skipping/test_skipping.py::test_wag") == [
         "not run on this machine:",
-        "  1 test: a tail (lost). To have it: apt-get install tail",
+        "  1 test: a tail (stale). To have it: apt-get install tail",
     ]
 
 

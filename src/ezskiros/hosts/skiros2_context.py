@@ -155,7 +155,7 @@ def begin(
     connecting: Callable[[], Publish] = connect,
 ) -> str | None:
     """Begin to tell the context, in the words of an export of these files; None if that is done,
-    else why not. Then nothing is told at all any more: rules take it for lost.
+    else why not. Then nothing is told at all any more: rules take it for stale.
     """
     problem = _refused[0] if _refused else _begun(path, files, connecting)
     if problem is not None:

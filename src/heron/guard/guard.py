@@ -168,7 +168,7 @@ class InProcessGuard:
             self._core.open()
 
     def _begin(self, now_ns: int) -> None:
-        """With the first messages of all inputs, so that none counts as lost that only starts."""
+        """With the first messages of all inputs, so that none counts as stale that only starts."""
         self._has_begun = True
         if self._first:
             self._follow(now_ns, self._intake.together(now_ns, self._first))

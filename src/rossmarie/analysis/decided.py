@@ -224,9 +224,9 @@ def _rule_finding(
     span = rule.head
     if lacking is ALWAYS:
         return AlwaysActive(rule=rule.name).at(span, *labels, notes=notes)
-    is_lost = partial(is_value, proposition=rule.condition, value=TruthValue.LOST)
-    can_be_lost = not inquiry.is_impossible(is_lost)
-    rest = "only a missing input makes it active" if can_be_lost else "nothing makes it active"
+    is_stale = partial(is_value, proposition=rule.condition, value=TruthValue.STALE)
+    can_be_stale = not inquiry.is_impossible(is_stale)
+    rest = "only a missing input makes it active" if can_be_stale else "nothing makes it active"
     return NeverActive(rule=rule.name, rest=rest).at(span, *labels, notes=notes)
 
 

@@ -220,7 +220,7 @@ class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
 class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
     """An input with a timeout on whose loss no rule becomes active."""
 
-    title = "nothing happens when `{input}` is lost"
+    title = "nothing happens when `{input}` is stale"
     label = "no rule becomes active when its timeout is over"
     help = "let a rule notice: `if age({input}) > ... then ...`"
     input: str

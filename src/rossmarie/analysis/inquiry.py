@@ -120,7 +120,7 @@ class Inquiry:
                 if not self._may_need(one, other) or not self._needs(one, other, TruthValue.TRUE):
                     continue
                 yield state.is_longer(one, other)
-                for value in (TruthValue.UNKNOWN, TruthValue.LOST):
+                for value in (TruthValue.UNKNOWN, TruthValue.STALE):
                     if self._needs(one, other, value):
                         yield state.is_unknown_with(one, other, value)
 

@@ -88,7 +88,7 @@ class CheckedInput:
 
 
 PERIODS_OF_TIMEOUT = 5
-"""The periods of the context that are missed until it is lost, where the rules say no time."""
+"""The periods of the context that are missed until it is stale, where the rules say no time."""
 
 
 @dataclass(frozen=True)

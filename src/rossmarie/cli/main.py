@@ -225,7 +225,7 @@ def export(
 
 @app.command()
 def failures(rules: Rules, system: Systems = None, messages: MessageFolders = None) -> None:
-    """Tell for each input which rules become active when it is lost."""
+    """Tell for each input which rules become active when it is stale."""
     from rossmarie.cli.failures import run_failures
 
     run_failures(rules, system or [], messages or [])

@@ -3,7 +3,7 @@
 A context is a `skill_context_msgs/SkillContext`, with attributes as rosbags, rospy and rclpy give
 them, or a `SkillContext` of this module. The nodes have the same in C++ (`runtime/ros/skills.h`).
 Nothing in a message is trusted: where it is not as its definition says, is from another export, or
-is too large, nobody knows the answer, which is NaN, so that the input counts as lost.
+is too large, nobody knows the answer, which is NaN, so that the input counts as stale.
 """
 
 from __future__ import annotations

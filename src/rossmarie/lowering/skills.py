@@ -1,6 +1,6 @@
 """Questions to the skills that run, as flags of the message that tells of them.
 
-One question has two forms (S59). What a rule asks is lost when the context is late. What an
+One question has two forms (S59). What a rule asks is stale when the context is late. What an
 exemption rests on comes by an input without a timeout, and is false then.
 """
 
@@ -30,7 +30,7 @@ class Skills:
         self._nodes = nodes
 
     def asked(self, node: ast.Doing) -> int:
-        """The proposition that the skill runs: lost when nobody says for too long what runs."""
+        """The proposition that the skill runs: stale when nobody says for too long what runs."""
         return self._flag(node, self._context(CONTEXT, self._skills.timeout_ns))
 
     def kept(self, node: ast.Doing) -> int:

@@ -6,7 +6,7 @@ and a count of edges are values of their own, which `phases` and `propose` know 
 so is what a `since` was, which takes other values before.
 Whatever is found is only a proposal: the interpreter has the last word.
 
-So this is no `analysis.encoding.Encoding`, which says of each proposition whether it is T, F or L,
+So this is no `analysis.encoding.Encoding`, which says of each proposition whether it is T, F or S,
 and of each number whether it is known: here all is known, and a proposition is one formula, which
 stays small enough to be asked many times. Comparisons, functions and fields are the same terms in
 both.
@@ -202,7 +202,7 @@ class World:
                 return of_beam
             if isinstance(function, RegionFunction) or function is Function.SEEN:
                 seen, wanted = (self.signal(each, part) for each in operands[-2:])
-                self._side.append(seen == wanted)  # else it is lost
+                self._side.append(seen == wanted)  # else it is stale
             if isinstance(function, RegionFunction):
                 place = self.signal(operands[0], part), self.signal(operands[1], part)
                 self._outside[index, part] = clear_of(function.region, *place)
@@ -213,7 +213,7 @@ class World:
             return angle
         values = [self.signal(operand, part) for operand in operands]
         if function is Function.SEEN:
-            self._side.append(values[1] == values[2])  # what comes in another frame is lost
+            self._side.append(values[1] == values[2])  # what comes in another frame is stale
         expression = defined(function, len(operands))
         formulas = Formulas(values, self._operate)
         if declared.easy is not None:

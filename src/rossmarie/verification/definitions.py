@@ -296,7 +296,7 @@ class Definitions:
         return f"m->since_ns[{self._layout.node_of_proposition[proposition]}]"
 
     def _unknown(self, index: int, node: ir.PropositionNode) -> Iterator[str]:
-        """S30: whether an unknown leaf is lost or just unknown."""
+        """S30: whether an unknown leaf is stale or just unknown."""
         match node:
             case (
                 ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
@@ -312,10 +312,10 @@ class Definitions:
         )
         if timed:
             lacking.append("true" if whole else f"({self._nothing_missing(index)})")
-        lost = " || ".join(lacking) or "false"
+        stale = " || ".join(lacking) or "false"
         yield (
             f"static unsigned spec_unknown_{index}(const monitor *m)\n"
-            f"{{\n    (void)m;\n    return {lost} ? LOST : UNKNOWN;\n}}\n"
+            f"{{\n    (void)m;\n    return {stale} ? STALE : UNKNOWN;\n}}\n"
         )
 
     def _lacking(self, index: int) -> Iterator[str]:

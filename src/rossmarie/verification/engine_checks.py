@@ -97,7 +97,7 @@ class EngineChecks:
             cleared = (
                 f"{condition} == FALSE && {self._definitions.proposition(rule.release)} == TRUE"
             )
-        becomes = f"({condition} == TRUE || {condition} == LOST || ({was} && !({cleared})))"
+        becomes = f"({condition} == TRUE || {condition} == STALE || ({was} && !({cleared})))"
         mine = node == self._layout.proposition_count + index
         about = f"rule {rule.name} is active as S35 to S37 say"
         return claim(f"{now} == {becomes if mine else was}", about)

@@ -78,7 +78,7 @@ static void must_report_{rule}(const monitor *m, monitor old, int64_t t_ns)
 {{
     const {name}_event *const said = &reported[{rule}];
     const int32_t change = !{is_now} ? {name}_CLEARED
-                         : {condition} == LOST ? {name}_ACTIVATED_LOST : {name}_ACTIVATED;
+                         : {condition} == STALE ? {name}_ACTIVATED_STALE : {name}_ACTIVATED;
 {once}
 {lines}
 }}

@@ -181,12 +181,12 @@ class Frames:
                 over = f"t_ns - old.stamp_ns[{index}] >= INT64_C({used.timeout_ns})"
                 expired[index] = f"(old.state[{index}] == FRESH && {over})"
                 lines += [f"if ({expired[index]})", f"    expected.state[{index}] = EXPIRED;"]
-        lost = [
+        stale = [
             (value, " || ".join([expired[i] for i in sorted(found.support.inputs) if i in expired]))
             for value, found in enumerate(self._layout.values)
         ]
         lines += [
-            *self._values((value, where or "false") for value, where in lost),
+            *self._values((value, where or "false") for value, where in stale),
             *self._propositions(range(self._layout.leaf_count)),
             *self.any_marks(),
             *self._any("wake_ns", "quiet", "swinging", *_GUARDS, *_SAMPLES),

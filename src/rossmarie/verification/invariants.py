@@ -233,15 +233,15 @@ class Invariants:
         for proposition in self._layout.held:
             before = f"m->held_before[{self._layout.held.index(proposition)}]"
             text = self._machine.propositions[proposition].text
-            held = f"{before} == FALSE || {before} == UNKNOWN || {before} == LOST"
+            held = f"{before} == FALSE || {before} == UNKNOWN || {before} == STALE"
             if _is_true_initially(self._machine, proposition):
-                held = f"{before} <= LOST"
+                held = f"{before} <= STALE"
             yield Sentence(f"`{text}` was not true before it began", held)
         for k, proposition in enumerate(self._layout.sinces):
             before, text = f"m->since_before[{k}]", self._machine.propositions[proposition].text
             marked = self.marked(self._layout.node_of_proposition[proposition])
             told = f"{before} == {self._definitions.proposition(proposition)}"
-            yield Sentence(f"what `{text}` was is a proposition", f"{before} <= LOST")
+            yield Sentence(f"what `{text}` was is a proposition", f"{before} <= STALE")
             yield Sentence(f"`{text}` is remembered", f"{marked} || {told}")
 
     def _timer(self, proposition: int) -> Iterator[str]:
@@ -268,7 +268,7 @@ class Invariants:
         for index, rule in enumerate(self._machine.rules):
             condition = self._definitions.proposition(rule.condition)
             active = f"(m->active[{index // 8}] >> {index % 8} & 1) != 0"
-            holds = f"({condition} != TRUE && {condition} != LOST || {active})"
+            holds = f"({condition} != TRUE && {condition} != STALE || {active})"
             if rule.release is not None:
                 release = self._definitions.proposition(rule.release)
                 cleared = f"({condition} != FALSE || {release} != TRUE || !({active}))"
@@ -311,7 +311,7 @@ class Invariants:
                 instant = f"m->recent_ns[{place}]"
                 yield Sentence(about, f"{instant} >= {_OLDEST} && {instant} < LATEST")
             gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
-            yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == LOST")
+            yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == STALE")
             yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
         for k in range(len(self._layout.oscillations)):
             heading = f"m->heading[{k}] >= -1 && m->heading[{k}] <= 1"
@@ -341,9 +341,9 @@ class Invariants:
         value, seen = self._definitions.proposition(proposition), f"m->swinging[{k}]"
         gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
         over = f"({seen} == TRUE || t_ns - {end} >= INT64_C({node.window_ns}))"
-        lost = f"{value} == {seen} && {gap} == {seen} && {end} == NEVER"
+        stale = f"{value} == {seen} && {gap} == {seen} && {end} == NEVER"
         known = f"{end} != NEVER && {value} == ({over} ? {seen} : {gap})"
-        return f"({seen} >= UNKNOWN ? ({lost}) : ({known}))"
+        return f"({seen} >= UNKNOWN ? ({stale}) : ({known}))"
 
     def _recent_timers(self, least: str) -> Iterator[Sentence]:
         for k, proposition in enumerate(self._layout.recent):

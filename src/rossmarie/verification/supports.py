@@ -1,7 +1,7 @@
 """The support of a number, a proposition or a rule, read off the nodes of a machine.
 
 `docs/explanation/semantics.md` says what is done with it: what a message computes anew (S7), what
-is forgotten with an input (S9), which unknown propositions are lost (S30), what a verdict tells
+is forgotten with an input (S9), which unknown propositions are stale (S30), what a verdict tells
 (S41).
 """
 

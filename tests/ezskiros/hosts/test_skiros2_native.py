@@ -136,4 +136,4 @@ def test_keys_are_renamed_as_in_skiros2(
         remaps.add_all(remaps_above)
     found, back = renamed(skills)
     assert remaps.by_own() == found
-    assert all(key == own for own, key in back.items()), "no value gets lost on the way back"
+    assert all(key == own for own, key in back.items()), "no value gets stale on the way back"

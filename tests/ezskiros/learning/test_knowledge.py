@@ -41,7 +41,7 @@ def rich(folder: Path) -> Knowledge:
     ]
     runs = [
         (refill(0, RAMP), [header(-1, 11), *active(2, 5)]),
-        (refill(20, SHELF), [header(19, 31), verdict(22, change="activated_lost")]),
+        (refill(20, SHELF), [header(19, 31), verdict(22, change="activated_stale")]),
         (gap, [header(39, 45), *active(43, 43.5)]),
     ]
     files = []
@@ -51,7 +51,7 @@ def rich(folder: Path) -> Knowledge:
     found, wrong = read_runs(files)
     assert wrong == []
     lessons = learn(found, LOCATIONS)
-    assert all((lessons.trips, lessons.failures, lessons.costs, lessons.lost))
+    assert all((lessons.trips, lessons.failures, lessons.costs, lessons.stale))
     return known(lessons, found, folder)
 
 

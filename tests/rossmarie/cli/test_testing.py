@@ -113,7 +113,7 @@ def test_recordings(rules: Path, tmp_path: Path) -> None:
     recording.write_text("time,/odom.twist.twist.linear.x\n0,0.5\n0.3,1.5\n0.6,0.2\n", "utf-8")
     code, printed = run("coverage", rules, recording)
     assert code == 0
-    assert "MC/DC 2 of 2, boundaries 0 of 3, lost inputs 0 of 1" in printed
+    assert "MC/DC 2 of 2, boundaries 0 of 3, stale inputs 0 of 1" in printed
     assert "1 m/s in speed > 1 m/s  1 m/s    0.5 m/s  1.5 m/s        0.2 m/s  1.5 m/s" in printed
     assert run("coverage", rules, tmp_path / "none.csv")[0] == 2
 

@@ -57,7 +57,7 @@ def test_lists_and_clouds_in_a_zone(engine: str, tmp_path: Path) -> None:
     assert active(3, "odom", (3.0, 2.0)) == ["close", "away", "many"]
 
 
-def test_a_cloud_without_its_header_is_lost(tmp_path: Path) -> None:
+def test_a_cloud_without_its_header_is_stale(tmp_path: Path) -> None:
     monitor: Monitor = load(RULES.replace("FRAME", "base_link"), "native", tmp_path)
     monitor.update(0, {"cloud": plain_cloud([{"x": 5.0}]), "poses": []})
     assert {"away", "many"} <= {*monitor.active}

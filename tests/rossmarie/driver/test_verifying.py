@@ -60,7 +60,7 @@ def test_what_is_right_is_proved(prover: Prover, judged: Questions) -> None:
 def test_a_fault_in_the_generated_c_is_refuted_where_the_rule_is(
     prover: Prover, judged: Questions
 ) -> None:
-    wrong = changed(judged, "condition == LOST", "condition == UNKNOWN")
+    wrong = changed(judged, "condition == STALE", "condition == UNKNOWN")
     proofs = prove(wrong, prover, seconds=SECONDS)
     assert not proofs.is_inductive
     sentences = ("rule fast is active as S35 to S37 say", "the report of rule fast")

@@ -76,7 +76,7 @@ def test_s29_flags_and_texts() -> None:
     assert [bench.proposition(proposition) for proposition in (flag, docked, other)] == [F, F, T]
 
 
-def test_s30_lost_means_for_lack_of_an_input_with_a_timeout() -> None:
+def test_s30_stale_means_for_lack_of_an_input_with_a_timeout() -> None:
     draft = Draft()
     guarded, other = draft.read(timeout_ns=SECOND), draft.read()
     both = draft.proposition(Compare(Comparison.GREATER, guarded, other))
@@ -91,7 +91,7 @@ def test_s30_lost_means_for_lack_of_an_input_with_a_timeout() -> None:
     assert bench.proposition(both) is L
 
 
-def test_s30_nan_from_a_guarded_input_is_lost() -> None:
+def test_s30_nan_from_a_guarded_input_is_stale() -> None:
     draft = Draft()
     positive = draft.above(draft.read(timeout_ns=SECOND), 0.0)
     bench = Bench(draft)
@@ -99,7 +99,7 @@ def test_s30_nan_from_a_guarded_input_is_lost() -> None:
     assert bench.proposition(positive) is L
 
 
-def test_s30_arithmetic_that_gives_no_number_from_a_guarded_input_is_lost() -> None:
+def test_s30_arithmetic_that_gives_no_number_from_a_guarded_input_is_stale() -> None:
     draft = Draft()
     guarded, other = draft.read(timeout_ns=SECOND), draft.read()
     alone = draft.above(draft.apply(Function.DIVIDE, guarded, guarded), 0.5)
@@ -138,7 +138,7 @@ def test_s30_elements_out_of_range_are_not_a_lack() -> None:
     assert bench.proposition(near) is L
 
 
-def test_s30_waiting_for_a_second_sample_is_not_lost() -> None:
+def test_s30_waiting_for_a_second_sample_is_not_stale() -> None:
     draft = Draft()
     rate = draft.signal(Sampled(Sampling.RATE, draft.read(timeout_ns=SECOND)))
     rising = draft.above(rate, 0.0)

@@ -76,13 +76,13 @@ def test_s44_wakes_in_between_change_nothing() -> None:
     since = draft.proposition(Since(a, b))
     draft.proposition(Held(other, SECOND // 4))
     bench = Bench(draft)
-    bench.send(0, c1=NAN, c2=1.0)  # A lost, B lost
+    bench.send(0, c1=NAN, c2=1.0)  # A stale, B stale
     before = bench.proposition(since)
     bench.advance(0.25)
     assert (before, bench.proposition(since)) == (L, L)
 
 
-def test_s44_unknown_beside_lost_is_lost_at_once() -> None:
+def test_s44_unknown_beside_stale_is_stale_at_once() -> None:
     draft = Draft()
     a = draft.above(draft.read(timeout_ns=SECOND), 0.0)
     b = draft.above(draft.read(), 0.0)

@@ -24,12 +24,12 @@ def test_s35_true_activates() -> None:
     assert bench.monitor.active == (True,)
 
 
-def test_s35_lost_activates() -> None:
+def test_s35_stale_activates() -> None:
     draft = Draft()
     draft.rule(draft.above(draft.read(timeout_ns=SECOND), 0.0))
     bench = Bench(draft)
     assert told(bench.send(0, c0=-1.0)) == []
-    assert told(bench.advance(2)) == [(0, 1.0, Change.ACTIVATED_LOST)]
+    assert told(bench.advance(2)) == [(0, 1.0, Change.ACTIVATED_STALE)]
     assert told(bench.send(3, c0=1.0)) == []
 
 

@@ -55,7 +55,7 @@ def test_s12_guarded_rules_are_active_until_their_input_arrives(first: str) -> N
     bench = Bench(draft)
     step = {"update": lambda: bench.send(0, c2=0.0), "advance": lambda: bench.advance(0)}
     events = step.get(first, lambda: bench.reset(0))()
-    assert told(events) == [(0, 0.0, Change.ACTIVATED_LOST)]
+    assert told(events) == [(0, 0.0, Change.ACTIVATED_STALE)]
     assert told(bench.send(0.5, c0=-1.0)) == [(0, 0.5, Change.CLEARED)]
 
 
@@ -194,7 +194,7 @@ def test_s17_repeated_jumps_do_not_keep_a_silent_input_alive() -> None:
     bench = Bench(draft)
     bench.send(0, c0=-1.0)
     events = [event for at in (0.75, 0.5, 1.25) for event in bench.advance(at)]
-    assert told(events) == [(0, 0.75, Change.ACTIVATED_LOST)]
+    assert told(events) == [(0, 0.75, Change.ACTIVATED_STALE)]
 
 
 def test_s17_expired_inputs_stay_expired() -> None:

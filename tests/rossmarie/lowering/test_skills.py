@@ -99,7 +99,7 @@ def test_s67_a_value_that_nobody_knows_fits_every_class() -> None:
 
 
 def test_s67_nobody_knows_what_is_ahead() -> None:
-    """It is lost for as long as that, and what runs is known."""
+    """It is stale for as long as that, and what runs is known."""
     robot = Robot("""
     rule next: if ahead Push then { stop; };
     rule now: if doing Push then { stop; };
@@ -115,7 +115,7 @@ def test_s67_nobody_knows_what_is_ahead() -> None:
 # --- S59 ---------------------------------------------------------------------------------------
 
 
-def test_s59_the_context_is_lost_after_five_periods() -> None:
+def test_s59_the_context_is_stale_after_five_periods() -> None:
     head = HEAD.replace(" timeout 1 sec", "")
     machine = machine_of(head + "rule it: if doing Push then { stop; };")
     assert [(used.name, used.timeout_ns) for used in machine.inputs] == [
@@ -123,7 +123,7 @@ def test_s59_the_context_is_lost_after_five_periods() -> None:
     ]
 
 
-def test_s59_what_rules_ask_is_lost_when_the_context_is_late() -> None:
+def test_s59_what_rules_ask_is_stale_when_the_context_is_late() -> None:
     robot = Robot("rule it: if doing Push then { stop; };")
     robot.tell(0)
     robot.wait(0.999)

@@ -1,4 +1,4 @@
-"""Batches for the native monitor: what does not fit, and what is lost."""
+"""Batches for the native monitor: what does not fit, and what is stale."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def test_lost_events_are_told() -> None:
     assert start in files["host.c"]
     starved = files["host.c"].replace(start, f"{start}#define realloc(old, size) NULL\n")
     monitor = load_native(MACHINE, {**files, "host.c": starved})
-    with pytest.raises(MemoryError, match="lost"):
+    with pytest.raises(MemoryError, match="stale"):
         monitor.take(batch(), [0])
 
 

@@ -51,9 +51,9 @@ def test_an_exemption_that_lacks_the_context_is_not_told_as_one() -> None:
     """)
     events = (*robot.wait(0), *robot.wait(2))
     lines = {ir.event_line(robot.machine, event) for event in events}
-    lost = "activated: input push (/push) has never been received"
+    stale = "activated: input push (/push) has never been received"
     context = "; input skill_context (/skill_context) has never been received"
-    assert lines == {f"contact {lost}{context}", f"contact_doing_Push {lost}"}
+    assert lines == {f"contact {stale}{context}", f"contact_doing_Push {stale}"}
 
 
 def test_the_safety_file_lists_exemptions_with_their_permissions(tmp_path: Path) -> None:

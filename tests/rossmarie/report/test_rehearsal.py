@@ -55,8 +55,8 @@ def test_a_rule_that_changes_twice_at_one_instant_is_seen_twice() -> None:
     assert orders(lamps(), on(1, 0), off(1, 0), on(1, 0)) == ["start 0", "stop 0", "start 0"]
 
 
-def test_what_is_lost_counts_as_active() -> None:
-    assert orders(lamps(), verdict(1, 0, Change.ACTIVATED_LOST)) == ["start 0"]
+def test_what_is_stale_counts_as_active() -> None:
+    assert orders(lamps(), verdict(1, 0, Change.ACTIVATED_STALE)) == ["start 0"]
 
 
 def test_what_is_awaited_succeeds_at_once() -> None:

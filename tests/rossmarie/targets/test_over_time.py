@@ -1,5 +1,5 @@
 """`since`, `once` and `after` in C and in Python against the interpreter, over long traces of few
-values: inputs that are lost beside inputs that are just unknown, jumps, and many messages at once.
+values: inputs that are stale beside inputs that are just unknown, jumps, and many messages at once.
 """
 
 from __future__ import annotations

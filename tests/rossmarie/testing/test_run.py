@@ -69,7 +69,7 @@ def test_a_rule_that_never_became_active(tmp_path: Path) -> None:
     ]
 
 
-def test_an_input_that_falls_silent_is_lost(tmp_path: Path) -> None:
+def test_an_input_that_falls_silent_is_stale(tmp_path: Path) -> None:
     text = """test "a" {
         every 0.1 s from 0 s to 1 s speed = 0 m/s;
         expect fast inactive from 0 s until 1.5 s;

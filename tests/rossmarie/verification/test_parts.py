@@ -189,8 +189,8 @@ def test_numbers_and_timers_are_what_they_mean(
     [
         ("#define LATEST (INT64_C(1) << 62)", "#define LATEST (INT64_C(1) << 61)"),
         (
-            "enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };",
-            "enum { FALSE, TRUE, LOST, UNKNOWN, UNSET };",
+            "enum { FALSE, TRUE, UNKNOWN, STALE, UNSET };",
+            "enum { FALSE, TRUE, STALE, UNKNOWN, UNSET };",
         ),
     ],
 )
@@ -221,12 +221,12 @@ FAULTS = (
     (("            look(m, channel, t_ns);", "            ;"),
      "update_tilt_late_between", "the guard of `abs(tilt)`"),
     (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` has its defined value"),
-    (("condition == LOST", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
+    (("condition == STALE", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
     (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
      "has its defined value"),
     (("fabs(m->", "-(m->"), "numbers", "`abs(tilt)` has its defined value"),
     (("fabs(m->", "-(m->"), "step_numbers_tilt", "`abs(tilt)` has its defined value"),
-    (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
+    (("m->value[stale_values[i]] = NAN;", "m->value[stale_values[input]] = NAN;"), "tick",
      "`abs(tilt)` is forgotten with what it is computed from"),
     (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
      "nothing beyond the range passes for calm"),

@@ -12,7 +12,7 @@ class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
     label = "it can have any number of elements"
     note = (
         "a monitor has room for as many elements as its input says; a message with more of them "
-        "counts as lost"
+        "counts as stale"
     )
     help = "say it where the input is declared: `up to {bound}`"
     text: str

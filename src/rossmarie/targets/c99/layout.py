@@ -149,7 +149,7 @@ class Layout:
         return slots + folds
 
     def excuses(self, support: ir.Support) -> list[int]:
-        """The values that, if they are not there or infinite, make a result unknown and not lost
+        """The values that, if they are not there or infinite, make a result unknown and not stale
         (S30): slots of inputs without a timeout, folds and samples.
         """
         slots = [
@@ -173,8 +173,8 @@ class Layout:
         if value.test is not None:
             node = self.machine.propositions[value.test].node
             if isinstance(node, ir.Quantified):
-                lost = any(map(self.has_timeout, value.support.inputs))
-                return [guard.value] if lost else []
+                stale = any(map(self.has_timeout, value.support.inputs))
+                return [guard.value] if stale else []
         return self.blamed(value.support)
 
 

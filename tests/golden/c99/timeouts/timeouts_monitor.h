@@ -30,15 +30,15 @@ enum timeouts_rule {
     timeouts_rule_rule_1 = 0 /* draft.ross:1 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum timeouts_truth_value { timeouts_FALSE, timeouts_TRUE, timeouts_UNKNOWN, timeouts_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum timeouts_truth_value { timeouts_FALSE, timeouts_TRUE, timeouts_UNKNOWN, timeouts_STALE };
 
 enum timeouts_input_state { timeouts_NEVER_RECEIVED, timeouts_FRESH, timeouts_EXPIRED };
 
 enum timeouts_change {
     timeouts_CLEARED,
     timeouts_ACTIVATED,
-    timeouts_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    timeouts_ACTIVATED_STALE, /* for lack of an input with a timeout */
     timeouts_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
