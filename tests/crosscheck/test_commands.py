@@ -37,9 +37,9 @@ def test_the_example_is_fine_and_its_file_of_skills_is_up_to_date(tmp_path: Path
     out = tmp_path / "skills.json"
     again = command_line.run("ezskiros", "export", "skills", "-o", out, folder=EXAMPLE)
     assert again.returncode == 0
-    told = [json.loads(path.read_text()) for path in (out, EXAMPLE / "skills.json")]
-    assert [skill["name"] for skill in told[0]["skills"]] == [
-        skill["name"] for skill in told[1]["skills"]
+    reported = [json.loads(path.read_text()) for path in (out, EXAMPLE / "skills.json")]
+    assert [skill["name"] for skill in reported[0]["skills"]] == [
+        skill["name"] for skill in reported[1]["skills"]
     ]
 
 

@@ -356,7 +356,7 @@ def test_results_of_another_program_do_not_get_in(tmp_path: Path) -> None:
     assert "--out" in found.output
 
 
-def test_an_unknown_experiment_is_told_with_those_that_there_are() -> None:
+def test_an_unknown_experiment_is_reported_with_those_that_there_are() -> None:
     found = CliRunner().invoke(app, ["evaluate", "--experiment", "fly"])
     assert found.exit_code == 2
     known = "nav, place, human, contact, corridor, blocked, second"
@@ -379,7 +379,7 @@ AT_A_CLUSTER = ["evaluate", "--seeds", "1", "--ray", "127.0.0.1:1", "--out"]
 
 
 @needs(RAY)
-def test_a_cluster_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_a_cluster_that_is_not_there_is_reported(tmp_path: Path) -> None:
     found = CliRunner().invoke(app, [*AT_A_CLUSTER, str(tmp_path)])
     assert found.exit_code == 2
     assert "no Ray cluster at 127.0.0.1:1" in found.output

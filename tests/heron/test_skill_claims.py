@@ -73,14 +73,14 @@ def test_what_is_expected_of_skills_is_as_expected() -> None:
         ("stops skill_aware jam", Encounter.JAMMED, Arm.SKILL_AWARE, {"reaction_jam": 0.4}),
     ],
 )  # fmt: skip
-def test_what_is_not_as_expected_of_skills_is_told(
+def test_what_is_not_as_expected_of_skills_is_reported(
     key: str, encounter: Encounter, arm: Arm, numbers: dict[str, float]
 ) -> None:
     found = of_contacts(encounter, arm, **numbers)
     assert {name for name, verdict in found.items() if verdict is Verdict.FAILS} == {key}
 
 
-def test_a_contact_that_nobody_acts_on_is_told() -> None:
+def test_a_contact_that_nobody_acts_on_is_reported() -> None:
     rows = [touched(arm, Encounter.COLLISION, seed) for seed in range(10) for arm in CONTACT.arms]
     del rows[2].numbers["reaction_collision"]
     (sample,) = (one for one in samples_of(CONTACT, rows) if one.harms)

@@ -167,7 +167,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
         ),
         Damage("an exemption has the contract", "        contracts=(),\n", ""),
         Damage(
-            "the use of an exemption is not told",
+            "the use of an exemption is not reported",
             'yield _made(rule, exemption, f"{name}_doing_{suffix}", rule.condition, ())',
             "pass",
         ),
@@ -201,8 +201,8 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
         ),
         Damage(
             "skills run as they are declared",
-            "    own = _told_apart(",
-            "    return [(thing.type,)]\n    own = _told_apart(",
+            "    own = _distinguished(",
+            "    return [(thing.type,)]\n    own = _distinguished(",
         ),
         Damage(
             "calls of one skill are left out",

@@ -69,8 +69,8 @@ def calls() -> Iterator[str]:
                 flags = {step: yes for step, yes in given.items() if isinstance(step, ir.Doing)}
                 chosen = covering(asked.machine.calls, flags)
                 running = () if chosen is None else tuple(each.running for each in chosen)
-                told = SkillContext.of(world.digest, running)
-                if chosen is None or any(answer(s, told) != yes for s, yes in flags.items()):
+                reported = SkillContext.of(world.digest, running)
+                if chosen is None or any(answer(s, reported) != yes for s, yes in flags.items()):
                     yield f"{flags}"
 
 

@@ -34,7 +34,7 @@ EXAMPLES = (
     "rossmarie/test_fixtures.py",
     "rossmarie/testing/test_skills.py",
 )
-"""Tests of skills by examples, which are told apart from those by random rules and messages."""
+"""Tests of skills by examples, which are distinguished from those by random rules and messages."""
 
 FAULTS = [(file, damage) for file, found in COMPILER.items() for damage in found]
 IN_EACH_RUN = FAULTS[::8]
@@ -99,7 +99,7 @@ def test_an_undamaged_copy_is_as_it_should_be(tmp_path: Path) -> None:
 
 
 @pytest.mark.deep
-def test_the_rates_are_told(
+def test_the_rates_are_reported(
     noticed: Mapping[Fault, frozenset[str]],
     tmp_path: Path,
     record_property: Callable[[str, object], None],
@@ -115,7 +115,7 @@ def test_the_rates_are_told(
     lines.append(f"  by tests of examples: {by_examples} of {len(FAULTS)}")
     by_random = sum(map(bool, noticed.values()))
     lines.append(f"  by random rules and messages: {by_random} of {len(FAULTS)}")
-    record_property("told", "\n".join(lines))
+    record_property("reported", "\n".join(lines))
     assert by_examples > len(FAULTS) / 2
 
 

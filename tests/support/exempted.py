@@ -103,7 +103,7 @@ class Event:
     """A message about the force, one about skills, or silence, after some ticks."""
 
     ticks: int
-    told: float | SkillContext | None
+    reported: float | SkillContext | None
 
 
 def random_program(random: Random) -> Program:
@@ -118,12 +118,12 @@ def random_program(random: Random) -> Program:
 def random_events(random: Random) -> list[Event]:
     """Messages in any order, with silence between them, and those of another export."""
     return [
-        Event(random.choice((0, 1, 1, 2, 4, 8, 12)), _random_told(random))
+        Event(random.choice((0, 1, 1, 2, 4, 8, 12)), _random_reported(random))
         for _ in range(random.randrange(MOST_EVENTS))
     ]
 
 
-def _random_told(random: Random) -> float | SkillContext | None:
+def _random_reported(random: Random) -> float | SkillContext | None:
     match random.randrange(5):
         case 0 | 1:
             digest = DIGEST if random.random() < 0.8 else "00" * 32
@@ -161,12 +161,12 @@ class Model:
     active: list[bool] = field(default_factory=list)
 
     def happens(self, at_ns: int, event: Event) -> None:
-        """Time passes, with the instants at which something is stale, and then it is told."""
+        """Time passes, with the instants at which something is stale, and then it is reported."""
         for due_ns in sorted(self._due(at_ns)):
             self._evaluate(due_ns)
-        match event.told:
-            case SkillContext() as told:
-                self.context, self.context_ns = told, at_ns
+        match event.reported:
+            case SkillContext() as reported:
+                self.context, self.context_ns = reported, at_ns
             case float(force):
                 self.force, self.force_ns = force, at_ns
             case None:
@@ -224,10 +224,10 @@ class Model:
 
 def _sent(machine: ir.Machine, event: Event) -> dict[int, ir.ChannelValues]:
     topics = [channel.topic for channel in machine.channels]
-    match event.told:
-        case SkillContext() as told:
+    match event.reported:
+        case SkillContext() as reported:
             answers = {
-                index: answer(slot.path[0], told)
+                index: answer(slot.path[0], reported)
                 for index, slot in enumerate(machine.slots)
                 if isinstance(slot.path[0], ir.Doing)
             }

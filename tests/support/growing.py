@@ -20,7 +20,7 @@ from rossmarie.core import (
     sampling_row,
 )
 from support.drafts import SECOND, Draft
-from support.skill_contexts import QUESTIONS, calls_told
+from support.skill_contexts import QUESTIONS, calls_reported
 
 TICK = SECOND // 10
 
@@ -103,7 +103,7 @@ class Growing:
                 elif not step.is_boolean:
                     self.numbers.append(self.draft.signal(ir.Read(slot)))
         steps = [slot.path[0] for slot in self.draft.slots if isinstance(slot.path[0], ir.Doing)]
-        self.draft.calls = calls_told(steps) if self.draw(st.booleans()) else ()
+        self.draft.calls = calls_reported(steps) if self.draw(st.booleans()) else ()
 
     def _fields(self, used: int) -> None:
         # Of an input without fields only the age is read.
@@ -329,7 +329,7 @@ class Growing:
         return self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
 
     def _kept(self) -> int:
-        """An exemption rests on this: a skill runs, as told in time (S59)."""
+        """An exemption rests on this: a skill runs, as reported in time (S59)."""
         slot = self.draw(st.sampled_from(self.questions))
         flag = self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
         late = self._add(ir.AgeReaches(self.draft.slots[slot].input, self.draw(durations)))

@@ -147,10 +147,10 @@ def take(guard: GuardEngine, machine: ir.Machine, step: Step) -> None:
 
 
 def _observed(guard: GuardEngine, machine: ir.Machine, at_ns: int) -> GuardObservation:
-    told = guard.take()
+    reported = guard.take()
     return GuardObservation(
-        tuple(exactly(event) for event in told.events),
-        tuple(told.orders),
+        tuple(exactly(event) for event in reported.events),
+        tuple(reported.orders),
         guard.active,
         guard.states,
         guard.next_wake(),

@@ -1,4 +1,4 @@
-"""Provers for tests: the real one, and one that answers as it is told."""
+"""Provers for tests: the real one, and one that answers as it is reported."""
 
 from __future__ import annotations
 

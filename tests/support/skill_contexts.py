@@ -118,12 +118,12 @@ CONTEXTS = tuple(random_context(_CHOSEN) for _ in range(60))
 
 
 @cache
-def told(step: SkillStep, number: int) -> float:
+def reported(step: SkillStep, number: int) -> float:
     """What one of these contexts answers to a question."""
     return answer(step, CONTEXTS[number])
 
 
-def calls_told(steps: Sequence[Doing]) -> tuple[SkillCall, ...]:
+def calls_reported(steps: Sequence[Doing]) -> tuple[SkillCall, ...]:
     """Calls of skills, one for each combination of answers that a skill in these contexts gives."""
     found: dict[tuple[bool, ...], SkillCall] = {}
     for skill in (each for context in CONTEXTS for each in (*context.running, *context.ahead)):

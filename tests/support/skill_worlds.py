@@ -96,8 +96,8 @@ class World:
         return True
 
     def _may_be_done(self, question: Question, ahead: RunningSkill) -> bool:
-        told = {each.parameter for each in ahead.arguments}
-        limits = tuple(each for each in question.limits if each[0] in told)
+        reported = {each.parameter for each in ahead.arguments}
+        limits = tuple(each for each in question.limits if each[0] in reported)
         return self._is_done(replace(question, limits=limits), ahead)
 
 
@@ -119,7 +119,7 @@ def _is_as_defined(context: SkillContext) -> bool:
 
 
 def _one_of(question: Question, running: RunningSkill) -> float:
-    """The number, however often it is told: of a thing once for each of its classes."""
+    """The number, however often it is reported: of a thing once for each of its classes."""
     found = [each for each in running.arguments if each.parameter == question.parameter]
     numbers = [each.number for each in found]
     if question.property is not None:
@@ -234,7 +234,7 @@ def asked_of(random: Random, world: World, folder: Path) -> Asked:
     lines = [f'skills "{file}" timeout 1 sec;', "action stop;"]
     words: dict[str, Question] = {}
     skills = sorted(world.skills)
-    if random.random() < 0.5:  # questions about one skill are told apart by classes alone
+    if random.random() < 0.5:  # questions about one skill are distinguished by classes alone
         skills = [random.choice(skills)]
     for number in range(random.randint(2, 5)):
         question = random_question(random, world, skills)

@@ -171,7 +171,7 @@ def test_it_ends_as_a_process_of_its_own(script: Path, code: str) -> None:
 
 
 @pytest.mark.parametrize("code", ["raise ValueError('oh')", "raise KeyboardInterrupt"])
-def test_an_error_is_told_with_its_place(script: Path, code: str) -> None:
+def test_an_error_is_reported_with_its_place(script: Path, code: str) -> None:
     script.write_text(f"def fail():\n    {code}\n\nprint('before')\nfail()\n")
     found, asked = run(script), alone(sys.executable, script)
     assert (found.returncode, found.stdout) == (asked.returncode, asked.stdout)

@@ -170,7 +170,7 @@ class HostedWorld(World):
 
     def _forget_them(self, things: Iterable[str]) -> None:
         """Ask again for things that have changed: SkiROS2 remembers what they were until it is
-        told, which is after conditions have been checked.
+        reported, which is after conditions have been checked.
         """
         known: dict[str, Any] = getattr(self._wmi, "_elements_cache", {})
         for thing in things:

@@ -22,7 +22,7 @@ class Verdict(enum.Enum):
 
     HOLDS = "as expected"
     FAILS = "not as expected"
-    OPEN = "not to be told from these episodes"
+    OPEN = "not to be distinguished from these episodes"
 
 
 @dataclass(frozen=True)

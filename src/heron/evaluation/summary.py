@@ -8,7 +8,7 @@ from typing import NamedTuple
 from heron.evaluation.claim import Claim, Verdict
 
 
-class Told(NamedTuple):
+class Reported(NamedTuple):
     """An expectation, the experiment or training that it is of, and why it came out otherwise, if
     that is known.
     """
@@ -18,19 +18,19 @@ class Told(NamedTuple):
     reason: str | None
 
 
-def summary_of(all_told: Sequence[Told]) -> Iterator[str]:
+def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
     """The lines of the section."""
     yield "## What came out"
     yield ""
-    yield f"Of {len(all_told)} expectations:"
+    yield f"Of {len(all_reported)} expectations:"
     yield ""
     for verdict in Verdict:
-        count = sum(told.claim.verdict is verdict for told in all_told)
+        count = sum(reported.claim.verdict is verdict for reported in all_reported)
         if count:
             yield f"- {count} came out {verdict.value}"
     yield ""
     for verdict in (Verdict.FAILS, Verdict.OPEN):
-        chosen = [told for told in all_told if told.claim.verdict is verdict]
+        chosen = [reported for reported in all_reported if reported.claim.verdict is verdict]
         if chosen:
             yield f"{verdict.value.capitalize()}:"
             yield ""
@@ -47,7 +47,7 @@ def table_of(claims: Iterable[Claim]) -> Iterator[str]:
     yield ""
 
 
-def _line(told: Told) -> str:
-    claim = told.claim
-    why = f" {told.reason}" if told.reason and claim.verdict is Verdict.FAILS else ""
-    return f"- *{told.place}*, {claim.expected}: {claim.found}.{why}"
+def _line(reported: Reported) -> str:
+    claim = reported.claim
+    why = f" {reported.reason}" if reported.reason and claim.verdict is Verdict.FAILS else ""
+    return f"- *{reported.place}*, {claim.expected}: {claim.found}.{why}"

@@ -172,8 +172,8 @@ class Node:
         header = connection.header()
         if self._heard[topic].kind not in (_ANY, header["type"]):
             connection.close()
-            wanted, told = self._heard[topic].kind, header["type"]
-            raise Ros1Error(f"{header['callerid']} publishes {topic} as {told}, not {wanted}")
+            wanted, reported = self._heard[topic].kind, header["type"]
+            raise Ros1Error(f"{header['callerid']} publishes {topic} as {reported}, not {wanted}")
         return connection, _learned(header)
 
     # --- services ----------------------------------------------------------------------------

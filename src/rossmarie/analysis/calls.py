@@ -1,6 +1,7 @@
 """Answers of the skills that run, as facts: which of them go together (S58).
 
-Any number of skills may run at a time. So what a machine is told is the union of what calls give.
+Any number of skills may run at a time. So what a machine is reported is the union of what calls
+give.
 """
 
 from __future__ import annotations

@@ -27,23 +27,23 @@ Needs = Mapping[int, frozenset[int]]
 def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
     """A warning of each rule that an earlier one is in conflict with, once for each resource.
 
-    With `thorough` all pairs are asked about, and proofs and orders are told as well.
+    With `thorough` all pairs are asked about, and proofs and orders are reported as well.
     """
     machine = inquiry.machine
     needs = [_needs(machine, rule) for rule in range(len(machine.rules))]
     ordered = ordered_pairs(machine)
-    told: set[tuple[int, int]] = set()
+    reported: set[tuple[int, int]] = set()
     for second, needed in enumerate(needs):
         for resource, actions in needed.items():
             for first in range(second):
-                if needs[first].get(resource, actions) == actions or (first, second) in told:
+                if needs[first].get(resource, actions) == actions or (first, second) in reported:
                     continue
                 if _do_the_same(machine, first, second, resource):
                     continue
                 is_ordered = (first, second) in ordered or (second, first) in ordered
                 if is_ordered and not thorough:
                     continue
-                told.add((first, second))
+                reported.add((first, second))
                 found = _judged(inquiry, first, second, resource, ordered)
                 is_conflict = isinstance(found, Finding) and found.diagnostic.code == "ROSS700"
                 if thorough or found.diagnostic.code in ("ROSS700", "ROSS729"):

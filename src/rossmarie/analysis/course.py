@@ -196,7 +196,7 @@ class Moment(Encoding):
 
     def was(self, operand: int, initially: bool) -> Fact:
         """The value of a proposition before it became true, where it is; before the start, as
-        told.
+        reported.
         """
         if self._before is None:
             return literal(initially)

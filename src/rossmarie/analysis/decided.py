@@ -56,7 +56,7 @@ from rossmarie.ir import (
     kleene,
     proposition_operands,
     reachable_propositions,
-    told_propositions,
+    reported_propositions,
 )
 from rossmarie.ir.carried import si_ends
 
@@ -168,18 +168,18 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
 
 def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, TruthValue]:
     """Constant parts that users wrote: an `after` that never asks for an answer is always true."""
-    told = {
+    reported = {
         proposition
         for rule in machine.rules
         for root in rule.roots
-        for proposition in told_propositions(machine, root)
+        for proposition in reported_propositions(machine, root)
     }
-    wholes = {proposition: defined(machine, proposition) for proposition in told}
+    wholes = {proposition: defined(machine, proposition) for proposition in reported}
     written = {
-        proposition: lacking for proposition, lacking in found.items() if proposition in told
+        proposition: lacking for proposition, lacking in found.items() if proposition in reported
     }
     for proposition, whole in wholes.items():
-        inside = set(reachable_propositions(machine, proposition)) - told
+        inside = set(reachable_propositions(machine, proposition)) - reported
         if isinstance(whole, Response) and NEVER in map(found.get, inside):
             written[proposition] = ALWAYS
     return dict(sorted(written.items()))

@@ -55,9 +55,9 @@ def find_alternating(inquiry: Inquiry) -> Iterator[Finding]:
                 shown.append(circle.group)
                 yield finding
     opened = {each.group: each for each in reversed(waiting)}
-    told = frozenset[int]().union(*shown)
+    reported = frozenset[int]().union(*shown)
     for group, circle in opened.items():
-        if not (group <= told or any(each <= group for each in shown)):
+        if not (group <= reported or any(each <= group for each in shown)):
             yield circle.open()
 
 

@@ -45,8 +45,8 @@ from rossmarie.ir import (
     TruthValue,
     compared_signals,
     reachable_propositions,
+    reported_propositions,
     signal_operands,
-    told_propositions,
 )
 from rossmarie.ir.duration_text import duration_text
 
@@ -62,7 +62,7 @@ def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
         root for rule in range(len(machine.rules)) for root in propositions_of(machine, (rule,))
     }
     used = sorted(
-        {proposition for root in roots for proposition in told_propositions(machine, root)}
+        {proposition for root in roots for proposition in reported_propositions(machine, root)}
     )
     rests_on = inquiry.asked.supports.propositions
     in_rules = {each for root in roots for each in rests_on[root].inputs}

@@ -12,7 +12,7 @@ import typer
 from dslkit.diagnostics import Template
 from dslkit.source import Span
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.cli.saving import refuse_report
 from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError
@@ -83,7 +83,7 @@ def _keep(questions: Questions, folder: Path, rules: Path) -> None:
 def _proofs(questions: Questions, seconds: int) -> Proofs:
     found = prover()
     try:
-        with told_progress("proving") as on_progress:
+        with reported_progress("proving") as on_progress:
             return prove(questions, found, seconds=seconds, on_progress=on_progress)
     except ProverError as error:
         _give_up(ProgramRefused(reason=complaint(error)))

@@ -83,7 +83,7 @@ from rossmarie.ir.naming import (
     near_name,
     scan_names,
 )
-from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
+from rossmarie.ir.orders import FieldBounds, Order, OrderKind, Reported, State
 from rossmarie.ir.path import (
     AXES,
     EACH,
@@ -128,7 +128,7 @@ from rossmarie.ir.support import (
     signal_operands,
     supports,
 )
-from rossmarie.ir.terms import rule_terms, told_propositions
+from rossmarie.ir.terms import reported_propositions, rule_terms
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
@@ -217,6 +217,7 @@ __all__ = [
     "Read",
     "Reading",
     "Recurs",
+    "Reported",
     "Requirement",
     "Response",
     "Rule",
@@ -238,7 +239,6 @@ __all__ = [
     "Supports",
     "Taken",
     "TimeJump",
-    "Told",
     "TruthValue",
     "UnreadableMachine",
     "Verdict",
@@ -282,6 +282,7 @@ __all__ = [
     "proposition_operands",
     "reachable_propositions",
     "reactions",
+    "reported_propositions",
     "require_instant",
     "rule_signals",
     "rule_terms",
@@ -292,7 +293,6 @@ __all__ = [
     "signal_operands",
     "stand_beside",
     "supports",
-    "told_propositions",
     "verify",
     "wakes",
     "without_margins",

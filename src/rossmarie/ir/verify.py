@@ -335,8 +335,8 @@ def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[in
             pass
         case _:  # open: no other function compares texts
             return ()
-    is_told = kind_of(machine, seen) is ir.Kind.TEXT
-    require(is_told or _is_literal(machine, seen), where, "a frame that is no text")
+    is_reported = kind_of(machine, seen) is ir.Kind.TEXT
+    require(is_reported or _is_literal(machine, seen), where, "a frame that is no text")
     require(_is_literal(machine, wanted), where, "the wanted frame is no text")
     return (seen, wanted)
 

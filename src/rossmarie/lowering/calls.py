@@ -71,8 +71,8 @@ def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) ->
     """
     if not all(len(kinds) == 1 and kinds != NO_VALUE for _, kinds in chosen):
         return None
-    told = [f"{thing.name}: {kind}" for thing, (kind,) in chosen if kind != thing.type]
-    limits = f"({', '.join(told)})" if told else ""
+    reported = [f"{thing.name}: {kind}" for thing, (kind,) in chosen if kind != thing.type]
+    limits = f"({', '.join(reported)})" if reported else ""
     return f"{word} {skill.name}{limits}"
 
 
@@ -84,8 +84,8 @@ def _kinds(
     parameter may have no value: what is gone from the world is told so.
     """
     below, above = skills.classes.below(thing.type), skills.classes.above(thing.type)
-    own = _told_apart(below, asked, skills)
-    others = _told_apart(
+    own = _distinguished(below, asked, skills)
+    others = _distinguished(
         {name for each in asked for name in each} - {*below, *above}, asked, skills
     )
     found: dict[tuple[bool, ...], Kinds] = {answers: (name,) for answers, name in own.items()}
@@ -97,7 +97,7 @@ def _kinds(
     return list(found.values())
 
 
-def _told_apart(
+def _distinguished(
     names: Iterable[str], asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> dict[tuple[bool, ...], str]:
     """Classes by the answers that they give, of each kind the most general."""

@@ -32,7 +32,7 @@ _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
 _RUNS_ONE = (*SELECTOR, FIRST_SUCCESS)
 """Nodes that succeed if one of their children does."""
 _MOST_WAYS = 64
-"""Combinations of things of one skill that are told. With the others, a rule stops it again."""
+"""Combinations of things of one skill that are reported. With the others, a rule stops it again."""
 _MOST_LEVELS = 64
 """Compounds in compounds that are looked into."""
 
@@ -43,8 +43,8 @@ def with_prohibitions(machine: ir.Machine, skills: CheckedSkills | None) -> ir.M
     if skills is None or not any(_replans(task.effect) for task in tasks):
         return machine
     found = tuple(prohibitions(machine, skills))
-    told = tuple(replace(task, effect=_telling(task.effect, found)) for task in tasks)
-    return replace(machine, reactions=replace(machine.reactions, tasks=told))
+    reported = tuple(replace(task, effect=_telling(task.effect, found)) for task in tasks)
+    return replace(machine, reactions=replace(machine.reactions, tasks=reported))
 
 
 def prohibitions(machine: ir.Machine, skills: CheckedSkills) -> Iterator[str]:
@@ -66,8 +66,8 @@ def _replans(effect: reactions.Effect) -> bool:
 def _telling(effect: reactions.Effect, found: tuple[str, ...]) -> reactions.Effect:
     if not isinstance(effect, reactions.SendGoal) or not _replans(effect):
         return effect
-    told = reactions.Assignment((WITHOUT,), found)
-    return replace(effect, assignments=(*effect.assignments, told))
+    reported = reactions.Assignment((WITHOUT,), found)
+    return replace(effect, assignments=(*effect.assignments, reported))
 
 
 def _without_special_cases(ways: Collection[Things]) -> Iterator[Things]:

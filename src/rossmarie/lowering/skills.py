@@ -42,10 +42,10 @@ class Skills:
         timeout = duration_text(timeout_ns)
         late = self._nodes.leaf(
             ir.AgeReaches(self._inputs.input(used), timeout_ns),
-            Shown(f"no skills told for {timeout}", node.span),
+            Shown(f"no skills reported for {timeout}", node.span),
         )
-        fresh = self._nodes.negation(late, Shown(f"skills told within {timeout}", node.span))
-        text = Shown(f"{self.text(node)}, as told in time", node.span)
+        fresh = self._nodes.negation(late, Shown(f"skills reported within {timeout}", node.span))
+        text = Shown(f"{self.text(node)}, as reported in time", node.span)
         return self._nodes.conjunction((self._flag(node, used), fresh), text)
 
     def text(self, node: ast.Doing) -> str:

@@ -20,7 +20,7 @@ from rossmarie.recordings.matching import field_text, input_span, lengths, liste
 _MOST_OTHERS = 64
 """Names or lengths that are kept to tell of; more than that nobody reads."""
 _DIGITS = 12
-"""Digits of a digest that are told."""
+"""Digits of a digest that are reported."""
 
 Named = ByName | Listed
 """An element that goes by a name."""

@@ -18,7 +18,7 @@ from rossmarie.ir.carried import carries, holds_flags
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.beams import is_column, readings
 from rossmarie.testing.goals import visible_step
-from rossmarie.testing.skills import told_by_skills
+from rossmarie.testing.skills import reported_by_skills
 from rossmarie.testing.solve import World
 from rossmarie.testing.variables import Ramp, Values, Variable
 
@@ -78,16 +78,16 @@ class Stage:
         events: list[ScriptedArrival | ScriptedReset] = list(self._beats(phases, starts, ends))
         before: dict[Variable, float] = {}
         for phase, start_ns, end_ns in zip(phases, starts, ends, strict=True):
-            told = self._told(phase)
-            events += self._changes(told, before, start_ns)
+            reported = self._reported(phase)
+            events += self._changes(reported, before, start_ns)
             kept = {each: before[each] for each in phase.values if each in before}
-            before = kept | dict(told.values)
+            before = kept | dict(reported.values)
             if self.machine.rules[self.rule].release is None:
                 events.append(ScriptedReset(end_ns - self.beat_ns, self.rule))
         events.sort(key=_start)
-        return Script(name, told_by_skills(self.machine, events) or (), (), None)
+        return Script(name, reported_by_skills(self.machine, events) or (), (), None)
 
-    def _told(self, phase: Phase) -> Phase:
+    def _reported(self, phase: Phase) -> Phase:
         """A phase without the numbers that only messages on silent channels could bring."""
         inputs, slots = self.machine.inputs, self.machine.slots
         values = {
@@ -147,9 +147,11 @@ class Stage:
             if before.get(variable) != value and not is_moved:
                 settings += self._setting(variable, value)
         for array in sorted(arrays):
-            told, told_before = (self._told_of(array, each) for each in (phase.values, before))
-            if told != told_before:
-                settings += self._array(array, *told)
+            reported, reported_before = (
+                self._reported_of(array, each) for each in (phase.values, before)
+            )
+            if reported != reported_before:
+                settings += self._array(array, *reported)
         if settings:
             yield self._sent(start_ns, settings)
         merged: dict[int, list[Setting]] = {}
@@ -202,7 +204,7 @@ class Stage:
         usual = USUAL_DISTANCES[1] if is_of_scan(self.machine.arrays[array]) else 0.0
         return tuple(values.get(Variable("element", array, part), usual) for part in places)
 
-    def _told_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
+    def _reported_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
         """All elements of an array; and of points of a scan the side on which they are."""
         its_list = self.machine.arrays[array].list
         side = None if its_list is None else values.get(Variable("side", its_list))

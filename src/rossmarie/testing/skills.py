@@ -15,7 +15,7 @@ DOING = "doing"
 """The word that stands for the input that tells which skills run; alone it sends that once more."""
 
 
-def told_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event, ...] | None:
+def reported_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event, ...] | None:
     """The events, in the order of time, with the skills that run where flags were set that ask for
     them; None if no skills give these answers.
     """
@@ -34,7 +34,7 @@ def told_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event,
             running = _running(machine, flags[0].topic, wanted)
             if running is None:
                 return None
-        found.append(_told(event, names, running))
+        found.append(_reported(event, names, running))
     return tuple(found)
 
 
@@ -65,7 +65,7 @@ def _running(machine: ir.Machine, topic: str, wanted: dict[ir.Doing, bool]) -> R
     return Running(topic, tuple(call.running for call in calls), text)
 
 
-def _told(
+def _reported(
     event: ScriptedArrival, contexts: frozenset[str], running: Running | None
 ) -> ScriptedArrival:
     inputs = [DOING if name in contexts else name for name in event.inputs]

@@ -184,10 +184,10 @@ class EngineChecks:
         return "".join(f"{each}\n" for each in claims)
 
     def _latch(self) -> str:
-        told = self._frames.latched("(!old.started && rule == {index})", "true")
+        reported = self._frames.latched("(!old.started && rule == {index})", "true")
         call = f"{self._layout.name}_latch(m, rule);"
         any_rule = "    const int rule = nondet_integer();\n    const monitor old = s;"
-        return f"{ANY}\n    (void)t_ns;\n{any_rule}\n    {call}\n{told}"
+        return f"{ANY}\n    (void)t_ns;\n{any_rule}\n    {call}\n{reported}"
 
 
 _EVALUATE = """\

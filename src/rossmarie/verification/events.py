@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.layout import Layout
 from rossmarie.verification.program import claim
-from rossmarie.verification.supports import told
+from rossmarie.verification.supports import reported
 
 
 class Events:
@@ -46,7 +46,7 @@ class Events:
     def _said(self, rule: int) -> Iterator[str]:
         yield f"(said->at_ns == t_ns && said->from_ns == t_ns && said->rule == {rule})"
         yield "said->change == change"
-        found = told(self._layout.machine, self._rules[rule].condition)
+        found = reported(self._layout.machine, self._rules[rule].condition)
         for place, term in enumerate(found.terms):
             yield f"said->propositions[{place}] == {self._definitions.proposition(term)}"
             yield f"said->since_ns[{place}] == {self._definitions.since(term)}"

@@ -47,7 +47,7 @@ class Frames:
 
     def text(self) -> str:
         """The functions that compare."""
-        return f"{self._same()}\n{self._told()}"
+        return f"{self._same()}\n{self._reported()}"
 
     def _same(self) -> str:
         lines = []
@@ -62,27 +62,27 @@ class Frames:
 
     # --- messages ----------------------------------------------------------------------------
 
-    def _told(self) -> str:
+    def _reported(self) -> str:
         """S7, S9: a message makes its inputs fresh, and nothing else."""
         lines = []
         for index, used in enumerate(self._machine.inputs):
-            is_told = f"is_told[{used.channel}]"
-            stamp = f"m->stamp_ns[{index}] == ({is_told} ? asked_ns : old->stamp_ns[{index}])"
+            is_reported = f"is_reported[{used.channel}]"
+            stamp = f"m->stamp_ns[{index}] == ({is_reported} ? asked_ns : old->stamp_ns[{index}])"
             if self._is_stamped(index):
                 lines.append(claim(stamp, f"the stamp of {used.name} is that of its last message"))
-            state = f"m->state[{index}] == ({is_told} ? FRESH : old->state[{index}])"
+            state = f"m->state[{index}] == ({is_reported} ? FRESH : old->state[{index}])"
             lines.append(claim(state, f"{used.name} is fresh by a message, else as it was"))
         for index, value in enumerate(self._layout.values):
-            told = [f"is_told[{channel}]" for channel in sorted(value.support.channels)]
+            reported = [f"is_reported[{channel}]" for channel in sorted(value.support.channels)]
             same = f"spec_same({self._seen(index, 'm->')}, {self._seen(index, 'old->')})"
             about = f"no other message changes `{remark_of(value)}`"
-            lines.append(claim(" || ".join([*told, same]), about))
+            lines.append(claim(" || ".join([*reported, same]), about))
         lines += [
             claim(f"m->{place} == old->{place}", "no rule changes")
             for place in self._places["active"]
         ]
         channels = max(1, len(self._machine.channels))
-        return _TOLD.format(channels=channels, lines="\n".join(lines))
+        return _REPORTED.format(channels=channels, lines="\n".join(lines))
 
     def _is_stamped(self, index: int) -> bool:
         """Say whether somebody looks at the age of an input."""
@@ -297,10 +297,10 @@ class Frames:
         return "\n".join([*lines, self.kept(self._any("active"))])
 
 
-_TOLD = """\
-static bool is_told[{channels}];
+_REPORTED = """\
+static bool is_reported[{channels}];
 
-static void must_be_told(const monitor *m, const monitor *old)
+static void must_be_reported(const monitor *m, const monitor *old)
 {{
 {lines}
 }}

@@ -154,7 +154,7 @@ class _Writer:
         groups = ("clock", "marks", "just_in_time", "leaves", "recent", "rules", "ahead", "woken")
         lines = [f"    {word}_{group}(m, t_ns);" for group in groups]
         lines.append(f"    {word}_derived(m, m->now_ns);")
-        return "\n".join([*lines, write(_told(self._invariants, self._layout))])
+        return "\n".join([*lines, write(_reported(self._invariants, self._layout))])
 
     def _restarted(self) -> list[Sentence]:
         """Everything that is computed is to be evaluated; the inputs are as they were."""
@@ -173,11 +173,11 @@ class _Writer:
         ]  # fmt: skip
 
 
-def _told(invariants: Invariants, layout: Layout) -> list[Sentence]:
+def _reported(invariants: Invariants, layout: Layout) -> list[Sentence]:
     """Each proposition told of an oscillation was right at the last evaluation, or it is marked."""
     found = []
     for k, proposition in enumerate(layout.oscillations):
-        told = invariants.told(k).replace("t_ns -", "m->now_ns -")
+        reported = invariants.reported(k).replace("t_ns -", "m->now_ns -")
         marked = invariants.marked(layout.node_of_proposition[proposition])
-        found.append(Sentence("what was told of an oscillation", f"({marked} || {told})"))
+        found.append(Sentence("what was told of an oscillation", f"({marked} || {reported})"))
     return found

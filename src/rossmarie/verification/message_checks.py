@@ -101,7 +101,7 @@ class MessageChecks:
             numbers = Check(f"numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
-            lines += [*self._given(channel), f"    is_told[{channel}] = true;"]
+            lines += [*self._given(channel), f"    is_reported[{channel}] = true;"]
             call = f"{self._layout.name}_update_{name}({arguments})"
             received: Parts = (
                 (f"receive_{name}", f"received_{name}"),
@@ -195,7 +195,7 @@ class MessageChecks:
         yield f"    {self._layout.name}_values v;"
         for channel, topic in enumerate(self._layout.places.channel_names):
             yield f"    v.has_{topic} = nondet_number() % 2 != 0;"
-            yield f"    is_told[{channel}] = v.has_{topic};"
+            yield f"    is_reported[{channel}] = v.has_{topic};"
             for number, field in enumerate(self._fields(channel)):
                 member = f"v.{topic}.{field.name}"
                 if field.slot is not None:

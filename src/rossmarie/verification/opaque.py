@@ -110,8 +110,8 @@ class Subfunctions:
             found, meant = f"{name}({operands})", f"{name_of_subfunction(each)}({operands})"
             formula = _asked(each.parameters, f"spec_same({found}, {meant})", "it is as defined")
             yield Written(Check(name, f"{about}, as it is defined", is_arithmetic=True), formula)
-            is_told = f"({_known(each.parameters)}) || isnan({found})"
-            unknown = _asked(each.parameters, is_told, _NOTHING)
+            is_reported = f"({_known(each.parameters)}) || isnan({found})"
+            unknown = _asked(each.parameters, is_reported, _NOTHING)
             yield Written(Check(f"{name}_unknown", f"{about}, of what is not known"), unknown)
 
 

@@ -86,7 +86,7 @@ class PoseChecks:
             return ""
         room = "\n".join(
             claim(
-                f"r->state[{task}] != HOLDING || told.count[{task}] <= 1",
+                f"r->state[{task}] != HOLDING || reported.count[{task}] <= 1",
                 "there is room for the order to send a pose (R17)",
             )
             for task, _ in self._retraces
@@ -142,7 +142,7 @@ class PoseChecks:
         yield self._check("begin", "a task that starts sends at once", self._begin())
         yield self._check("set_back", "poses keep their age", self._set_back())
         yield self._check("forget", "memories begin empty", self._forget())
-        yield self._check("retraced", "the pose that is sent is told", self._retraced())
+        yield self._check("retraced", "the pose that is sent is reported", self._retraced())
 
     def _check(self, name: str, about: str, body: str, parts: Parts = ()) -> Written:
         return Written(Check(f"poses_{name}", about, parts, self._loops()), body)
@@ -278,7 +278,7 @@ class PoseChecks:
         return "\n".join(lines)
 
     def _send(self) -> str:
-        lines = [_ANY_POSES, "    told = (orders){0};", "    pose_send(&s);"]
+        lines = [_ANY_POSES, "    reported = (orders){0};", "    pose_send(&s);"]
         lines += [f"    unsigned kept_{each.index} = old.poses_kept[{each.index}];"
                   for each in self._memories]  # fmt: skip
         for index, (task, effect) in enumerate(self._retraces):
@@ -291,13 +291,13 @@ class PoseChecks:
                 lines.append(claim(same, "the newest pose goes first (R17)"))
             since = f"r->pose_sent_ns[{index}]"
             lines.append(claim(f"{since} == old.now_ns", "it is known when it was sent (R17)"))
-            lines.append(claim(f"told.count[{task}] == 1", "the task is told to send it (R17)"))
+            lines.append(claim(f"reported.count[{task}] == 1", "the task is told to send it (R17)"))
             lines.append("    } else {")
             for number in memory.numbers:
                 sent, was = (f"{each}poses_sent[{index}][{number}]" for each in ("r->", "old."))
-                lines.append(claim(_same(sent, was), "the pose that was sent is still told"))
+                lines.append(claim(_same(sent, was), "the pose that was sent is still reported"))
             lines.append(claim(f"{since} == old.pose_sent_ns[{index}]", "nothing was sent (R17)"))
-            lines.append(claim(f"told.count[{task}] == 0", "it sends when it is time (R17)"))
+            lines.append(claim(f"reported.count[{task}] == 0", "it sends when it is time (R17)"))
             lines.append("    }")
         for memory in self._memories:
             same = f"r->poses_kept[{memory.index}] == kept_{memory.index}"
@@ -348,8 +348,8 @@ class PoseChecks:
         none = []
         for index, (task, effect) in enumerate(self._retraces):
             numbers = self._memories[effect.memory].numbers
-            told = [_same(f"pose[{n}]", f"r->poses_sent[{index}][{n}]") for n in numbers]
-            holds = " && ".join([f"count == {len(numbers)}", *told])
+            reported = [_same(f"pose[{n}]", f"r->poses_sent[{index}][{n}]") for n in numbers]
+            holds = " && ".join([f"count == {len(numbers)}", *reported])
             lines.append(claim(f"task != {task} || ({holds})", "it is the pose sent last (R17)"))
             none.append(f"task == {task}")
         lines.append(claim(" || ".join([*none, "count == 0"]), "others send none (R17)"))

@@ -141,12 +141,12 @@ class _Writer:
 
 
 def _prefixed(written: Written) -> Written:
-    """Told apart from what is asked about the monitor."""
+    """Distinguished from what is asked about the monitor."""
     return replace(written, check=replace(written.check, name=f"reactor_{written.check.name}"))
 
 
 def _is_on(rule: int) -> str:
-    return f"active[{rule}] && !(is_told && exempted[{rule}] != 0)"
+    return f"active[{rule}] && !(is_reported && exempted[{rule}] != 0)"
 
 
 _MEMORY = """\
@@ -246,8 +246,8 @@ void ignore_settle(reactor *r, const {name}_monitor *m)
 _REACT = """\
     const reactor old = s;
     const bool is_looked = t_ns > EARLIEST && t_ns < LATEST;
-    const bool is_told = nondet_bool();
-    {name}_react(&s, NULL, is_told ? exempted : NULL, t_ns);"""
+    const bool is_reported = nondet_bool();
+    {name}_react(&s, NULL, is_reported ? exempted : NULL, t_ns);"""
 
 _INIT = """\
     reactor s = any();
@@ -272,7 +272,7 @@ _TASK_STATE = f"""\
     if (task < 0 || task >= TASKS)
         __CPROVER_assert(state == IDLE, "what does not exist does nothing");
     else
-        __CPROVER_assert(state == r->state[task], "it is told as it is");"""
+        __CPROVER_assert(state == r->state[task], "it is reported as it is");"""
 
 _SET_CLOCK = """\
     const reactor old = s;

@@ -143,9 +143,9 @@ static fuzzed_monitor monitored;
 
 static void tell(void *user, int task, enum fuzzed_order given, int by_rule)
 {
-    const order told = {ORDER, task, given, by_rule};
+    const order reported = {ORDER, task, given, by_rule};
     (void)user;
-    answer(&told, sizeof told);
+    answer(&reported, sizeof reported);
 }
 
 static void start_anew(void)

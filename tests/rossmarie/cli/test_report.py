@@ -55,7 +55,7 @@ rule faster: if speed > 2 m/s then { off; };
 """
 
 
-def test_a_conflict_is_told_here_and_in_the_page(rules: Path) -> None:
+def test_a_conflict_is_reported_here_and_in_the_page(rules: Path) -> None:
     rules.write_text(CONFLICT)
     assert "ROSS700" in report().output
     assert "ROSS700" in Path("report.html").read_text()
@@ -149,7 +149,7 @@ def test_thorough_questions_are_asked_and_what_shows_an_answer_is_drawn(rules: P
     assert "<title>When fast, faster are active</title>" in text
 
 
-def test_proofs_are_told_and_are_no_findings(rules: Path) -> None:
+def test_proofs_are_reported_and_are_no_findings(rules: Path) -> None:
     rules.write_text(CONFLICT + "priority fast over faster;\n")
     done = report("--thorough")
     warnings, proofs = Path("report.html").read_text().split("Proofs and open questions", 1)

@@ -192,7 +192,7 @@ def test_what_is_read_is_not_written_over(rules: Path, tmp_path: Path, read: str
     assert (rules.read_text("utf-8"), drive.read_text("utf-8")) == (RULES, DRIVE)
 
 
-def test_a_setting_that_no_rule_reads_is_told(rules: Path) -> None:
+def test_a_setting_that_no_rule_reads_is_reported(rules: Path) -> None:
     add(
         rules,
         'test "a" { at 0 s speed = 2 m/s, acceleration = [0, 0, 1] m/s^2, ok; '

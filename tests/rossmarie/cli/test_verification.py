@@ -163,7 +163,7 @@ def test_rules_with_errors_are_not_verified(rules: Path) -> None:
     assert "roved" not in printed
 
 
-def test_a_program_that_the_prover_does_not_take_is_told(rules: Path, prove_by: Any) -> None:
+def test_a_program_that_the_prover_does_not_take_is_reported(rules: Path, prove_by: Any) -> None:
     reason = "harness.c:2:10: fatal error: math.h: No such file or directory"
     prove_by(StandIn(refuses=f"{reason}\n 2 | #include <math.h>\ncompilation terminated.\n"))
     code, printed = verify(rules)
@@ -209,7 +209,7 @@ def test_what_is_read_is_not_written_over(rules: Path, prove_by: Any, read: str)
     assert Path(read).read_text() == before
 
 
-def test_what_cannot_be_written_is_told_before_it_takes_its_time(rules: Path) -> None:
+def test_what_cannot_be_written_is_reported_before_it_takes_its_time(rules: Path) -> None:
     code, printed = verify(rules, "--json", "missing/v.json")
     assert code == 2
     assert "cannot write missing/v.json: no such file or directory" in printed

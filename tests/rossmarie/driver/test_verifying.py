@@ -50,11 +50,11 @@ def shown(proofs: Proofs, questions: Questions) -> list[tuple[str, str]]:
 
 
 def test_what_is_right_is_proved(prover: Prover, judged: Questions) -> None:
-    told: list[float] = []
-    proofs = prove(judged, prover, seconds=SECONDS, on_progress=told.append)
+    reported: list[float] = []
+    proofs = prove(judged, prover, seconds=SECONDS, on_progress=reported.append)
     assert proofs.is_complete
     assert proofs.tools["cbmc"].startswith("6.")
-    assert told == [1.0]
+    assert reported == [1.0]
 
 
 def test_a_fault_in_the_generated_c_is_refuted_where_the_rule_is(

@@ -41,7 +41,7 @@ def test_one_question_is_answered_for_all_inputs_that_ask_it() -> None:
     assert named == {"skill_context": 1.0, "skill_context_kept": 1.0, "weight": 2.0}
 
 
-def test_a_name_that_is_no_question_is_told() -> None:
+def test_a_name_that_is_no_question_is_reported() -> None:
     with pytest.raises(KeyError, match="did you mean `doing Push\\(Object: Fragile\\)`"):
         NamedValues(MACHINE).messages({"doing Push(Object: Fragil)": True})
 

@@ -70,8 +70,8 @@ def test_what_skills_answer_is_what_some_calls_answer(
     wanted = {step: answer(step, context) == 1.0 for step in steps_of(machine)}
     chosen = covering(machine.calls, wanted)
     assert chosen is not None
-    told = SkillContext.of(DIGEST, [call.running for call in chosen])
-    assert {step: answer(step, told) == 1.0 for step in wanted} == wanted
+    reported = SkillContext.of(DIGEST, [call.running for call in chosen])
+    assert {step: answer(step, reported) == 1.0 for step in wanted} == wanted
 
 
 @settings(max_examples=examples(1))

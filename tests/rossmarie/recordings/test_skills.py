@@ -80,7 +80,7 @@ def test_a_recording_without_definitions_is_read(tmp_path: Path) -> None:
     np.testing.assert_array_equal(answers(folder, [PUSH, DEPTH]), expected)
 
 
-def test_another_definition_of_the_message_is_told(tmp_path: Path) -> None:
+def test_another_definition_of_the_message_is_reported(tmp_path: Path) -> None:
     schema = ("skill_context_msgs/msg/SkillContext", "ros2msg", "string digest\nstring[] running\n")
     path = write_mcap(
         tmp_path / "odd.mcap", "ros2", schema, (TOPIC, "cdr"), [(START_NS, bytes(16))]
@@ -91,7 +91,7 @@ def test_another_definition_of_the_message_is_told(tmp_path: Path) -> None:
     assert all(math.isnan(each.channels[0].slots[0]) for each in updates)
 
 
-def test_another_export_is_told_once(tmp_path: Path) -> None:
+def test_another_export_is_reported_once(tmp_path: Path) -> None:
     contexts = [SkillContext(digest) for digest in ("5b1fb2a09c3e7d41", "", "5b1fb2a09c3e7d41")]
     path = write_kind(tmp_path, "mcap", recorded(ROS2, contexts))
     updates, found = replay(path, asking(PUSH, DEPTH))

@@ -36,11 +36,11 @@ rule waits: if not ready or mode == "manual" then { stop; };
 
 OVER_TIME = """\
 input ready = topic /ready : std_msgs/Bool .data timeout 1 sec;
-input told = topic /told : std_msgs/Bool .data;
+input reported = topic /reported : std_msgs/Bool .data;
 action stop;
-rule ever: if ready since told then { stop; };
-rule recent: if once told within 2 sec then { stop; };
-rule late: if not after told, ready within 2 sec then { stop; };
+rule ever: if ready since reported then { stop; };
+rule recent: if once reported within 2 sec then { stop; };
+rule late: if not after reported, ready within 2 sec then { stop; };
 """
 
 PREVIOUS = """\
@@ -127,7 +127,7 @@ def test_what_looks_back_is_what_it_means(
         (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
          "restart", "`held_before` is as it has to be"),
         (("either(m->truth_value[begun], m->since_before[k]);", "m->since_before[k];"), "visit_3",
-         "what `ready since told` was"),
+         "what `ready since reported` was"),
         (("        m->held_due_ns[k] = NEVER;\n",
           "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
          "restart", "`since_before` is as it has to be"),

@@ -1,4 +1,4 @@
-"""What is made of the answers of CBMC, here a script that answers as it is told."""
+"""What is made of the answers of CBMC, here a script that answers as it is reported."""
 
 from __future__ import annotations
 

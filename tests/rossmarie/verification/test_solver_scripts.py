@@ -39,7 +39,7 @@ def verdict(prover: Prover, claim: str, *, is_arithmetic: bool) -> Verdict:
         "!isnan(x) || (isnan(x - y) && isnan(y - x))",
     ],
 )
-def test_what_is_told_of_differences_is_so(prover: Prover, fact: str) -> None:
+def test_what_is_reported_of_differences_is_so(prover: Prover, fact: str) -> None:
     """A SAT solver looks at every bit."""
     assert verdict(prover, fact, is_arithmetic=False) is Verdict.PROVED
 

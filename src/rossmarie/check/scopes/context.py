@@ -88,7 +88,7 @@ class Context:
         return frozenset(_counted(parts) - _counted(ranges))
 
     @property
-    def told(self) -> dict[str, CheckedInput]:
+    def reported(self) -> dict[str, CheckedInput]:
         """All inputs by name, those that frames come by as well."""
         frames = {each.declaration.name.text: each for each in self.frame_inputs.values()}
         return frames | self.inputs

@@ -50,12 +50,12 @@ def update(layout: Layout, channel: int) -> list[str]:
     if channel in calm_channels(layout):
         _Calm(layout, channel).write(function)
     _convert(layout, channel, function)
-    function.line("told = len(events)")
+    function.line("reported = len(events)")
     function.line("if (not now <= at_ns <= wake or at_ns >= LATEST) and not catch_up(at_ns):")
     function.line("return -1", 1)
     _take(layout, channel, function)
     function.line(f"evaluate(at_ns, {1 << channel})")
-    function.line("return len(events) - told")
+    function.line("return len(events) - reported")
     return function.text()
 
 
@@ -208,8 +208,8 @@ class _Calm:
 
     @cached_property
     def _shown(self) -> set[int]:
-        """The signals that are told without an evaluation before: by verdicts of resets (S38), and
-        margins with all that they are made of.
+        """The signals that are reported without an evaluation before: by verdicts of resets (S38),
+        and margins with all that they are made of.
         """
         machine = self._layout.machine
         resets = {s for rule in machine.rules if rule.release is None for s in rule.signals}

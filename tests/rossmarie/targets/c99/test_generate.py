@@ -163,7 +163,7 @@ def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None
     run([C_COMPILERS[0], *quick, *sorted(tmp_path.glob("*.c"))])
 
 
-def test_texts_are_told_to_whoever_gives_them() -> None:
+def test_texts_are_reported_to_whoever_gives_them() -> None:
     header = generate(CASES["memories"]())["memories_monitor.h"]
     assert "extern const char *const memories_texts[1];" in header
     assert "_texts[" not in generate(CASES["arrays"]())["arrays_monitor.h"]
