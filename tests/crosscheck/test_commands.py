@@ -97,7 +97,7 @@ def test_a_name_cannot_break_the_picture(tmp_path: Path) -> None:
     assert "Traceback" not in done.stdout + done.stderr
 
 
-def test_questions_that_take_too_long_are_an_error(
+def test_queries_that_take_too_long_are_an_error(
     wide: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("crosscheck.check.LONGEST_S", -1.0)

@@ -118,10 +118,8 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "ir.AgeReaches(self._inputs.input(used), timeout_ns)",
             "ir.AgeReaches(self._inputs.input(used), 2 * timeout_ns)",
         ),
-        Damage(
-            "a question without its limits", "found.skills, found.arguments", "found.skills, ()"
-        ),
-        Damage("a question of another file", "self._skills.file.digest", '"0" * 64'),
+        Damage("a query without its limits", "found.skills, found.arguments", "found.skills, ()"),
+        Damage("a query of another file", "self._skills.file.digest", '"0" * 64'),
     ),
     "lowering/contracts.py": (
         Damage(

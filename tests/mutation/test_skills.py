@@ -1,5 +1,5 @@
 """Every fault of rules that know skills is noticed, whoever has it: the compiler, the Python that
-answers questions, or the C++ of nodes.
+answers queries, or the C++ of nodes.
 """
 
 from __future__ import annotations
@@ -111,7 +111,7 @@ def test_the_rates_are_reported(
         copies.append(copied(folder, *each))
     with ThreadPoolExecutor(2) as pool:
         by_examples = sum(pool.map(fails_examples, copies))
-    lines = ["seeded faults of rules that know skills, that are noticed"]
+    lines = ["mutants of rules that know skills, that are noticed"]
     lines.append(f"  by tests of examples: {by_examples} of {len(FAULTS)}")
     by_random = sum(map(bool, noticed.values()))
     lines.append(f"  by random rules and messages: {by_random} of {len(FAULTS)}")
@@ -140,7 +140,7 @@ def is_noticed(asked: Sequence[Asked], folder: Path, damage: Damage | None) -> b
     worlds = [each.world for each in asked]
     contexts = [any_context(random, each, worlds) for each in worlds * 60]
     wanted = [
-        [each.world.answer(one, context) for each in asked for one in each.questions]
+        [each.world.answer(one, context) for each in asked for one in each.queries]
         for context in contexts
     ]
     steps = [step for each in asked for step in each.steps()]

@@ -99,14 +99,14 @@ def test_every_evaluation_is_a_state(case: Case) -> None:
         inquiry = Inquiry(machine)
         for settled in (False, True) if is_settled(machine, values) else (False,):
             state = ArbitraryState(inquiry.asked, settled=settled)
-            claim = z3.And(
+            predicate = z3.And(
                 [
                     state.proposition(proposition).is_value(values[proposition])
                     for proposition in values
                 ]
             )
             orders = list(inquiry.orders(state))
-            answer = ask([*state.facts, *orders], claim)
+            answer = ask([*state.facts, *orders], predicate)
             assert answer.outcome is not Outcome.IMPOSSIBLE, (values, state.facts)
 
 
@@ -288,10 +288,10 @@ def test_a_limit_that_holds_its_rule_does(data: st.DataObject) -> None:
     machine = replace(draft.machine(), reactions=COMMANDED)
     kept = [Kept(0, 0, 0, low, high)]
 
-    def claim(state: ArbitraryState) -> z3.BoolRef:
+    def predicate(state: ArbitraryState) -> z3.BoolRef:
         return z3.And(is_ended(state, 0), is_within(state, kept))
 
-    assume(Inquiry(machine).is_impossible(claim, settled=True))
+    assume(Inquiry(machine).is_impossible(predicate, settled=True))
     monitor = watching(machine)
     was_active = False
     inside = st.one_of(st.sampled_from((low, high)), st.floats(low, high))

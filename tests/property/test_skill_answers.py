@@ -1,4 +1,4 @@
-"""Questions about skills are answered as S58 says, for any message; and a machine holds those
+"""Queries about skills are answered as S58 says, for any message; and a machine holds those
 answers for possible that some skills give.
 """
 
@@ -37,7 +37,7 @@ def asking(seed: int, folder: Path) -> tuple[Random, Asked]:
 
 
 def wanted(asked: Asked, context: SkillContext) -> list[float]:
-    return [asked.world.answer(each, context) for each in asked.questions]
+    return [asked.world.answer(each, context) for each in asked.queries]
 
 
 @settings(max_examples=examples(2))
@@ -61,7 +61,7 @@ def test_messages_of_libraries_answer_the_same(folder: Path, seed: int) -> None:
         assert repr([answer(each, reported) for each in asked.steps()]) == repr(
             wanted(asked, context)
         )
-        if named.questions.is_context("skill_context", reported):
+        if named.queries.is_context("skill_context", reported):
             (values,) = named.messages({"skill_context": reported}).values()
             assert repr(list(values.slots.values())) == repr(wanted(asked, context))
 

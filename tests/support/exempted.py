@@ -15,7 +15,7 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.ir.skills import SkillContext, answer
 from support.compiled import machine_of
 from support.rule_skills import DIGEST, FILE, content, running
-from support.skill_worlds import Question, World
+from support.skill_worlds import Query, World
 
 TICK = 10**8
 CONTEXT_NS = 10 * TICK
@@ -25,13 +25,13 @@ MOST_EVENTS = 24
 
 F, T, U, L = range(4)  # S1
 
-QUESTIONS = (
-    Question("Move"),
-    Question("Drive", (("Target", "skiros.Shelf"),)),
-    Question("Push"),
-    Question("Push", (("Object", "skiros.Fragile"),)),
-    Question("Push", (("Object", "skiros.Box"),)),
-    Question("Insert", (("Object", "skiros.Product"),)),
+QUERIES = (
+    Query("Move"),
+    Query("Drive", (("Target", "skiros.Shelf"),)),
+    Query("Push"),
+    Query("Push", (("Object", "skiros.Fragile"),)),
+    Query("Push", (("Object", "skiros.Box"),)),
+    Query("Insert", (("Object", "skiros.Product"),)),
 )
 RUNNING = (
     running("Move"),
@@ -49,7 +49,7 @@ WORLD = World(content())
 class Exemption:
     """`unless doing ...`, and what holds instead: nothing, an action, or another condition."""
 
-    question: Question
+    query: Query
     instead: str
 
 
@@ -57,7 +57,7 @@ class Exemption:
 class Program:
     """One rule about a force, and whether its input has a timeout."""
 
-    scope: tuple[Question, ...]
+    scope: tuple[Query, ...]
     exemptions: tuple[Exemption, ...]
     is_latched: bool
     has_timeout: bool
@@ -65,7 +65,7 @@ class Program:
     def text(self) -> str:
         scope = f" while {', '.join(map(words, self.scope))}" if self.scope else ""
         exempted = "".join(
-            f" unless {words(each.question)}{INSTEAD[each.instead]}" for each in self.exemptions
+            f" unless {words(each.query)}{INSTEAD[each.instead]}" for each in self.exemptions
         )
         return f"""
         skills "{FILE}" timeout 1 sec;
@@ -93,9 +93,9 @@ INSTEAD = {
 }
 
 
-def words(question: Question) -> str:
-    limits = ", ".join(f"{name}: {kind}" for name, kind in question.limits)
-    return f"doing {question.skill}({limits})" if limits else f"doing {question.skill}"
+def words(query: Query) -> str:
+    limits = ", ".join(f"{name}: {kind}" for name, kind in query.limits)
+    return f"doing {query.skill}({limits})" if limits else f"doing {query.skill}"
 
 
 @dataclass(frozen=True)
@@ -108,9 +108,9 @@ class Event:
 
 def random_program(random: Random) -> Program:
     """A rule with any scopes and exemptions."""
-    exempted = random.sample(QUESTIONS, random.randrange(4))
+    exempted = random.sample(QUERIES, random.randrange(4))
     exemptions = [Exemption(each, random.choice(sorted(INSTEAD))) for each in exempted]
-    scope = random.sample(QUESTIONS, random.choice((0, 0, 1, 2)))
+    scope = random.sample(QUERIES, random.choice((0, 0, 1, 2)))
     is_latched, has_timeout = random.random() < 0.25, random.random() < 0.5
     return Program(tuple(scope), tuple(exemptions), is_latched, has_timeout)
 
@@ -189,10 +189,10 @@ class Model:
     def _conditions(self, at_ns: int) -> Iterator[int]:
         program = self.program
         scope = [either([self._asked(each, at_ns) for each in program.scope] or [T])]
-        exempted = [self._asked(each.question, at_ns) for each in program.exemptions]
+        exempted = [self._asked(each.query, at_ns) for each in program.exemptions]
         yield both([self._above(LIMIT, at_ns), *scope, *map(opposite, exempted)])
         for each in program.exemptions:
-            kept = [*scope, self._kept(each.question, at_ns)]
+            kept = [*scope, self._kept(each.query, at_ns)]
             yield both([self._above(LIMIT, at_ns), *kept])
             if each.instead == "condition":
                 yield both([self._above(OTHER_LIMIT, at_ns), *kept])
@@ -203,19 +203,19 @@ class Model:
             return L if self.program.has_timeout else U
         return int(self.force > limit)
 
-    def _asked(self, question: Question, at_ns: int) -> int:
+    def _asked(self, query: Query, at_ns: int) -> int:
         """D(S) of S59."""
-        return L if self._is_late(at_ns) in (T, U) or (flag := self._flag(question)) == U else flag
+        return L if self._is_late(at_ns) in (T, U) or (flag := self._flag(query)) == U else flag
 
-    def _kept(self, question: Question, at_ns: int) -> int:
+    def _kept(self, query: Query, at_ns: int) -> int:
         """K(S) of S59."""
-        return both([self._flag(question), opposite(self._is_late(at_ns))])
+        return both([self._flag(query), opposite(self._is_late(at_ns))])
 
     def _is_late(self, at_ns: int) -> int:
         return U if self.context_ns is None else int(at_ns - self.context_ns >= CONTEXT_NS)
 
-    def _flag(self, question: Question) -> int:
-        found = math.nan if self.context is None else WORLD.answer(question, self.context)
+    def _flag(self, query: Query) -> int:
+        found = math.nan if self.context is None else WORLD.answer(query, self.context)
         return U if math.isnan(found) else int(found)
 
 

@@ -77,7 +77,7 @@ class GuardCase:
 
 @st.composite
 def guard_cases(draw: st.DrawFn) -> GuardCase:
-    """Several courses of events for one machine, which costs a compilation."""
+    """Several traces for one machine, which costs a compilation."""
     machine = draw(guarded_machines())
     return GuardCase(machine, [draw(_courses(machine)) for _ in range(_COURSES)])
 

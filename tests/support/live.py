@@ -137,7 +137,7 @@ class Faults:
 
 
 class Ears(Process):
-    """A node that remembers what it hears, and questions to it."""
+    """A node that remembers what it hears, and queries to it."""
 
     def ask(self, **request: object) -> Any:
         assert self.running.stdin is not None

@@ -22,7 +22,7 @@ class HostedWorld(World):
         """Things of which something else is said than before."""
         self._wmi, self._model = wmi, ontology.model
 
-    # --- questions --------------------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
         """All things of a class or one of its subclasses, sorted."""

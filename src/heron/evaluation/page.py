@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 
-from heron.evaluation.claim import between
-from heron.evaluation.claims import claims_of
+from heron.evaluation.expectation import between
+from heron.evaluation.expectations import expectations_of
 from heron.evaluation.reasons import REASONS
 from heron.evaluation.rows import Row, StudyRow
 from heron.evaluation.sample import Sample, samples_of
@@ -101,9 +101,9 @@ def page_of(results: Results, plots: str) -> str:
 
 
 def _reported(sample: Sample) -> Iterator[Reported]:
-    for claim in claims_of(sample):
-        reason = REASONS.get((sample.experiment.name, sample.variant, claim.key))
-        yield Reported(_place(sample), claim, reason)
+    for expectation in expectations_of(sample):
+        reason = REASONS.get((sample.experiment.name, sample.variant, expectation.key))
+        yield Reported(_place(sample), expectation, reason)
 
 
 def _place(sample: Sample) -> str:
@@ -123,7 +123,7 @@ def _section(sample: Sample) -> Iterator[str]:
             cells = " | ".join(_cell(sample, arm, measure) for arm in sample.arms)
             yield f"| {measure.title} | {cells} |"
     yield ""
-    yield from table_of(claims_of(sample))
+    yield from table_of(expectations_of(sample))
 
 
 def _cell(sample: Sample, arm: Arm, measure: Measure) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from heron.evaluation.claim import Claim, Verdict
+from heron.evaluation.expectation import Expectation, Verdict
 
 
 class Reported(NamedTuple):
@@ -14,7 +14,7 @@ class Reported(NamedTuple):
     """
 
     place: str
-    claim: Claim
+    expectation: Expectation
     reason: str | None
 
 
@@ -25,12 +25,12 @@ def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
     yield f"Of {len(all_reported)} expectations:"
     yield ""
     for verdict in Verdict:
-        count = sum(reported.claim.verdict is verdict for reported in all_reported)
+        count = sum(reported.expectation.verdict is verdict for reported in all_reported)
         if count:
             yield f"- {count} came out {verdict.value}"
     yield ""
     for verdict in (Verdict.FAILS, Verdict.OPEN):
-        chosen = [reported for reported in all_reported if reported.claim.verdict is verdict]
+        chosen = [reported for reported in all_reported if reported.expectation.verdict is verdict]
         if chosen:
             yield f"{verdict.value.capitalize()}:"
             yield ""
@@ -38,16 +38,16 @@ def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
             yield ""
 
 
-def table_of(claims: Iterable[Claim]) -> Iterator[str]:
+def table_of(expectations: Iterable[Expectation]) -> Iterator[str]:
     """The expectations of an experiment or training, as a table."""
     yield "| expected | found | |"
     yield "|---|---|---|"
-    for claim in claims:
-        yield f"| {claim.expected} | {claim.found} | {claim.verdict.value} |"
+    for expectation in expectations:
+        yield f"| {expectation.expected} | {expectation.found} | {expectation.verdict.value} |"
     yield ""
 
 
 def _line(reported: Reported) -> str:
-    claim = reported.claim
-    why = f" {reported.reason}" if reported.reason and claim.verdict is Verdict.FAILS else ""
-    return f"- *{reported.place}*, {claim.expected}: {claim.found}.{why}"
+    expectation = reported.expectation
+    why = f" {reported.reason}" if reported.reason and expectation.verdict is Verdict.FAILS else ""
+    return f"- *{reported.place}*, {expectation.expected}: {expectation.found}.{why}"

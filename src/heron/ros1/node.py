@@ -201,10 +201,10 @@ class Node:
             time.sleep(_LOOK_S)
             self.connect()
 
-    def _ask_master(self, question: str, *arguments: str) -> Any:
+    def _ask_master(self, query: str, *arguments: str) -> Any:
         try:
             with ServerProxy(self._master_address) as master:
-                answer = cast("Any", getattr(master, question)(self._name, *arguments))
+                answer = cast("Any", getattr(master, query)(self._name, *arguments))
         except (OSError, XmlRpcError) as error:
             where = self._master_address
             advice = "start roscore, or set ROS_MASTER_URI"

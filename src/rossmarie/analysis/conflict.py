@@ -108,8 +108,8 @@ def _judged(
         order = ConflictOrdered(first=upper[0], second=upper[1], resource=needed, together=known)
         return Finding(order.at(span, place, notes=notes), result.witness)
     if result.witness is None:
-        question = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
-        open_one = Undecided(question=f"{question} together?", reason="no order between them")
+        query = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
+        open_one = Undecided(query=f"{query} together?", reason="no order between them")
         return Finding(open_one.at(span, place, help=_advice(machine, first, second)))
     finding = RulesConflict(first=names[0], second=names[1], resource=needed)
     help = _advice(machine, first, second)

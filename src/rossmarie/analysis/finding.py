@@ -1,4 +1,4 @@
-"""A finding of a question, and the words that all questions share."""
+"""A finding of a query, and the words that all queries share."""
 
 from __future__ import annotations
 
@@ -29,4 +29,4 @@ def witness_note(machine: Machine, witness: Witness, propositions: Sequence[int]
         if not isinstance(machine.signals[signal].node, Constant)
     }
     kind = Shown if witness.is_calm else ShownWithLoss
-    return kind(course=reported(machine, witness, sorted(signals)))
+    return kind(trace=reported(machine, witness, sorted(signals)))

@@ -1,7 +1,7 @@
 """Requirements of rules: a rule is active before it is too late to brake, or a counterexample shows
 when it is not.
 
-The question is about one instant: the condition of the rule is false by the last messages, though
+The query is about one instant: the condition of the rule is false by the last messages, though
 the motion, as they tell of it, could not slow down before the places any more if the next message
 came as late as its timeout allows, and the brakes held as late and as weakly as declared.
 """

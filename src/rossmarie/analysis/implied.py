@@ -23,7 +23,7 @@ from rossmarie.analysis.state import ArbitraryState
 from rossmarie.ir import Machine
 
 _AT_ONCE = 4
-"""Candidates that one question is about."""
+"""Candidates that one query is about."""
 
 
 def find_implied(inquiry: Inquiry) -> Iterator[Finding]:

@@ -85,8 +85,8 @@ def _blocked(
     path = ".".join(str(step) for step in field.path)
     place = RecoveryBlocked.Limit().at(limit_task.span)
     if result.outcome is Outcome.UNDECIDED:
-        question = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
-        open_one = Undecided(question=question, reason="whether both can be active is open")
+        query = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
+        open_one = Undecided(query=query, reason="whether both can be active is open")
         return Finding(open_one.at(task.span, place))
     finding = RecoveryBlocked(
         rule=name,

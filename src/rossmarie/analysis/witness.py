@@ -51,7 +51,7 @@ class View:
     signals: tuple[float, ...]
 
 
-Claim = Callable[[Sequence[View]], bool]
+Predicate = Callable[[Sequence[View]], bool]
 """A test of the views up to the last one: it is true if they show what is to be shown."""
 
 

@@ -47,8 +47,8 @@ def analyze_file(
     only: Sequence[Category] = (),
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
-    """Check a rules file, and ask what its rules mean together: the quick questions, or all.
-    `on_step` is told each question, in words.
+    """Check a rules file, and ask what its rules mean together: the quick queries, or all.
+    `on_step` is told each query, in words.
 
     Of a file with errors, or one that no target can run, nothing is asked.
     """
@@ -104,7 +104,7 @@ def _answers(
     compiled: Compiled, thorough: bool, toggle_ns: int, on_step: Callable[[str], None]
 ) -> Iterator[tuple[Machine, Finding]]:
     """Each finding with the machine that it is about."""
-    from rossmarie.analysis.questions import ask_all, ask_required  # the solver loads slowly
+    from rossmarie.analysis.queries import ask_all, ask_required  # the solver loads slowly
 
     machine = compiled.machine
     for found in ask_all(machine, thorough=thorough, within_ns=toggle_ns, on_step=on_step):

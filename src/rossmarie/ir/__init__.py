@@ -1,4 +1,4 @@
-"""The monitor machine: its model, what it says, and the questions that every target asks of it."""
+"""The monitor machine: its model, what it says, and the queries that every target asks of it."""
 
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions

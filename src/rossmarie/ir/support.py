@@ -1,4 +1,4 @@
-"""The support of a signal or a proposition: questions about a machine that every target asks.
+"""The support of a signal or a proposition: queries about a machine that every target asks.
 
 Takes a machine whose operands stand before their users; answers never depend on values.
 """

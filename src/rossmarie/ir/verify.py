@@ -85,7 +85,7 @@ def _verify_inputs(machine: ir.Machine) -> None:
         is_number = slot.limits is None or slot.kind is ir.Kind.REAL
         require(is_number, where, f"limits of a {slot.kind.value}")
         _require_limits(slot.limits, where)
-        _verify_question(slot, where)
+        _verify_query(slot, where)
     for index, array in enumerate(machine.arrays):
         where = f"array {index}"
         require_index(array.input, len(machine.inputs), where, "input")
@@ -100,8 +100,8 @@ def _verify_inputs(machine: ir.Machine) -> None:
         require(bool(columns_of(machine, index)), where, "no columns")
 
 
-def _verify_question(slot: ir.Slot, where: str) -> None:
-    """A question to the skills that run is asked of the message itself."""
+def _verify_query(slot: ir.Slot, where: str) -> None:
+    """A query to the skills that run is asked of the message itself."""
     match slot.path:
         case (Doing(skills=skills, arguments=arguments),):
             require(slot.kind is ir.Kind.FLAG, where, f"an answer of the kind {slot.kind.value}")
@@ -114,7 +114,7 @@ def _verify_question(slot: ir.Slot, where: str) -> None:
             require(slot.kind is kind, where, f"a quantity of the kind {slot.kind.value}")
             require(_is_choice(skills), where, "names that are not sorted, or none")
         case _:  # open: other paths ask no skills
-            require(not _asks_skills(slot.path), where, "a question to skills inside a message")
+            require(not _asks_skills(slot.path), where, "a query to skills inside a message")
 
 
 def _asks_skills(path: Path) -> bool:

@@ -1,6 +1,6 @@
-"""The calls of skills that the questions of a machine tell apart, of each kind one.
+"""The calls of skills that the queries of a machine tell apart, of each kind one.
 
-A question asks for skills and for classes of arguments, so that two calls with the same answers
+A query asks for skills and for classes of arguments, so that two calls with the same answers
 are one to the machine. Which answers there can be together is what solvers have to know.
 """
 
@@ -79,7 +79,7 @@ def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) ->
 def _kinds(
     thing: Parameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> list[Kinds]:
-    """Classes that an argument may have, of each kind that the questions tell apart one; the most
+    """Classes that an argument may have, of each kind that the queries tell apart one; the most
     general first. Of another class than its parameter demands, a thing can be beside that one. Any
     parameter may have no value: what is gone from the world is told so.
     """

@@ -1,6 +1,6 @@
 """Skills that rules stop whenever they run: no way for a planner that looks for another (S68).
 
-What a rule asks is read off its condition, not proved: a question to the skills that run, or an
+What a rule asks is read off its condition, not proved: a query to the skills that run, or an
 `or` with one. So it holds of each skill that is named, and nothing is said of others.
 """
 
@@ -87,15 +87,15 @@ def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozens
         if not asked or not lost or machine.reactions.plans[rule].unless:
             continue
         needing = _needing(lost, skills.file.skills)
-        for question in asked:
-            things = _things(question, skills)
-            for name in needing.intersection(question.skills):
+        for query in asked:
+            things = _things(query, skills)
+            for name in needing.intersection(query.skills):
                 found[name] = found.get(name, frozenset()) | {things}
     return _with_compounds(found, skills.file.skills)
 
 
 def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
-    """The questions to skills that run of which each alone makes a condition true."""
+    """The queries to skills that run of which each alone makes a condition true."""
     waiting = [condition]
     while waiting:
         node = machine.propositions[waiting.pop()].node
@@ -126,12 +126,12 @@ def _lasts(effect: reactions.Effect) -> bool:
     return reactions.is_lasting(effect) or isinstance(effect, reactions.SendGoal)
 
 
-def _things(question: ir.Doing, skills: CheckedSkills) -> Things:
-    """The classes that a question names, each the one that all the others are below."""
+def _things(query: ir.Doing, skills: CheckedSkills) -> Things:
+    """The classes that a query names, each the one that all the others are below."""
     below = skills.classes.below
     return frozenset(
         (parameter, next(each for each in classes if below(each) == classes))
-        for parameter, classes in question.arguments
+        for parameter, classes in query.arguments
     )
 
 

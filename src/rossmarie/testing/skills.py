@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Sequence
 
 from rossmarie import ir
-from rossmarie.ir.calls import covering, question_at
+from rossmarie.ir.calls import covering, query_at
 from rossmarie.ir.script import Running, ScriptedArrival, ScriptedReset, Setting
 
 Event = ScriptedArrival | ScriptedReset
@@ -26,7 +26,7 @@ def reported_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Ev
         if isinstance(event, ScriptedReset):
             found.append(event)
             continue
-        flags = [setting for setting in event.settings if question_at(setting.path) is not None]
+        flags = [setting for setting in event.settings if query_at(setting.path) is not None]
         running = None
         if flags:
             if not _note(flags, wanted):
@@ -41,16 +41,14 @@ def reported_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Ev
 def _contexts(machine: ir.Machine) -> frozenset[str]:
     """The inputs that no rule declares: those that are asked which skills run."""
     return frozenset(
-        machine.inputs[slot.input].name
-        for slot in machine.slots
-        if question_at(slot.path) is not None
+        machine.inputs[slot.input].name for slot in machine.slots if query_at(slot.path) is not None
     )
 
 
 def _note(flags: Sequence[Setting], wanted: dict[ir.Doing, bool]) -> bool:
     """Note the answers; False if one of them is that nobody knows."""
     for setting in flags:
-        step = question_at(setting.path)
+        step = query_at(setting.path)
         if step is None or not isinstance(setting.value, bool):
             return False
         wanted[step] = setting.value
@@ -72,6 +70,6 @@ def _reported(
     return dataclasses.replace(
         event,
         inputs=tuple(dict.fromkeys(each for each in inputs if running is None or each != DOING)),
-        settings=tuple(each for each in event.settings if question_at(each.path) is None),
+        settings=tuple(each for each in event.settings if query_at(each.path) is None),
         running=running,
     )

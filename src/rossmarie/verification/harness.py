@@ -1,9 +1,9 @@
 """The program that CBMC is given: the generated C as it is, what it has to mean, and the checks.
 
 Takes a machine; gives C text and the list of its checks. Each check begins in any state that fits
-the invariants, calls one part of the generated code, and claims that the invariants hold again:
-one inductive step, so that what is proved holds without bound. Where a part calls another that has
-a check of its own, that one is replaced by what its check has shown (its contract).
+the invariants, calls one part of the generated code, and obligations that the invariants hold
+again: one inductive step, so that what is proved holds without bound. Where a part calls another
+that has a check of its own, that one is replaced by what its check has shown (its contract).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rossmarie.verification.program import (
     PRELUDE,
     assertions,
     assumptions,
-    claim,
+    obligation,
     predicate,
 )
 from rossmarie.verification.time_checks import TimeChecks
@@ -122,7 +122,7 @@ class _Writer:
         """Where marks are many, a flag says that there are some, until all are evaluated."""
         if self._layout.is_small:
             return ""
-        return claim("m->pending", "where something is evaluated, something is pending") + "\n"
+        return obligation("m->pending", "where something is evaluated, something is pending") + "\n"
 
     def _passes(self) -> int:
         """Loops run over the parts of a machine, or over what is marked."""

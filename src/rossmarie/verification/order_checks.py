@@ -14,7 +14,7 @@ from rossmarie.verification.check import Check, Parts, Passes, Written
 from rossmarie.verification.invariants import Sentence
 from rossmarie.verification.order_contracts import CONTRACTS, PERFORM, REPORTED
 from rossmarie.verification.order_invariants import OrderInvariants
-from rossmarie.verification.program import assertions, assumptions, claim
+from rossmarie.verification.program import assertions, assumptions, obligation
 from rossmarie.verification.reactor_definitions import releases, stages
 from rossmarie.verification.reactor_invariants import ReactorInvariants
 
@@ -166,10 +166,14 @@ class OrderChecks:
         lines = [_WITHIN, _RELEASABLE.format(rule=rule), _RELEASED.format(rule=rule)]
         about = "its tasks are forgotten, those of others go on (R9)"
         tasks = range(len(self._found.tasks))
-        lines += [claim(text.format(index=each), about) for each in tasks for text in _ALIKE_TASK]
+        lines += [
+            obligation(text.format(index=each), about) for each in tasks for text in _ALIKE_TASK
+        ]
         about = "it is not engaged, others are as they were (R9)"
         rules = range(len(self._found.plans))
-        lines += [claim(text.format(index=each), about) for each in rules for text in _ALIKE_RULE]
+        lines += [
+            obligation(text.format(index=each), about) for each in rules for text in _ALIKE_RULE
+        ]
         return self._check(f"release_{rule}", about, (_DECIDE,), "\n".join(lines))
 
     def _start(self, rule: int, stage: int) -> Written:
@@ -184,8 +188,8 @@ class OrderChecks:
         for task in plan.stages[stage] if stage < len(plan.stages) else ():
             free = f"spec_overruler(r, {task}) < 0"
             starts = f"({free}) == (reported.last[{task}] == START)"
-            lines.append(claim(starts, "what has what it needs starts (R3, R7)"))
-            lines.append(claim(f"r->state[{task}] != IDLE", "nothing is passed over (R3, R7)"))
+            lines.append(obligation(starts, "what has what it needs starts (R3, R7)"))
+            lines.append(obligation(f"r->state[{task}] != IDLE", "nothing is passed over (R3, R7)"))
         parts = (_DECIDE, _NOTE, _ESCALATE)
         return self._check(f"start_{rule}_{stage}", about, parts, "\n".join(lines))
 

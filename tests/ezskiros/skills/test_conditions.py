@@ -131,7 +131,7 @@ def test_all_that_is_wrong_is_reported_at_once() -> None:
         "0.1 < Object.Weight < 0.2",
     ],
 )
-def test_what_is_left_of_a_question_of_truth_is_no_condition(wrong: str) -> None:
+def test_what_is_left_of_a_query_of_truth_is_no_condition(wrong: str) -> None:
     result = described(
         f"""
         self.pre_conditions += Place.contain(Object)

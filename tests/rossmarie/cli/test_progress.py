@@ -83,7 +83,7 @@ def test_a_command_that_is_done_soon_shows_no_step() -> None:
     assert on_terminal(*steps(before=0.0, behind=0.0)) == ""
 
 
-def test_a_check_tells_its_questions(tmp_path: Path) -> None:
+def test_a_check_tells_its_queries(tmp_path: Path) -> None:
     reported: list[str] = []
     rules = tmp_path / "rules.ross"
     rules.write_text(RULES)

@@ -1,4 +1,4 @@
-"""Questions that are on their way to a process when it ends keep nobody.
+"""Queries that are on their way to a process when it ends keep nobody.
 
 They are longer than a pipe holds. Python before 3.11.5 waits for ever until somebody reads them
 (gh-94777).
@@ -16,10 +16,10 @@ RUN = """\
 import os, signal, time
 from rossmarie.driver.workers import answers
 
-def wait(question):
+def wait(query):
     time.sleep(600)
 
-def die(question):
+def die(query):
     os.kill(os.getpid(), signal.SIGKILL)
 
 def stop(*_):

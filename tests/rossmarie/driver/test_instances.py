@@ -94,7 +94,7 @@ def test_a_mistake_of_syntax_is_reported_once(main: Path) -> None:
     assert found.code.startswith("ROSS0")
 
 
-def test_questions_about_rules_name_the_import(main: Path) -> None:
+def test_queries_about_rules_name_the_import(main: Path) -> None:
     library = LIBRARY.replace("min(ranges) < gap", "min(ranges) < gap and min(ranges) > 4 m")
     main.with_name("library.ross").write_text(library)
     found = [each for each in analyze_file(main).diagnostics if each.code.startswith("ROSS7")]

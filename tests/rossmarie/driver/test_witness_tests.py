@@ -100,7 +100,7 @@ def test_a_conflict_is_kept_as_a_test_in_which_both_rules_are_active(
     ],
     ids=lambda path: path.stem,
 )
-def test_all_witnesses_of_all_questions_can_be_kept(fixture: Path, tmp_path: Path) -> None:
+def test_all_witnesses_of_all_queries_can_be_kept(fixture: Path, tmp_path: Path) -> None:
     rules = tmp_path / fixture.name
     rules.write_text(fixture.read_text(encoding="utf-8"), encoding="utf-8")
     kept(analyze_file(rules, thorough=True), rules)

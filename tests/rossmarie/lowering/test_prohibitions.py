@@ -117,7 +117,7 @@ def without(rules: str) -> tuple[str, ...]:
         ("force > 5 N", ()),
     ],
 )
-def test_s68_a_question_that_alone_makes_a_condition_true(
+def test_s68_a_query_that_alone_makes_a_condition_true(
     tmp_path: Path, condition: str, reported: tuple[str, ...]
 ) -> None:
     zone = "entity zone { here : doing Drive(Target: Corridor); }"
@@ -320,18 +320,18 @@ def test_s68_a_compound_that_cannot_do_without(
     tmp_path_factory: pytest.TempPathFactory,
     inner: list[dict[str, Any]],
     outer: list[dict[str, Any]],
-    questions: list[str],
+    queries: list[str],
 ) -> None:
     """For all things: what is reported is what no outcome of the other skills makes succeed."""
     ways = {"Inner": inner, "Outer": outer}
     rules = head(tmp_path_factory.mktemp("rules"), *(compound(name, *ways[name]) for name in ways))
-    for number, each in enumerate(questions):
+    for number, each in enumerate(queries):
         rules += f"rule it_{number}: if doing {each} then {{ halt; }};\n"
     reported = without(rules)
     always = Stopped({ALWAYS})
     stopped = Stopped(
-        {kind for each in questions for kind in STOPPED.get(each, ())},
-        {each for each in questions if each in ways and not can_succeed(each, ways, {}, always)},
+        {kind for each in queries for kind in STOPPED.get(each, ())},
+        {each for each in queries if each in ways and not can_succeed(each, ways, {}, always)},
     )
     for skill, (one, other) in itertools.product(ways, itertools.product(KINDS, KINDS)):
         things = {"A": one, "B": other}

@@ -174,7 +174,7 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
         "init",
         "latch",
         "numbers",
-        *deep(["advance", "catch_up", "handed", "inside", "questions", "reset", "restart",
+        *deep(["advance", "catch_up", "handed", "inside", "queries", "reset", "restart",
                "resting", "set_wake", "step", "tick", "update_tilt", "waiting"]),
     ],
 )  # fmt: skip
@@ -294,7 +294,7 @@ FAULTS = (
 
 
 @pytest.mark.parametrize(("change", "part", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
-def test_a_seeded_fault_is_refuted(
+def test_a_mutant_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
@@ -343,7 +343,7 @@ def test_what_counts_and_elements_are_what_they_mean(
          "the guard of `min(ranges)`"),
     ],
 )  # fmt: skip
-def test_a_seeded_fault_in_them_is_refuted(
+def test_a_mutant_in_them_is_refuted(
     prover: Prover, counting: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))

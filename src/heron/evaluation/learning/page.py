@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from importlib.resources import files
 
-from heron.evaluation.claim import between
+from heron.evaluation.expectation import between
 from heron.evaluation.learning.expectations import expectations_of
 from heron.evaluation.learning.measures import MEASURES, Measure
 from heron.evaluation.learning.names import ALGORITHM_NAMES, TITLES
@@ -37,9 +37,9 @@ def _title(found: Trainings) -> str:
 
 
 def _reported(found: Trainings) -> Iterator[Reported]:
-    for claim in expectations_of(found):
-        reason = REASONS.get((found.formulation.value, found.algorithm, claim.key))
-        yield Reported(_title(found), claim, reason)
+    for expectation in expectations_of(found):
+        reason = REASONS.get((found.formulation.value, found.algorithm, expectation.key))
+        yield Reported(_title(found), expectation, reason)
 
 
 def _section(found: Trainings, plots: str) -> Iterator[str]:

@@ -180,7 +180,7 @@ class _SettingChecker:
         """The whole message of an input, and where it begins; a number of a skill is in none."""
         messages = self._context.messages
         found = None if messages is None else messages.find(used.message_type)
-        if found is None or used.question is not None:
+        if found is None or used.query is not None:
             return type_, part_at(used.base, type_)
         whole = message_value(found)
         return whole, part_at((), whole)

@@ -50,7 +50,7 @@ class Guard:
 
 
 class Layout:
-    """Questions about one machine."""
+    """Queries about one machine."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.machine = machine

@@ -226,7 +226,7 @@ def _start(layout: Layout) -> Iterator[str]:
         yield from update(layout, channel)
     yield from _reset(layout)
     yield from _latch(machine)
-    yield from _questions(layout)
+    yield from _queries(layout)
 
 
 def _reset(layout: Layout) -> list[str]:
@@ -254,7 +254,7 @@ def _latch(machine: ir.Machine) -> list[str]:
     return function.text()
 
 
-def _questions(layout: Layout) -> Iterator[str]:
+def _queries(layout: Layout) -> Iterator[str]:
     machine = layout.machine
     next_wake = Function("next_wake()")
     next_wake.line("due = earliest()")

@@ -11,8 +11,8 @@ from support.parts import MUJOCO, require
 require(MUJOCO)
 
 from heron.evaluation import Row
-from heron.evaluation.claim import Verdict
-from heron.evaluation.claims import claims_of
+from heron.evaluation.expectation import Verdict
+from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
 from heron.variants import Arm, Encounter
@@ -49,7 +49,7 @@ def of_contacts(
         replace(one, numbers=one.numbers | numbers) if one.arm == changed else one for one in rows
     ]
     (sample,) = (one for one in samples_of(CONTACT, rows) if one.variant == encounter.value)
-    return {claim.key: claim.verdict for claim in claims_of(sample)}
+    return {expectation.key: expectation.verdict for expectation in expectations_of(sample)}
 
 
 def test_what_is_expected_of_skills_is_as_expected() -> None:
@@ -84,5 +84,7 @@ def test_a_contact_that_nobody_acts_on_is_reported() -> None:
     rows = [touched(arm, Encounter.COLLISION, seed) for seed in range(10) for arm in CONTACT.arms]
     del rows[2].numbers["reaction_collision"]
     (sample,) = (one for one in samples_of(CONTACT, rows) if one.harms)
-    (claim,) = (one for one in claims_of(sample) if one.key == "stops skill_aware collision")
-    assert (claim.found, claim.verdict) == ("in 9 of 10", Verdict.FAILS)
+    (expectation,) = (
+        one for one in expectations_of(sample) if one.key == "stops skill_aware collision"
+    )
+    assert (expectation.found, expectation.verdict) == ("in 9 of 10", Verdict.FAILS)
