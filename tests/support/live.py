@@ -304,8 +304,10 @@ class Ros(Protocol):
         """The process of the node of the vehicle, None if there is none."""
         ...
 
-    def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
-        """Publish a message at a rate, in a process of its own."""
+    def publish(
+        self, rate: int, topic: str, ros_type: str, message: str, *, is_kept: bool = False
+    ) -> Process:
+        """Publish a message at a rate, in a process of its own. A kept one comes late, too."""
         ...
 
     def ros_type(self, name: str) -> str:
