@@ -9,6 +9,7 @@ from typing import Annotated, Any
 
 import typer
 
+from dslkit.command_line import ReportFormat
 from rossmarie.ir.filing import Category
 from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
 
@@ -127,14 +128,15 @@ CoverageFile = Annotated[
 ]
 
 
-def _json_for(option: str) -> Any:
-    """The option that writes what another command reads as `option`."""
-    help = f"Also write JSON for `rossmarie report {option}`."
-    return typer.Option("--json", metavar="FILE", help=help, parser=written)
+def _report_for(option: str) -> Any:
+    """The option that writes a file for `option` of `rossmarie report`."""
+    help = f"Write a file for `rossmarie report {option}`."
+    return typer.Option("--out", "-o", metavar="FILE", help=help, parser=written)
 
 
-CoverageReport = Annotated[Path | None, _json_for("--coverage")]
-ProofsReport = Annotated[Path | None, _json_for("--verification")]
+CoverageReport = Annotated[Path | None, _report_for("--coverage")]
+ProofsReport = Annotated[Path | None, _report_for("--verification")]
+AnswerFormat = Annotated[ReportFormat, choice(ReportFormat, "The format of findings and result.")]
 ReviewPage = Annotated[
     Path | None,
     typer.Option(
@@ -142,6 +144,32 @@ ReviewPage = Annotated[
         metavar="FILE",
         help="Also write a page of the rules beside their C.",
         parser=written,
+    ),
+]
+
+ReportFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        "-o",
+        metavar="DIR",
+        help="Write timeline.html and verdicts.jsonl here; of several recordings, each into a"
+        " folder of its name.",
+        parser=written,
+    ),
+]
+ProverTimeout = Annotated[
+    int,
+    typer.Option(
+        metavar="SECONDS",
+        min=1,
+        help="The processor time of each solver for one query.",
+    ),
+]
+ProverFolder = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="DIR", help="Write what the prover gets here, to ask again.", parser=written
     ),
 ]
 
