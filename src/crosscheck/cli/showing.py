@@ -18,7 +18,7 @@ from crosscheck.svg import svg_of
 from dslkit.command_line import ReportFormat
 from dslkit.diagnostics.render_json import Json, place
 
-_RULES = ".ross"
+_ENDINGS = {ShowFormat.TEXT: ".txt", ShowFormat.SVG: ".svg", ShowFormat.JSON: ".json"}
 
 
 def run_show(
@@ -30,9 +30,10 @@ def run_show(
 ) -> None:
     """Print the skills with what rules have to do with them, or write them to `out`."""
     with output.answering(form, "show", files=1) as answer:
-        if out is not None and out.suffix == _RULES:
-            output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)
         if out is not None:
+            if out.suffix != _ENDINGS[form]:
+                wanted = _ENDINGS[form]
+                output.fail(f"{out} does not end in {wanted}; choose another --out", exit_code=2)
             output.try_file(out)
         skills = list(pictured(loaded(rules, systems, message_folders)))
         answer.result = {"skills": [_skill(each) for each in skills]}

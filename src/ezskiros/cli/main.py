@@ -194,7 +194,8 @@ def _write(files: Sequence[MigratedFile]) -> None:
 @app.command()
 def stubs(
     out: Annotated[
-        Path, typer.Option(metavar="FILE", help="The stub, beside the module that loads.")
+        Path,
+        typer.Option("--out", "-o", metavar="FILE", help="The stub, beside the module that loads."),
     ],
     ontology: Folders = None,
     is_check: Annotated[

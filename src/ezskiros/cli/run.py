@@ -70,8 +70,9 @@ def run(
         Path | None,
         typer.Option(metavar="FILE", help="The world at the start (.turtle)."),
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the world at the end (.turtle).")
+    out: Annotated[
+        Path | None,
+        typer.Option("--out", "-o", metavar="FILE", help="Write the world at the end (.turtle)."),
     ] = None,
     simulate: Annotated[
         bool, typer.Option("--simulate", help="Primitives only let their post-conditions hold.")
@@ -94,7 +95,7 @@ def run(
     ontology: Folders = None,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
-    for path in (save, trace):
+    for path in (out, trace):
         if path is not None:
             output.try_file(path)
     name_ontology(ontology)
@@ -118,9 +119,9 @@ def run(
     waiting = guards_for(guards, export, simulate=simulate)
     run = _Run(ready.call, setting, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
-    if save is not None:
-        with output.writing(save):
-            ready.world.save(save)
+    if out is not None:
+        with output.writing(out):
+            ready.world.save(out)
     _tell(skill, outcome)
     raise typer.Exit(0 if outcome.is_success else 1)
 

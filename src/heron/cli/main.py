@@ -76,7 +76,9 @@ def heron(version: Annotated[bool, output.version_option()] = False) -> None:
 @runs.command()
 def nav(
     arm: Guarding = Arm.ROSSMARIE,
-    terrain: Annotated[Terrain, typer.Option(help="What is in its way.")] = Terrain.GENTLE,
+    variant: Annotated[
+        Terrain, typer.Option(help="The terrain: what is in the way.")
+    ] = Terrain.GENTLE,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
@@ -86,7 +88,7 @@ def nav(
 ) -> None:
     """Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
     if not ros1:
-        _run("nav", arm, terrain, seed, view, film)
+        _run("nav", arm, variant, seed, view, film)
         return
     if arm in (Arm.NONE, Arm.COLLISION_MONITOR):
         output.fail(
@@ -98,13 +100,15 @@ def nav(
     from heron.cli.live import run_live
 
     with _observers("nav", is_viewed=view) as observers:
-        run_live(output, arm, terrain, seed, observers)
+        run_live(output, arm, variant, seed, observers)
 
 
 @runs.command()
 def place(
     arm: Guarding = Arm.ROSSMARIE,
-    table: Annotated[Table, typer.Option(help="Where it is, and in what haste.")] = Table.HIGH,
+    variant: Annotated[
+        Table, typer.Option(help="The table: where it is, and the haste.")
+    ] = Table.HIGH,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
@@ -112,26 +116,29 @@ def place(
     """Experiment II: place a block on a table that is higher than the arm believes, or carry it
     there in too much haste.
     """
-    _run("place", arm, table, seed, view, film)
+    _run("place", arm, variant, seed, view, film)
 
 
 @runs.command()
 def human(
     arm: Guarding = Arm.ROSSMARIE,
-    person: Annotated[Person, typer.Option(help="Where somebody walks.")] = Person.INSIDE,
+    variant: Annotated[
+        Person, typer.Option(help="The person: where somebody walks.")
+    ] = Person.INSIDE,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
 ) -> None:
     """Experiment III: carry a block to and fro while somebody comes into the room."""
-    _run("human", arm, person, seed, view, film)
+    _run("human", arm, variant, seed, view, film)
 
 
 @runs.command()
 def contact(
     arm: Guarding = Arm.SKILL_AWARE,
-    encounter: Annotated[
-        Encounter, typer.Option(help="What it touches, apart from box and board.")
+    variant: Annotated[
+        Encounter,
+        typer.Option(help="The encounter: what the arm touches apart from box and board."),
     ] = Encounter.COLLISION,
     seed: Seed = 0,
     view: View = False,
@@ -140,13 +147,15 @@ def contact(
     """Experiment IV: push a box to a mark and wipe a board, while somebody reaches over the table
     or the box gets jammed.
     """
-    _run("contact", arm, encounter, seed, view, film)
+    _run("contact", arm, variant, seed, view, film)
 
 
 @runs.command()
 def corridor(
     arm: Guarding = Arm.PROACTIVE,
-    passage: Annotated[Passage, typer.Option(help="Who is in it.")] = Passage.CHILD,
+    variant: Annotated[
+        Passage, typer.Option(help="The passage: who is in the corridor.")
+    ] = Passage.CHILD,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
@@ -154,33 +163,35 @@ def corridor(
     """Experiment V: drive along a corridor, of which a part belongs to a school, while a child runs
     out of a door.
     """
-    _run("corridor", arm, passage, seed, view, film)
+    _run("corridor", arm, variant, seed, view, film)
 
 
 @runs.command()
 def blocked(
     arm: Guarding = Arm.TREES,
-    blockage: Annotated[Blockage, typer.Option(help="What stands in the way.")] = Blockage.PALLET,
+    variant: Annotated[
+        Blockage, typer.Option(help="The blockage: what stands in the way.")
+    ] = Blockage.PALLET,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
 ) -> None:
     """Experiment VI: drive to a hall, while something stands across the short way."""
-    _run("blocked", arm, blockage, seed, view, film)
+    _run("blocked", arm, variant, seed, view, film)
 
 
 @runs.command()
 def second(
     arm: Guarding = Arm.LEARNED,
-    trouble: Annotated[
-        Trouble, typer.Option(help="What stands in the way in most runs.")
+    variant: Annotated[
+        Trouble, typer.Option(help="The trouble: what stands in the way in most runs.")
     ] = Trouble.LASTING,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
 ) -> None:
     """Experiment VII: drive to a hall as the planner says, with what earlier runs have taught."""
-    _run("second", arm, trouble, seed, view, film)
+    _run("second", arm, variant, seed, view, film)
 
 
 runs.command()(insertion)
@@ -245,7 +256,9 @@ def record(
         str,
         typer.Argument(help="Which one: nav, place, human, contact, corridor, blocked or second."),
     ],
-    out: Annotated[Path, typer.Option(help="The file, such as drive.mcap.")],
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as drive.mcap.")
+    ],
     arm: Guarding = Arm.ROSSMARIE,
     variant: Annotated[
         str | None,
@@ -284,7 +297,13 @@ def evaluate(
         list[str] | None, typer.Option(help="Only this one; may be given several times.")
     ] = None,
     out: Annotated[
-        Path, typer.Option(help="Folder of the page; what is done already is there, too.")
+        Path,
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="DIR",
+            help="Folder of the page; what is done already is there, too.",
+        ),
     ] = Path("build"),
     jobs: Jobs = None,
     ray: Ray = None,
@@ -322,7 +341,13 @@ def learn(
         typer.Option(min=1, help="Steps of a training; as docs/learning.md has them if not given."),
     ] = None,
     out: Annotated[
-        Path, typer.Option(help="Folder of the page; what is done already is there, too.")
+        Path,
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="DIR",
+            help="Folder of the page; what is done already is there, too.",
+        ),
     ] = Path("build"),
     film: Annotated[
         Path | None,
@@ -362,7 +387,9 @@ app.command()(policy)
 @app.command()
 def demo(
     seed: Seed = _SHOWN_SEED,
-    out: Annotated[Path, typer.Option(help="The page.")] = Path("build/heron.html"),
+    out: Annotated[Path, typer.Option("--out", "-o", metavar="FILE", help="The page.")] = Path(
+        "build/heron.html"
+    ),
 ) -> None:
     """Show one episode of each experiment with all guards, side by side on one page."""
     output.try_folder(out.parent)
@@ -378,7 +405,9 @@ def demo(
 @app.command()
 def gallery(
     seed: Seed = _SHOWN_SEED,
-    out: Annotated[Path, typer.Option(help="Folder of the page and its films.")] = Path("build"),
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="DIR", help="Folder of the page and its films.")
+    ] = Path("build"),
 ) -> None:
     """Write films of the experiments, without a monitor and with one, and a page of them."""
     output.try_folder(out)
