@@ -14,6 +14,7 @@ import typer
 from crosscheck.cli.choices import Answers, ShowFormat, ros_namespace
 from crosscheck.cli.output import output
 from dslkit.command_line import Format, ReportFormat
+from dslkit.completion import codes
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from rossmarie.cli.options import MessageFolders, OptionalOutFile, Rules, Systems
@@ -22,7 +23,6 @@ app = typer.Typer(
     help="Rules and skills of one robot, looked at together.",
     cls=Group,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -134,7 +134,10 @@ def live(
 
 @app.command()
 def explain(
-    code: Annotated[str, typer.Argument(metavar="CODE", help="Such as CHK102.")],
+    code: Annotated[
+        str,
+        typer.Argument(metavar="CODE", help="Such as CHK102.", autocompletion=codes("crosscheck")),
+    ],
 ) -> None:
     """Explain a diagnostic."""
     output.explain(code)

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dslkit.command_line import Format, ReportFormat
+from dslkit.completion import codes
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
@@ -33,7 +34,6 @@ app = typer.Typer(
     help="Skills for SkiROS2, checked against the ontology before the robot is launched.",
     cls=Group,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -94,7 +94,12 @@ def check(
 
 @app.command()
 def explain(
-    what: Annotated[str, typer.Argument(metavar="CODE|SKILL", help="Such as EZS401, or Pick.")],
+    what: Annotated[
+        str,
+        typer.Argument(
+            metavar="CODE|SKILL", help="Such as EZS401, or Pick.", autocompletion=codes("ezskiros")
+        ),
+    ],
     paths: Annotated[
         list[Path] | None, typer.Argument(metavar="PATHS...", help="Where the skill is.")
     ] = None,

@@ -34,7 +34,18 @@ from heron.cli.choices import (
     workers_of,
 )
 from heron.cli.operating import insertion, policy
-from heron.cli.options import Filming, Guarding, Jobs, Ray, Seed, View
+from heron.cli.options import (
+    Algorithms,
+    Experiment,
+    Experiments,
+    Filming,
+    Guarding,
+    Jobs,
+    Ray,
+    Seed,
+    Variant,
+    View,
+)
 from heron.variants import (
     VARIANTS,
     Arm,
@@ -59,7 +70,6 @@ _LATEST_S = 4_000_000_000
 app = typer.Typer(
     help="The experiments of the thesis, in physics.",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -252,18 +262,12 @@ def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
 
 @app.command()
 def record(
-    experiment: Annotated[
-        str,
-        typer.Argument(help="Which one: nav, place, human, contact, corridor, blocked or second."),
-    ],
+    experiment: Experiment,
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as drive.mcap.")
     ],
     arm: Guarding = Arm.ROSSMARIE,
-    variant: Annotated[
-        str | None,
-        typer.Option(help="Which terrain, table, person or encounter; the first one if not given."),
-    ] = None,
+    variant: Variant = None,
     seed: Seed = 0,
     trace: Annotated[
         Path | None,
@@ -293,9 +297,7 @@ def record(
 @app.command()
 def evaluate(
     seeds: Annotated[int, typer.Option(min=1, help="How many, from 0 on.")] = 30,
-    experiment: Annotated[
-        list[str] | None, typer.Option(help="Only this one; may be given several times.")
-    ] = None,
+    experiment: Experiments = None,
     out: Annotated[
         Path,
         typer.Option(
@@ -327,10 +329,7 @@ def learn(
         Formulation,
         typer.Argument(help="Which numbers are learned: of each step, which move, or of a tree."),
     ],
-    algorithm: Annotated[
-        list[str] | None,
-        typer.Option(help="Only this one; may be given several times. The usual one if not given."),
-    ] = None,
+    algorithm: Algorithms = None,
     arm: Annotated[
         list[LearningArm] | None,
         typer.Option(help="Only this one; may be given several times. All if not given."),

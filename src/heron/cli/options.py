@@ -7,8 +7,51 @@ from typing import Annotated
 
 import typer
 
-from heron.variants import Arm
+from heron.variants import ALGORITHMS, VARIANTS, Arm, Formulation
 
+
+def _variants(ctx: typer.Context) -> list[str]:
+    """The variants of the experiment that the command line names."""
+    return [each.value for each in VARIANTS.get(ctx.params.get("experiment", ""), ())]
+
+
+def _algorithms(ctx: typer.Context) -> list[str]:
+    """The algorithms of the formulation that the command line names."""
+    formulation = ctx.params.get("formulation")
+    return list(ALGORITHMS[formulation]) if isinstance(formulation, Formulation) else []
+
+
+Experiment = Annotated[
+    str,
+    typer.Argument(
+        help="Which one: nav, place, human, contact, corridor, blocked or second.",
+        autocompletion=lambda: list(VARIANTS),
+    ),
+]
+Experiments = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--experiment",
+        help="Only this one; may be given several times.",
+        autocompletion=lambda: list(VARIANTS),
+    ),
+]
+Variant = Annotated[
+    str | None,
+    typer.Option(
+        "--variant",
+        help="Which terrain, table, person or encounter; the first one if not given.",
+        autocompletion=_variants,
+    ),
+]
+Algorithms = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--algorithm",
+        help="Only this one; may be given several times. The usual one if not given.",
+        autocompletion=_algorithms,
+    ),
+]
 Guarding = Annotated[Arm, typer.Option("--arm", help="What guards the robot.")]
 View = Annotated[bool, typer.Option("--view", help="Show it in a window, in real time.")]
 Filming = Annotated[

@@ -17,6 +17,7 @@ from dslkit.parameters import Group
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
     AnswerFormat,
+    Code,
     CoverageFile,
     CoverageReport,
     Licenses,
@@ -50,7 +51,6 @@ app = typer.Typer(
     help="Safety rules for robots: check them, build their monitor, replay a recording.",
     cls=Group,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -104,7 +104,7 @@ def check(
 
 @app.command()
 def explain(
-    code: Annotated[str, typer.Argument(metavar="CODE", help="Such as ROSS301.")],
+    code: Code,
 ) -> None:
     """Explain a diagnostic: what it means, an example, what to write instead."""
     output.explain(code)

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from dslkit.command_line import ReportFormat
+from dslkit.completion import codes, folders
 from rossmarie.ir.filing import Category
 from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
 
@@ -61,7 +62,9 @@ def choice(kind: type[enum.Enum], text: str) -> Any:
             raise typer.BadParameter(f"`{word}` is none of {', '.join(values)}")
         return kind(word.lower())
 
-    return typer.Option(help=text, parser=parse, metavar="|".join(values))
+    return typer.Option(
+        help=text, parser=parse, metavar="|".join(values), autocompletion=lambda: values
+    )
 
 
 # Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
@@ -173,7 +176,19 @@ ProverFolder = Annotated[
     ),
 ]
 
-RobotName = Annotated[str | None, typer.Argument(metavar="ROBOT", help="Such as turtlebot4.")]
+Code = Annotated[
+    str,
+    typer.Argument(metavar="CODE", help="Such as ROSS301.", autocompletion=codes("rossmarie")),
+]
+
+RobotName = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="ROBOT",
+        help="Such as turtlebot4.",
+        autocompletion=folders("rossmarie", "robots", "system.ross"),
+    ),
+]
 RobotFolder = Annotated[
     Path | None,
     typer.Argument(metavar="DIR", help="The folder to write to; else ./ROBOT.", parser=written),
