@@ -7,18 +7,24 @@ from typing import Annotated
 
 import typer
 
-from heron.variants import ALGORITHMS, VARIANTS, Arm, Formulation
+from heron.variants import ALGORITHMS, VARIANTS, Arm
 
 
 def _variants(ctx: typer.Context) -> list[str]:
-    """The variants of the experiment that the command line names."""
-    return [each.value for each in VARIANTS.get(ctx.params.get("experiment", ""), ())]
+    """The variants of the experiments that the command line names."""
+    return [each.value for name in _typed(ctx) for each in VARIANTS.get(name, ())]
 
 
 def _algorithms(ctx: typer.Context) -> list[str]:
-    """The algorithms of the formulation that the command line names."""
-    formulation = ctx.params.get("formulation")
-    return list(ALGORITHMS[formulation]) if isinstance(formulation, Formulation) else []
+    """The algorithms of the formulations that the command line names."""
+    return [
+        each for known in ALGORITHMS if known.value in _typed(ctx) for each in ALGORITHMS[known]
+    ]
+
+
+def _typed(ctx: typer.Context) -> list[str]:
+    """The words before the word to complete: parsed, or left over if an option has no value."""
+    return [*map(str, ctx.args), *(str(each) for each in ctx.params.values() if each)]
 
 
 Experiment = Annotated[
