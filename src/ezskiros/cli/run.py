@@ -57,6 +57,10 @@ ContextFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Tell which skills run, in the words of this skills.json."),
 ]
+WorldFile = Annotated[
+    Path | None,
+    typer.Option("--out", "-o", metavar="FILE", help="Write the world at the end (.turtle)."),
+]
 GuardsFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Let skills wait for rules: guards.json of `crosscheck`."),
@@ -70,10 +74,7 @@ def run(
         Path | None,
         typer.Option(metavar="FILE", help="The world at the start (.turtle)."),
     ] = None,
-    out: Annotated[
-        Path | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write the world at the end (.turtle)."),
-    ] = None,
+    out: WorldFile = None,
     simulate: Annotated[
         bool, typer.Option("--simulate", help="Primitives only let their post-conditions hold.")
     ] = False,

@@ -37,13 +37,18 @@ from heron.cli.choices import (
 from heron.cli.operating import insertion, policy
 from heron.cli.options import (
     Algorithms,
+    Begin,
     Experiment,
     Experiments,
     Filming,
     Guarding,
     Jobs,
+    PageFile,
     Ray,
+    RecordingFile,
+    RunsFolder,
     Seed,
+    TraceFile,
     Variant,
     View,
 )
@@ -66,8 +71,6 @@ if TYPE_CHECKING:  # needs MuJoCo
 
 _SHOWN_SEED = 1
 """The seed of the demo and the gallery. Its episodes end as most do; a test holds that."""
-_LATEST_S = 4_000_000_000
-"""Stamps of ROS have 32 bits for seconds."""
 app = typer.Typer(
     help="The experiments of the thesis, in physics.",
     cls=Group,
@@ -265,19 +268,12 @@ def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
 @app.command()
 def record(
     experiment: Experiment,
-    out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as drive.mcap.")
-    ],
+    out: RecordingFile,
     arm: Guarding = Arm.ROSSMARIE,
     variant: Variant = None,
     seed: Seed = 0,
-    trace: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write which skills ran, too, for `ezskiros learn`."),
-    ] = None,
-    begin: Annotated[
-        int, typer.Option(min=0, max=_LATEST_S, help="The stamp of its begin, in seconds.")
-    ] = 0,
+    trace: TraceFile = None,
+    begin: Begin = 0,
 ) -> None:
     """Run one episode, and write all its topics into an MCAP file."""
     chosen = variant_of(known(experiment), variant)
@@ -300,15 +296,7 @@ def record(
 def evaluate(
     seeds: Annotated[int, typer.Option(min=1, help="How many, from 0 on.")] = 30,
     experiment: Experiments = None,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "--out",
-            "-o",
-            metavar="DIR",
-            help="Folder of the page; what is done already is there, too.",
-        ),
-    ] = Path("build"),
+    out: RunsFolder = Path("build"),
     jobs: Jobs = None,
     ray: Ray = None,
 ) -> None:
@@ -341,23 +329,8 @@ def learn(
         int | None,
         typer.Option(min=1, help="Steps of a training; as docs/learning.md has them if not given."),
     ] = None,
-    out: Annotated[
-        Path,
-        typer.Option(
-            "--out",
-            "-o",
-            metavar="DIR",
-            help="Folder of the page; what is done already is there, too.",
-        ),
-    ] = Path("build"),
-    film: Annotated[
-        Path | None,
-        typer.Option(
-            "--film",
-            metavar="FILE",
-            help="Write a film of what the arms have learned, side by side: .mp4 or .gif.",
-        ),
-    ] = None,
+    out: RunsFolder = Path("build"),
+    film: Filming = None,
     jobs: Jobs = None,
     ray: Ray = None,
 ) -> None:
@@ -388,9 +361,7 @@ app.command()(policy)
 @app.command()
 def demo(
     seed: Seed = _SHOWN_SEED,
-    out: Annotated[Path, typer.Option("--out", "-o", metavar="FILE", help="The page.")] = Path(
-        "build/heron.html"
-    ),
+    out: PageFile = Path("build/heron.html"),
 ) -> None:
     """Show one episode of each experiment with all guards, side by side on one page."""
     output.try_folder(out.parent)

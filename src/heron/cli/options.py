@@ -9,6 +9,9 @@ import typer
 
 from heron.variants import ALGORITHMS, VARIANTS, Arm
 
+_LATEST_S = 4_000_000_000
+"""Stamps of ROS have 32 bits for seconds."""
+
 
 def _variants(ctx: typer.Context) -> list[str]:
     """The variants of the experiments that the command line names."""
@@ -71,4 +74,26 @@ Jobs = Annotated[
 Ray = Annotated[
     str | None,
     typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port instead."),
+]
+Begin = Annotated[
+    int, typer.Option("--begin", min=0, max=_LATEST_S, help="The stamp of its begin, in seconds.")
+]
+RecordingFile = Annotated[
+    Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as drive.mcap.")
+]
+TraceFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--trace", metavar="FILE", help="Write which skills ran, too, for `ezskiros learn`."
+    ),
+]
+PageFile = Annotated[Path, typer.Option("--out", "-o", metavar="FILE", help="The page.")]
+RunsFolder = Annotated[
+    Path,
+    typer.Option(
+        "--out",
+        "-o",
+        metavar="DIR",
+        help="Folder of the page; what is done already is there, too.",
+    ),
 ]

@@ -30,7 +30,7 @@ def run_failures(
         except RulesError as error:
             output.reject(error.diagnostics)
         machine = compiled.machine
-        found = losses(Inquiry(machine))
+        found = list(losses(Inquiry(machine)))
         answer.result = failures_result(machine, found)
         if answer.is_printed:
             return

@@ -158,7 +158,8 @@ def replay_one(job: Job, key: str) -> Value:
     except RecordingError as error:
         outcome = _outcome(job, None, [error.diagnostic], [], "cannot be used")
         return {**outcome, "exit_code": output.exit_code([error.diagnostic])}
-    trouble, written, code = "", [], 0
+    trouble, code = "", 0
+    written: Sequence[Path] = ()
     if key in job.folders:
         trouble, written = _write(replay, job.folders[key])
         code = 2 if trouble else 0
