@@ -307,7 +307,7 @@ _OSCILLATION = (
         "m->gap_end_ns[k] >= recent_windows[k]",
         "m->gap_end_ns[k] > recent_windows[k]",
     ),
-    Fault("a gap is never told", "        m->gap[k] = source;", ""),
+    Fault("a gap is never reported", "        m->gap[k] = source;", ""),
 )
 
 _EDGES = (

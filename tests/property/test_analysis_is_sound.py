@@ -22,7 +22,7 @@ from rossmarie.analysis.implied import needs
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.latches import LATCHED, RESETTING, Release
 from rossmarie.analysis.rates import never_at_rate
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
@@ -99,15 +99,15 @@ def test_every_evaluation_is_a_state(case: Case) -> None:
         inquiry = Inquiry(machine)
         for settled in (False, True) if is_settled(machine, values) else (False,):
             state = ArbitraryState(inquiry.asked, settled=settled)
-            claim = z3.And(
+            predicate = z3.And(
                 [
                     state.proposition(proposition).is_value(values[proposition])
                     for proposition in values
                 ]
             )
             orders = list(inquiry.orders(state))
-            answer = ask([*state.facts, *orders], claim)
-            assert answer.outcome is not Outcome.IMPOSSIBLE, (values, state.facts)
+            answer = ask([*state.facts, *orders], predicate)
+            assert answer.outcome is not Satisfiability.IMPOSSIBLE, (values, state.facts)
 
 
 @unhurried
@@ -217,24 +217,24 @@ def test_the_loss_of_an_input_does_nothing_to_rules_of_which_that_is_said(
     ]
     assume(found)
     loss = data.draw(st.sampled_from(found))
-    lost = machine.inputs[loss.input].channel
+    stale = machine.inputs[loss.input].channel
     monitor = watching(machine)
-    monitor.update(0, {lost: data.draw(channel_values(machine, lost))})
-    others = [channel for channel in range(len(machine.channels)) if channel != lost]
+    monitor.update(0, {stale: data.draw(channel_values(machine, stale))})
+    others = [channel for channel in range(len(machine.channels)) if channel != stale]
     calm = 0
     for tick in range(1, 24):
         sent = {channel: data.draw(channel_values(machine, channel)) for channel in others}
         monitor.update(tick * TICK, sent) if sent else monitor.advance(tick * TICK)
         values = values_of(machine, monitor)
         is_over = tick * TICK >= (loss.after_ns or 0) and is_settled(machine, values)
-        if is_over and _are_known(machine, monitor, lost):
+        if is_over and _are_known(machine, monitor, stale):
             calm += 1
             condition = values[machine.rules[0].condition]
             assert condition in (TruthValue.FALSE, TruthValue.UNKNOWN)
     assume(calm)
 
 
-def _are_known(machine: ir.Machine, monitor: Interpreter, lost: int) -> bool:
+def _are_known(machine: ir.Machine, monitor: Interpreter, stale: int) -> bool:
     """Whether all numbers of the messages that the rule rests on are, but for one channel."""
     slots = ir.supports(machine).propositions[machine.rules[0].condition].slots
     reads = {
@@ -243,7 +243,7 @@ def _are_known(machine: ir.Machine, monitor: Interpreter, lost: int) -> bool:
         if isinstance(signal.node, ir.Read)
     }
     channels = {slot: machine.inputs[machine.slots[slot].input].channel for slot in slots}
-    return not any(channels[slot] != lost and math.isnan(reads[slot]) for slot in slots)
+    return not any(channels[slot] != stale and math.isnan(reads[slot]) for slot in slots)
 
 
 @st.composite
@@ -288,10 +288,10 @@ def test_a_limit_that_holds_its_rule_does(data: st.DataObject) -> None:
     machine = replace(draft.machine(), reactions=COMMANDED)
     kept = [Kept(0, 0, 0, low, high)]
 
-    def claim(state: ArbitraryState) -> z3.BoolRef:
+    def predicate(state: ArbitraryState) -> z3.BoolRef:
         return z3.And(is_ended(state, 0), is_within(state, kept))
 
-    assume(Inquiry(machine).is_impossible(claim, settled=True))
+    assume(Inquiry(machine).is_impossible(predicate, settled=True))
     monitor = watching(machine)
     was_active = False
     inside = st.one_of(st.sampled_from((low, high)), st.floats(low, high))

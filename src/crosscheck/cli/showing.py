@@ -48,7 +48,7 @@ def run_show(
 def _drawn(skills: Sequence[Pictured], form: ShowFormat) -> str:
     match form:
         case ShowFormat.TEXT:
-            return "\n\n".join(map(_told, skills)) + "\n"
+            return "\n\n".join(map(_reported, skills)) + "\n"
         case ShowFormat.SVG:
             return svg_of(skills)
         case ShowFormat.JSON:
@@ -98,7 +98,7 @@ def run_impact(
         typer.echo("\n".join(lines) if lines else f"nothing depends on {skill}")
 
 
-def _told(skill: Pictured) -> str:
+def _reported(skill: Pictured) -> str:
     parts = (
         ("has in its tree", skill.children),
         ("uses", skill.uses),

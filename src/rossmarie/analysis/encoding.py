@@ -2,8 +2,8 @@
 
 Signals and propositions become terms node by node, as the interpreter evaluates them. What lies
 outside of one evaluation is left to the two kinds of encoding: `state.ArbitraryState`, where
-memories hold anything that a trace could have left there, and `course.Moment`, which is part of a
-course of events. `testing.solve.World` is none of them, and says why; what they have in common lies
+memories hold anything that a trace could have left there, and `trace.Moment`, which is part of a
+trace of events. `testing.solve.World` is none of them, and says why; what they have in common lies
 in `terms`, `formulas` and `fields`.
 """
 
@@ -43,7 +43,7 @@ class Cell:
 
 
 class Questioned:
-    """A machine, with what every question about it asks over and over."""
+    """A machine, with what every query about it asks over and over."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.machine = machine
@@ -85,7 +85,7 @@ class Questioned:
         return node.window_ns if isinstance(node, ir.Sampled) else 0
 
     def has_timeout(self, inputs: Iterator[int] | Sequence[int] | frozenset[int]) -> bool:
-        """Say whether one of some inputs can be lost."""
+        """Say whether one of some inputs can be stale."""
         return any(self.machine.inputs[used].timeout_ns is not None for used in inputs)
 
 
@@ -267,10 +267,10 @@ class Encoding(ABC):
         self, index: int, node: ir.PropositionNode, known: z3.BoolRef, is_so: z3.BoolRef
     ) -> Fact:
         unknown = z3.Not(known)
-        lost = z3.And(unknown, self.is_lost(index, node))
-        return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), lost)
+        stale = z3.And(unknown, self.is_stale(index, node))
+        return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)
 
-    def is_lost(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
+    def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
         """S30: whether an unknown leaf lacks an input with a timeout."""
         support = self.asked.supports.propositions[index]
         if not self.asked.has_timeout(support.inputs):
@@ -299,11 +299,11 @@ class Encoding(ABC):
             return literal(False)
         unknown = z3.Not(number.known)
         found = self.oscillating(index)
-        lost = self.is_lost(index, node)
+        stale = self.is_stale(index, node)
         return Fact(
             z3.And(number.known, found.true),
             z3.And(number.known, found.false),
-            z3.If(unknown, lost, found.lost),
+            z3.If(unknown, stale, found.stale),
         )
 
     # --- elements ----------------------------------------------------------------------------
@@ -331,7 +331,7 @@ class Encoding(ABC):
         there = z3.And(self.is_kept(array), cells[0].is_there)
         true, false = z3.And(there, whole.true), z3.And(there, whole.false)
         unknown = z3.Not(z3.Or(true, false))
-        return Fact(true, false, z3.And(unknown, self.is_lost(index, node)))
+        return Fact(true, false, z3.And(unknown, self.is_stale(index, node)))
 
     def _element_signal(self, index: int, cell: Cell) -> Number:
         if self.asked.elements.signals[index] is None:
@@ -349,7 +349,7 @@ class Encoding(ABC):
 
     def _beside(self, array: int, signal: int) -> Number:
         """A number beside elements (S74): any that it may have been when they arrived. A proposed
-        course of events has its value of now.
+        trace of events has its value of now.
         """
         if not self.rounded or isinstance(self.machine.signals[signal].node, ir.Constant):
             return self.signal(signal)
@@ -358,11 +358,11 @@ class Encoding(ABC):
 
     def is_kept(self, array: int) -> z3.BoolRef:
         """Say whether a result over elements has not been forgotten with a number beside them."""
-        may_be_lost = self.rounded and array in self.asked.beside
-        return z3.FreshBool("kept") if may_be_lost else YES
+        may_be_stale = self.rounded and array in self.asked.beside
+        return z3.FreshBool("kept") if may_be_stale else YES
 
     def element_proposition(self, index: int, cell: Cell) -> Fact:
-        """The value of a proposition for one element; unknown is never lost here (S22)."""
+        """The value of a proposition for one element; unknown is never stale here (S22)."""
         node = self.machine.propositions[index].node
         operands = [self.element_proposition(each, cell) for each in ir.proposition_operands(node)]
         match node:

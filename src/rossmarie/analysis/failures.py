@@ -49,14 +49,14 @@ def _ages(machine: Machine, used: int) -> Iterator[int]:
 
 def _effect(whole: Inquiry, used: int, after_ns: int, index: int) -> Effect:
     inquiry, rule = whole.about(index), 0
-    lost = partial(_is_lost, used=used, after_ns=after_ns)
+    stale = partial(_is_stale, used=used, after_ns=after_ns)
     if inquiry.is_impossible(
-        lambda state: z3.And(lost(state), z3.Not(becomes_active(state, rule))), settled=True
+        lambda state: z3.And(stale(state), z3.Not(becomes_active(state, rule))), settled=True
     ):
         return Effect.ACTIVATES
     if inquiry.is_impossible(
         lambda state: z3.And(
-            lost(state), becomes_active(state, rule), _others_work(state, used, rule)
+            stale(state), becomes_active(state, rule), _others_work(state, used, rule)
         ),
         settled=True,
     ):
@@ -65,7 +65,7 @@ def _effect(whole: Inquiry, used: int, after_ns: int, index: int) -> Effect:
     return Effect.DEPENDS
 
 
-def _is_lost(state: ArbitraryState, used: int, after_ns: int) -> z3.BoolRef:
+def _is_stale(state: ArbitraryState, used: int, after_ns: int) -> z3.BoolRef:
     channel = state.machine.inputs[used].channel
     return z3.And(state.has_arrived(channel), state.age(channel) >= after_ns)
 
@@ -90,7 +90,7 @@ def find_unnoticed(inquiry: Inquiry) -> Iterator[Finding]:
     in_rules = {used for root in roots for used in rests_on[root].inputs}
     for index, declared in enumerate(machine.inputs):
         if declared.timeout_ns is None or index not in in_rules:
-            continue  # it is never lost; or it only confirms, and what is unknown confirms nothing
+            continue  # it is never stale; or it only confirms, and what is unknown confirms nothing
         after_ns = max([declared.timeout_ns, *_ages(machine, index)])
         if next(_effects(inquiry, index, after_ns), None) is None:
             yield Finding(LossUnnoticed(input=declared.name).at(declared.span))

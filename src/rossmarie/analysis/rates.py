@@ -1,6 +1,6 @@
 """Durations that do not fit the rates at which a system model says that messages come.
 
-No other question relies on these rates: a monitor is there for when they are not kept.
+No other query relies on these rates: a monitor is there for when they are not kept.
 """
 
 from __future__ import annotations
@@ -12,16 +12,16 @@ import z3
 
 from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import propositions_of
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.rate_errors import (
-    LostBetweenMessages,
     NeverAtRate,
     OneMessageEnough,
+    StaleBetweenMessages,
     UnfitWindow,
 )
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import Sending, View, Witness, views
 from rossmarie.core import MOST_SAMPLES, sampling_row
 from rossmarie.core import View as Found
@@ -45,14 +45,14 @@ from rossmarie.ir import (
     TruthValue,
     compared_signals,
     reachable_propositions,
+    reported_propositions,
     signal_operands,
-    told_propositions,
 )
 from rossmarie.ir.duration_text import duration_text
 
 
 def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each input that is lost although its messages come as they should, of each part
+    """A warning of each input that is stale although its messages come as they should, of each part
     of a condition that is never true then, and of each `for` that one message fulfils.
     """
     machine = inquiry.machine
@@ -62,12 +62,12 @@ def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
         root for rule in range(len(machine.rules)) for root in propositions_of(machine, (rule,))
     }
     used = sorted(
-        {proposition for root in roots for proposition in told_propositions(machine, root)}
+        {proposition for root in roots for proposition in reported_propositions(machine, root)}
     )
     rests_on = inquiry.asked.supports.propositions
     in_rules = {each for root in roots for each in rests_on[root].inputs}
     for index in sorted(in_rules):
-        yield from _lost_between(inquiry, index)
+        yield from _stale_between(inquiry, index)
     for signal in sorted({each for root in roots for each in rests_on[root].samples}):
         yield from _unfit_window(inquiry, signal)
     for proposition in used:
@@ -84,16 +84,16 @@ def _apart(gaps: tuple[int, int]) -> str:
     return f"{least} apart" if least == greatest else f"{least} to {greatest} apart"
 
 
-# --- inputs that are lost between two messages -----------------------------------------------
+# --- inputs that are stale between two messages -----------------------------------------------
 
 
-def _lost_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
+def _stale_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
     machine = inquiry.machine
     declared = machine.inputs[index]
     gaps = _gaps(machine, declared.channel)
     if declared.timeout_ns is None or declared.timeout_ns >= gaps[1]:
         return
-    finding = LostBetweenMessages(
+    finding = StaleBetweenMessages(
         input=declared.name,
         topic=machine.channels[declared.channel].topic,
         apart=_apart(gaps),
@@ -113,14 +113,14 @@ def _lost_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
 
 
 def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness | None:
-    """A rule becomes active because an input is lost, and then its next message comes."""
+    """A rule becomes active because an input is stale, and then its next message comes."""
     condition = inquiry.machine.rules[rule].condition
     witness = inquiry.witness(
         Asked(
             propositions_of(inquiry.machine, (rule,)),
-            lambda state: state.proposition(condition).lost,
+            lambda state: state.proposition(condition).stale,
             partial(_comes_to_loss, declared=declared, rule=rule, gap_ns=gap_ns),
-            partial(_is_seen_lost, rule=rule),
+            partial(_is_seen_stale, rule=rule),
         )
     )
     if witness is None:
@@ -133,15 +133,15 @@ def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness 
     return Witness((*witness.events, Sending(next_ns, messages)), next_ns, is_calm=True)
 
 
-def _comes_to_loss(course: Course, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
+def _comes_to_loss(trace: Trace, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
     found = []
-    for number, moment in enumerate(course.moments):
+    for number, moment in enumerate(trace.moments):
         age = moment.age(declared.channel)
         found.append(
             z3.And(
-                course.is_active(rule, number),
-                z3.Not(course.is_active(rule, number - 1)),
-                moment.proposition(course.asked.machine.rules[rule].condition).lost,
+                trace.is_active(rule, number),
+                z3.Not(trace.is_active(rule, number - 1)),
+                moment.proposition(trace.asked.machine.rules[rule].condition).stale,
                 moment.has_arrived(declared.channel),
                 age >= (declared.timeout_ns or 0),
                 age < gap_ns,
@@ -150,10 +150,10 @@ def _comes_to_loss(course: Course, declared: Input, rule: int, gap_ns: int) -> z
     return z3.Or(found)
 
 
-def _is_seen_lost(seen: Sequence[View], rule: int) -> bool:
+def _is_seen_stale(seen: Sequence[View], rule: int) -> bool:
     was_active = len(seen) < 2 or seen[-2].active[rule]
     condition = seen[-1].truth_values.values()
-    return seen[-1].active[rule] and not was_active and TruthValue.LOST in condition
+    return seen[-1].active[rule] and not was_active and TruthValue.STALE in condition
 
 
 # --- windows of samples ----------------------------------------------------------------------
@@ -303,9 +303,7 @@ def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
         Asked(
             (proposition,),
             lambda state: state.proposition(proposition).true,
-            lambda course: z3.Or(
-                [moment.proposition(proposition).true for moment in course.moments]
-            ),
+            lambda trace: z3.Or([moment.proposition(proposition).true for moment in trace.moments]),
             lambda seen: seen[-1].truth_values[proposition] is TruthValue.TRUE,
         )
     )

@@ -124,7 +124,7 @@ class ArbitraryState(Encoding):
             found = free_fact(f"proposition{operand}.before", self.facts)
             self.facts.append(z3.Not(found.true))
             if not self.asked.has_timeout(self.asked.supports.propositions[operand].inputs):
-                self.facts.append(z3.Not(found.lost))
+                self.facts.append(z3.Not(found.stale))
             self._before[operand] = found
         return self._before[operand]
 
@@ -147,7 +147,7 @@ class ArbitraryState(Encoding):
         )
 
     def is_unknown_with(self, operand: int, other: int, value: TruthValue) -> z3.BoolRef:
-        """The further facts if the one cannot be U, or L, while the other is not: after they were,
+        """The further facts if the one cannot be U, or S, while the other is not: after they were,
         they became true together. A jump in time makes both U (S17).
         """
         was_unknown = z3.And(self.proposition(operand).true, self.before(operand).is_value(value))
@@ -158,7 +158,7 @@ class ArbitraryState(Encoding):
         """Anything, whatever its operands are now."""
         found = free_fact(f"proposition{index}.remembered", self.facts)
         if not self.asked.has_timeout(self.asked.supports.propositions[index].inputs):
-            self.facts.append(z3.Not(found.lost))
+            self.facts.append(z3.Not(found.stale))
         return found
 
     def oscillating(self, index: int) -> Fact:

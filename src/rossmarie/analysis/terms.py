@@ -34,11 +34,11 @@ class Number:
 
 @dataclass(frozen=True)
 class Fact:
-    """A proposition: whether it is T, F, or L. At most one of the three; none means U."""
+    """A proposition: whether it is T, F, or S. At most one of the three; none means U."""
 
     true: z3.BoolRef
     false: z3.BoolRef
-    lost: z3.BoolRef
+    stale: z3.BoolRef
 
     def is_value(self, value: TruthValue) -> z3.BoolRef:
         """Say whether a proposition has this value."""
@@ -47,15 +47,15 @@ class Fact:
                 return self.true
             case TruthValue.FALSE:
                 return self.false
-            case TruthValue.LOST:
-                return self.lost
+            case TruthValue.STALE:
+                return self.stale
             case TruthValue.UNKNOWN:
-                return z3.Not(z3.Or(self.true, self.false, self.lost))
+                return z3.Not(z3.Or(self.true, self.false, self.stale))
 
     @property
     def activates(self) -> z3.BoolRef:
         """Say whether a rule with this condition becomes active (S35)."""
-        return z3.Or(self.true, self.lost)
+        return z3.Or(self.true, self.stale)
 
 
 def literal(value: bool) -> Fact:
@@ -68,9 +68,9 @@ FALSE = literal(False)
 
 def free_fact(name: str, facts: list[z3.BoolRef]) -> Fact:
     """A proposition of any value; what holds of it goes to `facts`."""
-    true, false, lost = (z3.Bool(f"{name}.{value}") for value in "TFL")
-    facts.append(z3.AtMost(true, false, lost, 1))
-    return Fact(true, false, lost)
+    true, false, stale = (z3.Bool(f"{name}.{value}") for value in "TFS")
+    facts.append(z3.AtMost(true, false, stale, 1))
+    return Fact(true, false, stale)
 
 
 def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
@@ -78,20 +78,20 @@ def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
     return Fact(
         z3.If(condition, one.true, other.true),
         z3.If(condition, one.false, other.false),
-        z3.If(condition, one.lost, other.lost),
+        z3.If(condition, one.stale, other.stale),
     )
 
 
 def negation(operand: Fact) -> Fact:
     """`not` (S2)."""
-    return Fact(operand.false, operand.true, operand.lost)
+    return Fact(operand.false, operand.true, operand.stale)
 
 
 def conjunction(operands: Sequence[Fact]) -> Fact:
     """`and` (S2)."""
     false = z3.Or([operand.false for operand in operands])
-    lost = z3.And(z3.Not(false), z3.Or([operand.lost for operand in operands]))
-    return Fact(z3.And([operand.true for operand in operands]), false, lost)
+    stale = z3.And(z3.Not(false), z3.Or([operand.stale for operand in operands]))
+    return Fact(z3.And([operand.true for operand in operands]), false, stale)
 
 
 def disjunction(operands: Sequence[Fact]) -> Fact:

@@ -13,7 +13,7 @@ from dslkit.command_line import ReportFormat
 from dslkit.diagnostics.render_json import Json
 from dslkit.writing import write_whole
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
@@ -43,7 +43,7 @@ def run_replay(
         pairs = topic_pairs(topic_map)
         if out is not None:
             output.try_folder(out)
-        with refusing(), told_progress("replaying") as on_progress:
+        with refusing(), reported_progress("replaying") as on_progress:
             replay, found = replay_file(
                 rules,
                 recording,
@@ -159,7 +159,7 @@ def replay_result(replay: Replay, written: Sequence[Path]) -> Mapping[str, Json]
             {
                 "rule": each.rule,
                 "activations": each.activations,
-                "stale_activations": each.lost_activations,
+                "stale_activations": each.stale_activations,
                 "total_ns": each.total_ns,
                 "longest_ns": each.longest_ns,
                 "first_ns": each.first_ns,

@@ -16,13 +16,13 @@ from dslkit.diagnostics.render_json import Json
 from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.cli.replay import refusing, topic_pairs
 from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
-from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
+from rossmarie.driver.testing import RanTests, UnknownTestError, run_test_file, tests_beside
 from rossmarie.ir import near_name
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins
@@ -67,11 +67,11 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
     output.save(written.path, written.text)
     output.tell(f"wrote {_counted(written.count, 'test')} to {written.path}")
-    for told in written.left_out:
-        output.tell(told)
+    for reported in written.left_out:
+        output.tell(reported)
 
 
-def report(tested: Outcome, answer: Answer) -> None:
+def report(tested: RanTests, answer: Answer) -> None:
     """Print the findings, the counts and the coverage."""
     found = [finding for ran in tested.ran for finding in ran.found]
     output.print_findings([*tested.findings, *found])
@@ -107,7 +107,7 @@ def run_coverage(
         if report is not None:
             output.try_file(report)
             refuse_report(report, (rules, *recordings))
-        with refusing(), told_progress("moving thresholds") as on_progress:
+        with refusing(), reported_progress("moving thresholds") as on_progress:
             found = cover_recordings(
                 rules,
                 recordings,
@@ -137,7 +137,7 @@ def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> s
         output.fail(f"cannot read a recording again: {reason(error)}", exit_code=2)
 
 
-def tests_result(tested: Outcome) -> Json:
+def tests_result(tested: RanTests) -> Json:
     """Each test, and what the tests cover together. Lengths are seconds."""
     return {
         "engines": ["interpreter", "c"] if tested.has_c else ["interpreter"],

@@ -175,7 +175,7 @@ class Evaluator:
         return self._memory.quantified[index]
 
     def _unknown(self, index: int, node: ir.PropositionNode) -> TruthValue:
-        """S30: an unknown leaf is lost if that is for lack of an input with a timeout."""
+        """S30: an unknown leaf is stale if that is for lack of an input with a timeout."""
         support = self._supports.propositions[index]
         lacking = {
             self._machine.slots[slot].input
@@ -188,8 +188,8 @@ class Evaluator:
         is_whole = isinstance(node, ir.Quantified | ir.AgeReaches)
         if is_whole or not self._is_excused(support):
             lacking |= support.inputs
-        is_lost = any(self._machine.inputs[used].timeout_ns is not None for used in lacking)
-        return TruthValue.LOST if is_lost else TruthValue.UNKNOWN
+        is_stale = any(self._machine.inputs[used].timeout_ns is not None for used in lacking)
+        return TruthValue.STALE if is_stale else TruthValue.UNKNOWN
 
     def _is_excused(self, support: ir.Support) -> bool:
         """S30: whether a leaf is unknown because of what it rests on, not of its arithmetic: a

@@ -48,7 +48,7 @@ class Interpreter:
 
     @property
     def arrays(self) -> tuple[Sequence[float], ...]:
-        """The present elements of each array, by index; none before they arrive or once lost."""
+        """The present elements of each array, by index; none before they arrive or once stale."""
         return tuple(() if found is None else found for found in self._memory.arrays)
 
     def elements(self, signal: int) -> Sequence[float]:
@@ -179,5 +179,5 @@ class Interpreter:
 
 _ACTIVATIONS: Mapping[TruthValue, Change] = {
     TruthValue.TRUE: Change.ACTIVATED,
-    TruthValue.LOST: Change.ACTIVATED_LOST,
+    TruthValue.STALE: Change.ACTIVATED_STALE,
 }

@@ -119,7 +119,7 @@ class Recent:
 
     def look(self, source: TruthValue, window_ns: int, at_ns: int) -> TruthValue:
         """Say whether enough lie in the window, the source of them being known or not."""
-        if source in (TruthValue.UNKNOWN, TruthValue.LOST):
+        if source in (TruthValue.UNKNOWN, TruthValue.STALE):
             self.gap, self.gap_end_ns = source, None
         elif self.gap_end_ns is None:
             self.gap_end_ns = at_ns

@@ -51,7 +51,7 @@ def _window_since_ns(recent: Recent, value: TruthValue | None) -> int | None:
             oldest_ns = recent.oldest_ns()
             assert oldest_ns is not None, "what is true has all its turning points or edges"
             return oldest_ns
-        case TruthValue.UNKNOWN | TruthValue.LOST:
+        case TruthValue.UNKNOWN | TruthValue.STALE:
             return recent.gap_end_ns
         case TruthValue.FALSE | None:
             return None

@@ -10,7 +10,7 @@ may have begun before; between two of them C both ceases to be true and becomes 
 most one more than the lesser of how often C becomes true and how often it ceases to be.
 
 How often that is follows from left to right. Signals change only to NaN, when an input that they
-rest on expires, and a leaf over one is lost from then on (S30). An `and` or `or` becomes or ceases
+rest on expires, and a leaf over one is stale from then on (S30). An `and` or `or` becomes or ceases
 to be true or false only together with one of its operands. `C for d` becomes true when its timer
 falls due and ceases to be when C does; it becomes false only when C does, for while C is true and
 it is not, it is what C was before (S33); and it ceases to be false when its timer falls due, or
@@ -120,9 +120,9 @@ class _Counted:
                 return _Changes(becomes_true=due, ceases_false=due)
             case ir.Oscillates():
                 closes = self._new(1)
-                return self._lost(index) | _Changes(ceases_true=closes, becomes_false=closes)
+                return self._stale(index) | _Changes(ceases_true=closes, becomes_false=closes)
             case ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified():
-                return self._lost(index)
+                return self._stale(index)
 
     def _held(self, operand: _Changes) -> _Changes:
         again = min(operand.becomes_true.bit_count(), operand.ceases_true.bit_count())
@@ -145,8 +145,8 @@ class _Counted:
             ceases_false=operand.ceases_true | operand.ceases_false,
         )
 
-    def _lost(self, index: int) -> _Changes:
-        """A leaf is lost when an input that it rests on expires."""
+    def _stale(self, index: int) -> _Changes:
+        """A leaf is stale when an input that it rests on expires."""
         inputs = (self._machine.inputs[used] for used in self._supports[index].inputs)
         expires = reduce(or_, map(self.expiry, inputs), 0)
         return _Changes(ceases_true=expires, ceases_false=expires)

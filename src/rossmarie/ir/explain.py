@@ -66,20 +66,20 @@ class Cause:
 
 
 @dataclass(frozen=True)
-class LostInput:
+class StaleInput:
     """An input to blame for an unknown condition. FRESH: messages come, without a usable value; or
-    it `was_lost` earlier, within the time that the condition looks back on.
+    it `was_stale` earlier, within the time that the condition looks back on.
     """
 
     input: int
     name: str
     topic: str
     state: InputState
-    was_lost: bool = False
+    was_stale: bool = False
 
     def line(self) -> str:
         """One line."""
-        state = "was lost earlier" if self.was_lost else _STATES[self.state]
+        state = "was stale earlier" if self.was_stale else _STATES[self.state]
         return f"input {self.name} ({self.topic}) {state}"
 
 
@@ -93,17 +93,17 @@ class Explanation:
     at_ns: int
     change: Change
     causes: tuple[Cause, ...]
-    lost_inputs: tuple[LostInput, ...]
+    stale_inputs: tuple[StaleInput, ...]
     contract: str
     exempted: str | None = None
 
     def lines(self, origin_ns: int = 0) -> tuple[str, ...]:
-        """A line for each lost input; where none is to blame, one for each cause. In front of them
+        """A line for each stale input; where none is to blame, one for each cause. In front of them
         stands the rule that is not applied.
         """
         first = () if self.exempted is None else (self.exempted,)
-        if self.lost_inputs:
-            return (*first, *(lost.line() for lost in self.lost_inputs))
+        if self.stale_inputs:
+            return (*first, *(stale.line() for stale in self.stale_inputs))
         return (*first, *(cause.line(origin_ns) for cause in self.causes))
 
     def line(self, origin_ns: int = 0) -> str:
@@ -115,7 +115,7 @@ _WORDS = {
     TruthValue.FALSE: "false",
     TruthValue.TRUE: "true",
     TruthValue.UNKNOWN: "unknown",
-    TruthValue.LOST: "unknown",
+    TruthValue.STALE: "unknown",
 }
 
 _STATES = {
@@ -145,7 +145,7 @@ def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
         at_ns=verdict.at_ns,
         change=verdict.change,
         causes=tuple(causes.values()),
-        lost_inputs=snapshot.lost_inputs(tuple(causes.values())),
+        stale_inputs=snapshot.stale_inputs(tuple(causes.values())),
         contract=rule.contract,
         exempted=exemption_words(rule) if snapshot.is_exemption_used() else None,
     )
@@ -200,29 +200,31 @@ class _Snapshot:
             else:
                 waiting += [(operand, name) for operand in reversed(self._deciding(proposition))]
 
-    def lost_inputs(self, causes: tuple[Cause, ...]) -> tuple[LostInput, ...]:
+    def stale_inputs(self, causes: tuple[Cause, ...]) -> tuple[StaleInput, ...]:
         """The inputs to blame for the causes that are unknown for lack of one."""
-        unknown = [each.proposition for each in causes if each.value is TruthValue.LOST]
+        unknown = [each.proposition for each in causes if each.value is TruthValue.STALE]
         leaves = [
             leaf
             for proposition in unknown
             for leaf in leaf_propositions(self._machine, proposition)
         ]
-        lost = [leaf for leaf in leaves if self._propositions[leaf] is TruthValue.LOST]
+        stale = [leaf for leaf in leaves if self._propositions[leaf] is TruthValue.STALE]
         rests_on = supports(self._machine).propositions if leaves else ()
-        blamed = {used for leaf in lost or leaves for used in self._blamed(rests_on[leaf].inputs)}
-        return tuple(self._lost(index, was_lost=not lost) for index in sorted(blamed))
+        blamed = {used for leaf in stale or leaves for used in self._blamed(rests_on[leaf].inputs)}
+        return tuple(self._stale(index, was_stale=not stale) for index in sorted(blamed))
 
     def _blamed(self, inputs: frozenset[int]) -> set[int]:
         guarded = {i for i in inputs if self._machine.inputs[i].timeout_ns is not None}
         silent = {index for index in guarded if self._inputs[index] is not InputState.FRESH}
         return silent or guarded
 
-    def _lost(self, index: int, *, was_lost: bool) -> LostInput:
+    def _stale(self, index: int, *, was_stale: bool) -> StaleInput:
         declared = self._machine.inputs[index]
         topic = self._machine.channels[declared.channel].topic
         state = self._inputs[index]
-        return LostInput(index, declared.name, topic, state, was_lost and state is InputState.FRESH)
+        return StaleInput(
+            index, declared.name, topic, state, was_stale and state is InputState.FRESH
+        )
 
     # --- causes ------------------------------------------------------------------------------
 
@@ -248,8 +250,8 @@ class _Snapshot:
                 return ()
 
     def _is_unit(self, proposition: int) -> bool:
-        """Say whether a proposition is told as a whole: a leaf, a duration, a count of edges, or
-        the negation of one.
+        """Say whether a proposition is reported as a whole: a leaf, a duration, a count of edges,
+        or the negation of one.
         """
         node = self._machine.propositions[proposition].node
         while isinstance(node, ir.Not):
@@ -334,8 +336,8 @@ class _Snapshot:
                 return f"{value:.6g} {self._machine.signals[index].unit}".rstrip()
 
     def _value(self, proposition: int) -> TruthValue:
-        """The value of any proposition below the rule's condition: told, or computed from those
-        told.
+        """The value of any proposition below the rule's condition: reported, or computed from those
+        reported.
         """
         if proposition in self._propositions:
             return self._propositions[proposition]

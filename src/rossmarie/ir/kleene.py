@@ -1,4 +1,4 @@
-"""Kleene's logic over false, true, unknown and lost (rules S1 and S2)."""
+"""Kleene's logic over false, true, unknown and stale (rules S1 and S2)."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ FLAG_LIMITS = (0.0, 1.0)
 
 @dataclass(frozen=True)
 class Input:
-    """A named input; `timeout_ns` is the age at which it is lost, None if it never is."""
+    """A named input; `timeout_ns` is the age at which it is stale, None if it never is."""
 
     name: str
     channel: int
@@ -66,7 +66,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class List:
-    """A list of messages that a message carries. One of more than `most` elements counts as lost,
+    """A list of messages that a message carries. One of more than `most` elements counts as stale,
     as if it had not come (S51).
     """
 
@@ -362,7 +362,7 @@ class Machine:
     """A whole rules file. `watches` are the propositions that the confirmations in `reactions` ask.
     `left_out` are the rules that a selection does not hold, None if nobody selected.
     `readings` are the signals that memories of poses ask. `calls` are the calls of skills that the
-    questions to skills tell apart, none if that is not known.
+    queries to skills tell apart, none if that is not known.
     """
 
     name: str

@@ -18,7 +18,7 @@ class TruthValue(enum.IntEnum):
     FALSE = 0
     TRUE = 1
     UNKNOWN = 2
-    LOST = 3
+    STALE = 3
 
 
 class Change(enum.IntEnum):
@@ -26,7 +26,7 @@ class Change(enum.IntEnum):
 
     CLEARED = 0
     ACTIVATED = 1
-    ACTIVATED_LOST = 2
+    ACTIVATED_STALE = 2
 
 
 class InputState(enum.IntEnum):

@@ -85,7 +85,7 @@ def _verify_inputs(machine: ir.Machine) -> None:
         is_number = slot.limits is None or slot.kind is ir.Kind.REAL
         require(is_number, where, f"limits of a {slot.kind.value}")
         _require_limits(slot.limits, where)
-        _verify_question(slot, where)
+        _verify_query(slot, where)
     for index, array in enumerate(machine.arrays):
         where = f"array {index}"
         require_index(array.input, len(machine.inputs), where, "input")
@@ -100,8 +100,8 @@ def _verify_inputs(machine: ir.Machine) -> None:
         require(bool(columns_of(machine, index)), where, "no columns")
 
 
-def _verify_question(slot: ir.Slot, where: str) -> None:
-    """A question to the skills that run is asked of the message itself."""
+def _verify_query(slot: ir.Slot, where: str) -> None:
+    """A query to the skills that run is asked of the message itself."""
     match slot.path:
         case (Doing(skills=skills, arguments=arguments),):
             require(slot.kind is ir.Kind.FLAG, where, f"an answer of the kind {slot.kind.value}")
@@ -114,7 +114,7 @@ def _verify_question(slot: ir.Slot, where: str) -> None:
             require(slot.kind is kind, where, f"a quantity of the kind {slot.kind.value}")
             require(_is_choice(skills), where, "names that are not sorted, or none")
         case _:  # open: other paths ask no skills
-            require(not _asks_skills(slot.path), where, "a question to skills inside a message")
+            require(not _asks_skills(slot.path), where, "a query to skills inside a message")
 
 
 def _asks_skills(path: Path) -> bool:
@@ -335,8 +335,8 @@ def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[in
             pass
         case _:  # open: no other function compares texts
             return ()
-    is_told = kind_of(machine, seen) is ir.Kind.TEXT
-    require(is_told or _is_literal(machine, seen), where, "a frame that is no text")
+    is_reported = kind_of(machine, seen) is ir.Kind.TEXT
+    require(is_reported or _is_literal(machine, seen), where, "a frame that is no text")
     require(_is_literal(machine, wanted), where, "the wanted frame is no text")
     return (seen, wanted)
 

@@ -24,17 +24,17 @@ from rossmarie.ir.comparison import COMPARISONS
 from rossmarie.ir.support import compared_signals, proposition_operands
 from rossmarie.testing.history import Elements, History, backwards
 
-Told = tuple[int, int, int]
+Reported = tuple[int, int, int]
 """A verdict: rule, change, instant in nanoseconds."""
 
 _NEVER_NS = 2 * ir.LATEST_NS
 # A proposition is fed in as two flags, of which one is missing where it is not known: that of an
-# input that may be lost makes it lost.
+# input that may be stale makes it stale.
 _FLAGS = {
     TruthValue.FALSE: (0.0, 0.0),
     TruthValue.TRUE: (1.0, 0.0),
     TruthValue.UNKNOWN: (math.nan, 0.0),
-    TruthValue.LOST: (0.0, math.nan),
+    TruthValue.STALE: (0.0, math.nan),
 }
 
 
@@ -52,7 +52,7 @@ class Cone:
 
 def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
     """The cone of propositions whose thresholds, or durations, are moved. None where that cannot be
-    told apart: elements that are counted, or in several conditions.
+    distinguished: elements that are counted, or in several conditions.
     """
     if not all(_is_apart(machine, proposition, moved) for proposition in moved):
         return None
@@ -120,9 +120,9 @@ def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
     places |= {proposition: 3 * len(boundary) + number for number, proposition in enumerate(inside)}
     propositions: list[ir.Proposition] = []
     for number, proposition in enumerate(boundary):
-        known, lost = 2 * number, 2 * number + 1
+        known, stale = 2 * number, 2 * number + 1
         pair = (len(propositions), len(propositions) + 1)
-        nodes = (ir.Flag(known), ir.Flag(lost), ir.Or(pair))
+        nodes = (ir.Flag(known), ir.Flag(stale), ir.Or(pair))
         propositions += [
             dataclasses.replace(machine.propositions[proposition], node=node) for node in nodes
         ]
@@ -133,7 +133,7 @@ def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
     return dataclasses.replace(
         machine,
         channels=(ir.Channel("/propositions", ""),),
-        inputs=(ir.Input("known", 0, None, span), ir.Input("lost", 0, _NEVER_NS, span)),
+        inputs=(ir.Input("known", 0, None, span), ir.Input("stale", 0, _NEVER_NS, span)),
         slots=tuple(ir.Slot(flag % 2, (), ir.Kind.FLAG, 1.0, 0.0, "") for flag in flags),
         arrays=(),
         signals=tuple(ir.Signal(ir.Read(flag), "", "", 1.0, 0.0, span) for flag in flags),
@@ -156,7 +156,7 @@ def _placed_rule(rule: ir.Rule, places: dict[int, int]) -> ir.Rule:
 # --- a run -----------------------------------------------------------------------------------
 
 
-def told_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Told]:
+def reported_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Reported]:
     """The verdicts of the rules of a cone on a trace, as part of the machine `moved`, in the order
     of the trace.
     """
@@ -252,8 +252,8 @@ def _quantified(
     decided = _some(deciding & is_known, found)
     unclear = _some(~is_known, found)
     inputs = ir.supports(machine).propositions[proposition].inputs
-    may_be_lost = any(machine.inputs[used].timeout_ns is not None for used in inputs)
-    unknown = TruthValue.LOST if may_be_lost else TruthValue.UNKNOWN
+    may_be_stale = any(machine.inputs[used].timeout_ns is not None for used in inputs)
+    unknown = TruthValue.STALE if may_be_stale else TruthValue.UNKNOWN
     otherwise = np.where(unclear, int(unknown), int(not is_any))
     of_elements = np.where(decided, int(is_any), otherwise)[found.rows]
     # No threshold matters to what has no elements: an array, a list, or one that is not known.

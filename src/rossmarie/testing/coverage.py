@@ -233,7 +233,7 @@ class _Trace:
             if now is not before:
                 self._reached.add(Goal(rule, Aspect.ACTIVE if now else Aspect.CLEARED))
         self._before = active
-        self._look_at_lost(propositions)
+        self._look_at_stale(propositions)
         running = {held: self._elapsed(held, propositions, at_ns) for held in self._held}
         for decision in self._decisions:
             decisive = decision.decisive(propositions)
@@ -248,15 +248,15 @@ class _Trace:
     def _add(self, decision: _Decision, aspect: Aspect, atom: int, edge: int = 0) -> None:
         self._reached.add(Goal(decision.rule, aspect, atom, decision.decision, edge))
 
-    def _look_at_lost(self, propositions: Sequence[TruthValue]) -> None:
+    def _look_at_stale(self, propositions: Sequence[TruthValue]) -> None:
         states = self._interpreter.input_states
         for index, rule in enumerate(self._machine.rules):
-            if propositions[rule.condition] is TruthValue.LOST:
+            if propositions[rule.condition] is TruthValue.STALE:
                 for used in rule.inputs:
                     is_late = stays(self._machine.inputs[used])
-                    lost = InputState.NEVER if is_late else InputState.EXPIRED
-                    if states[used] is lost:
-                        self._reached.add(Goal(index, Aspect.LOST, used))
+                    stale = InputState.NEVER if is_late else InputState.EXPIRED
+                    if states[used] is stale:
+                        self._reached.add(Goal(index, Aspect.STALE, used))
 
     def _look_at_edges(self, decision: _Decision, atom: int, signals: Sequence[float]) -> None:
         for number, edge in enumerate(decision.edges[atom]):

@@ -1,4 +1,4 @@
-"""Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, lost inputs.
+"""Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, stale inputs.
 
 A rule has *decisions*: its condition, what clears it, and what `for`, `since`, `once` and `after`
 look at. A decision is made of *atoms*, joined by `and`, `or` and `not`: comparisons and other
@@ -25,11 +25,11 @@ from rossmarie.ir.support import (
 from rossmarie.testing.whole import whole_step
 
 LONGEST_SILENCE_NS = 10**16
-"""A silence that no test plays: what outlasts it is lost only until it has come."""
+"""A silence that no test plays: what outlasts it is stale only until it has come."""
 
 
 def stays(used: ir.Input) -> bool:
-    """Say whether an input is lost only until it has come, as a frame that stays where it is."""
+    """Say whether an input is stale only until it has come, as a frame that stays where it is."""
     return used.timeout_ns is not None and used.timeout_ns > LONGEST_SILENCE_NS
 
 
@@ -43,12 +43,12 @@ class Aspect(enum.Enum):
     UNDER = "just under"
     AT = "at"
     OVER = "just over"
-    LOST = "lost"
+    STALE = "stale"
 
 
 @dataclass(frozen=True)
 class Goal:
-    """Something to be seen. `subject` is a proposition, or with LOST an input, or -1 for the rule
+    """Something to be seen. `subject` is a proposition, or with STALE an input, or -1 for the rule
     itself; `decision` the proposition it decides; `edge` tells the two ends of a range apart.
     """
 
@@ -84,12 +84,12 @@ def goals(machine: ir.Machine) -> Iterator[Goal]:
                 yield Goal(index, Aspect.FALSE, atom, decision)
                 yield from _edges_of(machine, index, atom, decision)
         for used in losable_inputs(machine, rule):
-            yield Goal(index, Aspect.LOST, used)
+            yield Goal(index, Aspect.STALE, used)
 
 
 def losable_inputs(machine: ir.Machine, rule: ir.Rule) -> list[int]:
     """The inputs of a rule that have a timeout and of which more is read than the age, which goes
-    on growing when they are lost.
+    on growing when they are stale.
     """
     rests_on = supports(machine).propositions
     read: set[int] = set()

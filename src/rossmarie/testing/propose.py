@@ -215,7 +215,7 @@ class _Proposer:
         phases = [(off, self._hold_ns), *often, (off, self._hold_ns)]
         yield self._proposal(self._text(recurs), [self._phase(*each) for each in phases])
 
-    # --- lost inputs -------------------------------------------------------------------------
+    # --- stale inputs -------------------------------------------------------------------------
 
     def _silence(self, used: int) -> Iterator[Proposal]:
         declared = self._machine.inputs[used]

@@ -6,7 +6,7 @@ and a count of edges are values of their own, which `phases` and `propose` know 
 so is what a `since` was, which takes other values before.
 Whatever is found is only a proposal: the interpreter has the last word.
 
-So this is no `analysis.encoding.Encoding`, which says of each proposition whether it is T, F or L,
+So this is no `analysis.encoding.Encoding`, which says of each proposition whether it is T, F or S,
 and of each number whether it is known: here all is known, and a proposition is one formula, which
 stays small enough to be asked many times. Comparisons, functions and fields are the same terms in
 both.
@@ -24,7 +24,7 @@ from rossmarie import ir
 from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
 from rossmarie.core import (
     AnyFunction,
@@ -202,7 +202,7 @@ class World:
                 return of_beam
             if isinstance(function, RegionFunction) or function is Function.SEEN:
                 seen, wanted = (self.signal(each, part) for each in operands[-2:])
-                self._side.append(seen == wanted)  # else it is lost
+                self._side.append(seen == wanted)  # else it is stale
             if isinstance(function, RegionFunction):
                 place = self.signal(operands[0], part), self.signal(operands[1], part)
                 self._outside[index, part] = clear_of(function.region, *place)
@@ -213,7 +213,7 @@ class World:
             return angle
         values = [self.signal(operand, part) for operand in operands]
         if function is Function.SEEN:
-            self._side.append(values[1] == values[2])  # what comes in another frame is lost
+            self._side.append(values[1] == values[2])  # what comes in another frame is stale
         expression = defined(function, len(operands))
         formulas = Formulas(values, self._operate)
         if declared.easy is not None:
@@ -320,7 +320,7 @@ class World:
 
     def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
         """Say whether no values at all, in real arithmetic, make all of `wanted` hold."""
-        return ask(self._side, *wanted).outcome is Outcome.IMPOSSIBLE
+        return ask(self._side, *wanted).outcome is Satisfiability.IMPOSSIBLE
 
     def _bounds(self) -> Iterator[z3.BoolRef]:
         for variable, term in self.variables.items():

@@ -18,7 +18,7 @@ from rossmarie.testing.sides import is_apart
 from rossmarie.testing.solve import World
 
 NO_VALUES = "no values make the rule hang on it"
-LOST_ONLY = "only a lost input ends it sooner"
+STALE_ONLY = "only a stale input ends it sooner"
 
 
 def unreachable(machine: ir.Machine, missing: Iterable[Goal]) -> Mapping[Goal, str]:
@@ -32,7 +32,7 @@ def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goa
         if goal.decision < 0:
             continue
         if goal.aspect is Aspect.UNDER and _ends_late(machine, goal.subject):
-            yield goal, LOST_ONLY
+            yield goal, STALE_ONLY
             continue
         decided = goal.decision
         if decided not in worlds:
@@ -63,7 +63,7 @@ def _wanted(world: World, goal: Goal) -> list[z3.BoolRef]:
         case Aspect.FALSE:
             wanted.append(z3.Not(atom))
         case (
-            Aspect.ACTIVE | Aspect.CLEARED | Aspect.UNDER | Aspect.AT | Aspect.OVER | Aspect.LOST
+            Aspect.ACTIVE | Aspect.CLEARED | Aspect.UNDER | Aspect.AT | Aspect.OVER | Aspect.STALE
         ):  # fmt: skip
             pass
     found = edges(world.machine, goal.subject)

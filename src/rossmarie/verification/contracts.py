@@ -219,7 +219,7 @@ int caught_up_somehow(monitor *m, int64_t t_ns)
 
 void end_at_tick(monitor *m, int64_t t_ns)
 {{
-    must_be_told(m, &base);
+    must_be_reported(m, &base);
     must_be_unlooked(m, t_ns);
     __CPROVER_assume(false);
 }}
@@ -275,7 +275,7 @@ bool maybe_pending(const monitor *m)
 int end_at_evaluate(monitor *m, int64_t t_ns)
 {{
     must_be_looked(m, t_ns);
-    must_be_told(m, &base);
+    must_be_reported(m, &base);
     __CPROVER_assume(false);
     return 0;
 }}
@@ -344,7 +344,7 @@ void end_at_set_wake(monitor *m)
 {{
     __CPROVER_assert(m->now_ns == asked_ns, "the clock is set");
     must_be_at_rest(m, asked_ns);
-    must_be_told(m, &base);
+    must_be_reported(m, &base);
     __CPROVER_assume(false);
 }}
 

@@ -183,7 +183,7 @@ class Definitions:
         return [name] if array in self._beside else []
 
     def _unused(self, array: int) -> str:
-        """Not every field matters to every question."""
+        """Not every field matters to every query."""
         columns = (f"e{each}" for each in supports.columns(self._machine, array))
         return "".join(f"(void){each}; " for each in (*self._memory(array, "m"), *columns))
 
@@ -296,7 +296,7 @@ class Definitions:
         return f"m->since_ns[{self._layout.node_of_proposition[proposition]}]"
 
     def _unknown(self, index: int, node: ir.PropositionNode) -> Iterator[str]:
-        """S30: whether an unknown leaf is lost or just unknown."""
+        """S30: whether an unknown leaf is stale or just unknown."""
         match node:
             case (
                 ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
@@ -312,10 +312,10 @@ class Definitions:
         )
         if timed:
             lacking.append("true" if whole else f"({self._nothing_missing(index)})")
-        lost = " || ".join(lacking) or "false"
+        stale = " || ".join(lacking) or "false"
         yield (
             f"static unsigned spec_unknown_{index}(const monitor *m)\n"
-            f"{{\n    (void)m;\n    return {lost} ? LOST : UNKNOWN;\n}}\n"
+            f"{{\n    (void)m;\n    return {stale} ? STALE : UNKNOWN;\n}}\n"
         )
 
     def _lacking(self, index: int) -> Iterator[str]:
@@ -330,12 +330,12 @@ class Definitions:
     def _nothing_missing(self, index: int) -> str:
         support = self._layout.support_of_proposition(index)
         kept = [self._layout.places.value_of_slot[slot] for slot in sorted(support.slots)]
-        claims = [f"m->value[{value}] < INFINITY" for value in kept]
+        obligations = [f"m->value[{value}] < INFINITY" for value in kept]
         for signal in sorted(support.folds | support.waiting):
             value = f"m->value[{self._layout.value_of_signal[signal]}]"
             is_of_list = supports.is_of_list(self._machine, signal)
-            claims.append(f"isfinite({value})" if is_of_list else f"{value} < INFINITY")
-        return " && ".join(claims) or "true"
+            obligations.append(f"isfinite({value})" if is_of_list else f"{value} < INFINITY")
+        return " && ".join(obligations) or "true"
 
 
 # --- expressions -----------------------------------------------------------------------------

@@ -202,7 +202,7 @@ class Invariants:
             yield Sentence(f"`{self._machine.propositions[proposition].text}` as a number", holds)
 
     def is_test(self, proposition: int) -> bool:
-        """Say whether the number from which a proposition is told is only 0, 1 or unknown."""
+        """Say whether the number from which a proposition is reported is only 0, 1 or unknown."""
         is_flag = isinstance(self._machine.propositions[proposition].node, ir.Flag)
         return is_flag or proposition in self._layout.places.value_of_test
 
@@ -233,16 +233,16 @@ class Invariants:
         for proposition in self._layout.held:
             before = f"m->held_before[{self._layout.held.index(proposition)}]"
             text = self._machine.propositions[proposition].text
-            held = f"{before} == FALSE || {before} == UNKNOWN || {before} == LOST"
+            held = f"{before} == FALSE || {before} == UNKNOWN || {before} == STALE"
             if _is_true_initially(self._machine, proposition):
-                held = f"{before} <= LOST"
+                held = f"{before} <= STALE"
             yield Sentence(f"`{text}` was not true before it began", held)
         for k, proposition in enumerate(self._layout.sinces):
             before, text = f"m->since_before[{k}]", self._machine.propositions[proposition].text
             marked = self.marked(self._layout.node_of_proposition[proposition])
-            told = f"{before} == {self._definitions.proposition(proposition)}"
-            yield Sentence(f"what `{text}` was is a proposition", f"{before} <= LOST")
-            yield Sentence(f"`{text}` is remembered", f"{marked} || {told}")
+            reported = f"{before} == {self._definitions.proposition(proposition)}"
+            yield Sentence(f"what `{text}` was is a proposition", f"{before} <= STALE")
+            yield Sentence(f"`{text}` is remembered", f"{marked} || {reported}")
 
     def _timer(self, proposition: int) -> Iterator[str]:
         """S33: the instant at which a duration is over, NEVER if it has not begun. S48: what is
@@ -268,7 +268,7 @@ class Invariants:
         for index, rule in enumerate(self._machine.rules):
             condition = self._definitions.proposition(rule.condition)
             active = f"(m->active[{index // 8}] >> {index % 8} & 1) != 0"
-            holds = f"({condition} != TRUE && {condition} != LOST || {active})"
+            holds = f"({condition} != TRUE && {condition} != STALE || {active})"
             if rule.release is not None:
                 release = self._definitions.proposition(rule.release)
                 cleared = f"({condition} != FALSE || {release} != TRUE || !({active}))"
@@ -311,7 +311,7 @@ class Invariants:
                 instant = f"m->recent_ns[{place}]"
                 yield Sentence(about, f"{instant} >= {_OLDEST} && {instant} < LATEST")
             gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
-            yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == LOST")
+            yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == STALE")
             yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
         for k in range(len(self._layout.oscillations)):
             heading = f"m->heading[{k}] >= -1 && m->heading[{k}] <= 1"
@@ -326,7 +326,7 @@ class Invariants:
             waited = f"m->swinging[{k}] != TRUE || {window_end(self._layout, k)} >= m->wake_ns"
             yield Sentence(f"the end of the window of `{text}` is waited for", waited)
             marked = self.marked(self._layout.node_of_proposition[proposition])
-            yield Sentence(f"`{text}` has its defined value", f"{marked} || {self.told(k)}")
+            yield Sentence(f"`{text}` has its defined value", f"{marked} || {self.reported(k)}")
 
     def seen(self, k: int) -> str:
         """The proposition that enough turning points lie within the window now."""
@@ -335,15 +335,15 @@ class Invariants:
         is_enough = enough(self._layout, k)
         return f"(!isfinite({x}) ? spec_unknown_{proposition}(m) : {is_enough} ? TRUE : FALSE)"
 
-    def told(self, k: int) -> str:
+    def reported(self, k: int) -> str:
         """State that a monitor tells what is seen: nothing until a gap is a window ago."""
         proposition, node = self._layout.oscillations[k], oscillation(self._layout, k)
         value, seen = self._definitions.proposition(proposition), f"m->swinging[{k}]"
         gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
         over = f"({seen} == TRUE || t_ns - {end} >= INT64_C({node.window_ns}))"
-        lost = f"{value} == {seen} && {gap} == {seen} && {end} == NEVER"
+        stale = f"{value} == {seen} && {gap} == {seen} && {end} == NEVER"
         known = f"{end} != NEVER && {value} == ({over} ? {seen} : {gap})"
-        return f"({seen} >= UNKNOWN ? ({lost}) : ({known}))"
+        return f"({seen} >= UNKNOWN ? ({stale}) : ({known}))"
 
     def _recent_timers(self, least: str) -> Iterator[Sentence]:
         for k, proposition in enumerate(self._layout.recent):

@@ -1,7 +1,7 @@
 """The support of a number, a proposition or a rule, read off the nodes of a machine.
 
 `docs/explanation/semantics.md` says what is done with it: what a message computes anew (S7), what
-is forgotten with an input (S9), which unknown propositions are lost (S30), what a verdict tells
+is forgotten with an input (S9), which unknown propositions are stale (S30), what a verdict tells
 (S41).
 """
 
@@ -99,7 +99,7 @@ class Support:
     arrays, `sampled` those of samples, of which `waiting` are unknown until there are enough.
     `needed` are the inputs without which it is unknown: all `inputs` but those of numbers beside
     elements (S74), which are looked at once, when the elements arrive; so no slots or channels of
-    these are told.
+    these are reported.
     """
 
     slots: frozenset[int]
@@ -298,7 +298,7 @@ def beside(machine: ir.Machine) -> Beside:
 
 
 @dataclass(frozen=True)
-class Told:
+class Reported:
     """The content of a verdict of a rule: propositions, the signals at which leaves look, and
     inputs.
     """
@@ -308,13 +308,13 @@ class Told:
     inputs: tuple[int, ...]
 
 
-def told(machine: ir.Machine, condition: int) -> Told:
+def reported(machine: ir.Machine, condition: int) -> Reported:
     """S41: the named conditions, the leaves and what rests on time; the signals and the inputs."""
     whole = _whole(machine, condition)
     leaves = [index for index in whole if is_leaf(machine.propositions[index].node)]
     over_time = [index for index in whole if _is_over_time(machine, index)]
     looked_at = {index for leaf in leaves for index in numbers_of(machine.propositions[leaf].node)}
-    return Told(
+    return Reported(
         terms=tuple(
             index
             for index in whole

@@ -17,9 +17,9 @@
 #define VALUES 11
 #define MOST_SAMPLES 4
 
-enum fuzzed_change { fuzzed_CLEARED, fuzzed_ACTIVATED, fuzzed_ACTIVATED_LOST, fuzzed_TIME_JUMP };
+enum fuzzed_change { fuzzed_CLEARED, fuzzed_ACTIVATED, fuzzed_ACTIVATED_STALE, fuzzed_TIME_JUMP };
 
-enum fuzzed_truth_value { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_LOST };
+enum fuzzed_truth_value { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_STALE };
 
 typedef struct fuzzed_event {
     int64_t at_ns;

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fuzz.engine.rules import (
     ACTIVATED,
-    ACTIVATED_LOST,
+    ACTIVATED_STALE,
     AGES,
     CLEARED,
     EARLIEST,
@@ -22,13 +22,13 @@ from fuzz.engine.rules import (
     LATEST,
     LEAVES,
     LONGEST,
-    LOST,
     MOST_SAMPLES,
     NAN,
     NEVER_RECEIVED,
     RESTS_ON,
     RULES,
     SINCES,
+    STALE,
     SWINGS,
     TIME_JUMP,
     TRUE,
@@ -181,13 +181,13 @@ class Monitor:
 
     def _expire(self, t_ns: int) -> None:
         """S10, S21."""
-        lost: dict[str, Sequence[str]] = {"x": ("x", "rate", "mean"), "z": ("z",)}
+        stale: dict[str, Sequence[str]] = {"x": ("x", "rate", "mean"), "z": ("z",)}
         for name, (_, timeout_ns) in INPUTS.items():
             if self.state[name] != FRESH or timeout_ns is None:
                 continue
             if t_ns - self.stamp_ns[name] >= timeout_ns:
                 self.state[name] = EXPIRED
-                self.value.update(dict.fromkeys(lost[name], NAN))
+                self.value.update(dict.fromkeys(stale[name], NAN))
                 if name == "x":
                     self.samples["x"] = []
 
@@ -282,7 +282,7 @@ class Monitor:
         if name in AGES:
             used, age_ns = AGES[name]
             if self.state[used] == NEVER_RECEIVED:
-                return LOST if INPUTS[used][1] is not None else UNKNOWN
+                return STALE if INPUTS[used][1] is not None else UNKNOWN
             return int(t_ns - self.stamp_ns[used] >= age_ns)
         if name in HELD:
             return self._held(name, t_ns)
@@ -327,11 +327,11 @@ class Monitor:
         rests = RESTS_ON[used]
         guarded = [each for each in rests if each in INPUTS and INPUTS[each][1] is not None]
         if any(math.isnan(self.value[each]) for each in guarded):
-            return LOST
+            return STALE
         missing = [math.isnan(x) or x == math.inf for x in map(self.value.__getitem__, rests)]
         if "least" in rests and math.isinf(self.value["least"]):
             missing.append(True)
-        return UNKNOWN if any(missing) or not guarded else LOST
+        return UNKNOWN if any(missing) or not guarded else STALE
 
     def _held(self, name: str, t_ns: int) -> int:
         """S33, S45."""
@@ -381,8 +381,8 @@ class Monitor:
         """S35 to S37."""
         condition = self.proposition[rule.condition]
         if not self.active[index]:
-            if condition in (TRUE, LOST):
-                self._change(index, ACTIVATED if condition == TRUE else ACTIVATED_LOST, t_ns)
+            if condition in (TRUE, STALE):
+                self._change(index, ACTIVATED if condition == TRUE else ACTIVATED_STALE, t_ns)
         elif (
             condition == FALSE
             and rule.release is not None

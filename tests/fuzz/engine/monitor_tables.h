@@ -47,11 +47,11 @@ enum {
 static const index_t input_channel[INPUTS] = {0, 1, 0};
 static const int64_t input_timeouts[INPUTS] = {INT64_C(500), INT64_C(0), INT64_C(900)};
 static const index_t input_values[INPUTS + 1] = {0, 5, 5, 6};
-static const index_t lost_values[6] = {X, RATE, MEAN, QUOTIENT, SUM, Z};
+static const index_t stale_values[6] = {X, RATE, MEAN, QUOTIENT, SUM, Z};
 static const index_t input_samples[INPUTS + 1] = {0, 1, 1, 1};
-static const index_t lost_samples[1] = {0};
+static const index_t stale_samples[1] = {0};
 static const index_t input_windows[INPUTS + 1] = {0, 1, 1, 1};
-static const index_t lost_windows[1] = {1};
+static const index_t stale_windows[1] = {1};
 static const index_t sampled_values[SAMPLED_VALUES] = {RATE, CHANGE, MEDIAN, MEAN, LOW_PASS};
 
 /* Who depends on a proposition, sorted by propositions. */
@@ -193,7 +193,7 @@ static const unsigned char held_initially[HELD] = {FALSE, TRUE, FALSE, FALSE, FA
 #endif
 static const int64_t age_limits[AGES] = {LONGEST - 1, 700, 1200};
 static const index_t age_input[AGES] = {INPUT_X, INPUT_Y, INPUT_Z};
-static const unsigned char age_unknown[AGES] = {LOST, UNKNOWN, LOST};
+static const unsigned char age_unknown[AGES] = {STALE, UNKNOWN, STALE};
 static const index_t age_leaf[AGES] = {AGE_X, AGE_Y, AGE_Z};
 static const index_t recent_first[RECENT + 1] = {0, 2, 5, 7, 8};
 static const int64_t recent_windows[RECENT] = {600, LONGEST - 1, 700, 100};

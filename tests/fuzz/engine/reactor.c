@@ -15,7 +15,7 @@
 #define ESCALATIONS 2
 #define YIELDING 1
 
-enum fuzzed_truth_value { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_LOST };
+enum fuzzed_truth_value { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_STALE };
 enum fuzzed_order { fuzzed_START, fuzzed_STOP, fuzzed_OVERRULED, fuzzed_FAILED };
 enum fuzzed_task_state {
     fuzzed_TASK_IDLE,
@@ -143,9 +143,9 @@ static fuzzed_monitor monitored;
 
 static void tell(void *user, int task, enum fuzzed_order given, int by_rule)
 {
-    const order told = {ORDER, task, given, by_rule};
+    const order reported = {ORDER, task, given, by_rule};
     (void)user;
-    answer(&told, sizeof told);
+    answer(&reported, sizeof reported);
 }
 
 static void start_anew(void)

@@ -9,9 +9,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-FALSE, TRUE, UNKNOWN, LOST = range(4)
+FALSE, TRUE, UNKNOWN, STALE = range(4)
 NEVER_RECEIVED, FRESH, EXPIRED = range(3)
-CLEARED, ACTIVATED, ACTIVATED_LOST, TIME_JUMP = range(4)
+CLEARED, ACTIVATED, ACTIVATED_STALE, TIME_JUMP = range(4)
 EARLIEST, LATEST, LONGEST = -(2**61), 2**62, 2**61
 NAN = math.nan
 MOST_SAMPLES = 4

@@ -53,8 +53,10 @@ def read(content: bytes, folder: Path) -> None:
             case.check(call, program.read)
     except BaseException as error:
         program.stop()  # what it would have answered belongs to this case
-        told = "\n".join(f"    {call}" for call in calls[:done][-12:])
-        raise DefectError(f"{error}\nafter {done} calls, the last of which are\n{told}") from error
+        reported = "\n".join(f"    {call}" for call in calls[:done][-12:])
+        raise DefectError(
+            f"{error}\nafter {done} calls, the last of which are\n{reported}"
+        ) from error
 
 
 def _calls(data: Bytes, case: Case) -> Iterator[Call]:

@@ -49,14 +49,16 @@ def test_a_sum_may_be_rounded_to_one_of_its_parts() -> None:
 def test_a_product_may_be_too_large(timeout_ns: int | None) -> None:
     draft = Draft()
     x = draft.read(timeout_ns)
-    unknown = TruthValue.UNKNOWN if timeout_ns is None else TruthValue.LOST
+    unknown = TruthValue.UNKNOWN if timeout_ns is None else TruthValue.STALE
     square = draft.apply(ir.Function.MULTIPLY, x, x)
     known = draft.above(x, 0.0)
-    lost = draft.proposition(ir.Not(draft.above(square, 0.0)))
-    assert seen(draft, lost, 1e200) is unknown
+    stale = draft.proposition(ir.Not(draft.above(square, 0.0)))
+    assert seen(draft, stale, 1e200) is unknown
     state = ArbitraryState(Inquiry(draft.machine()).asked)
-    claim = z3.And(state.proposition(known).true, state.proposition(lost).is_value(unknown))
-    assert Inquiry(draft.machine()).is_impossible(lambda _: z3.And(claim, *state.facts)) is False
+    predicate = z3.And(state.proposition(known).true, state.proposition(stale).is_value(unknown))
+    assert (
+        Inquiry(draft.machine()).is_impossible(lambda _: z3.And(predicate, *state.facts)) is False
+    )
 
 
 def test_an_orientation_of_zeros_has_no_angle() -> None:
@@ -66,19 +68,19 @@ def test_an_orientation_of_zeros_has_no_angle() -> None:
     level = draft.proposition(
         ir.Compare(ir.Comparison.LESS, draft.apply(ir.Function.PITCH, *parts), draft.constant(2.0))
     )
-    assert seen(draft, level, 0.0, 0.0, 0.0, 0.0) is TruthValue.LOST
+    assert seen(draft, level, 0.0, 0.0, 0.0, 0.0) is TruthValue.STALE
     state = ArbitraryState(Inquiry(draft.machine()).asked)
-    claim = z3.And(
-        state.proposition(level).lost, *(state.signal(part).known for part in parts), *state.facts
+    predicate = z3.And(
+        state.proposition(level).stale, *(state.signal(part).known for part in parts), *state.facts
     )
-    assert not Inquiry(draft.machine()).is_impossible(lambda _: claim)
+    assert not Inquiry(draft.machine()).is_impossible(lambda _: predicate)
     assert is_impossible(draft, level, TruthValue.FALSE)
 
 
 @pytest.mark.parametrize(
-    ("element", "value"), [(math.inf, TruthValue.UNKNOWN), (-math.inf, TruthValue.LOST)]
+    ("element", "value"), [(math.inf, TruthValue.UNKNOWN), (-math.inf, TruthValue.STALE)]
 )
-def test_arithmetic_with_an_infinite_element_is_unknown_or_lost(
+def test_arithmetic_with_an_infinite_element_is_unknown_or_stale(
     element: float, value: TruthValue
 ) -> None:
     draft = Draft()
@@ -88,10 +90,10 @@ def test_arithmetic_with_an_infinite_element_is_unknown_or_lost(
     is_there = draft.proposition(ir.Compare(ir.Comparison.EQUAL, least, least))
     assert seen(draft, is_near, element) is value
     both = ArbitraryState(Inquiry(draft.machine()).asked)
-    claim = z3.And(
+    predicate = z3.And(
         both.proposition(is_there).true, both.proposition(is_near).is_value(value), *both.facts
     )
-    assert not Inquiry(draft.machine()).is_impossible(lambda _: claim)
+    assert not Inquiry(draft.machine()).is_impossible(lambda _: predicate)
 
 
 def test_two_durations_of_nested_limits_are_compared() -> None:

@@ -26,7 +26,7 @@ from rossmarie.ir import (
     Sampling,
     TruthValue,
 )
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -76,7 +76,7 @@ def test_s29_flags_and_texts() -> None:
     assert [bench.proposition(proposition) for proposition in (flag, docked, other)] == [F, F, T]
 
 
-def test_s30_lost_means_for_lack_of_an_input_with_a_timeout() -> None:
+def test_s30_stale_means_for_lack_of_an_input_with_a_timeout() -> None:
     draft = Draft()
     guarded, other = draft.read(timeout_ns=SECOND), draft.read()
     both = draft.proposition(Compare(Comparison.GREATER, guarded, other))
@@ -91,7 +91,7 @@ def test_s30_lost_means_for_lack_of_an_input_with_a_timeout() -> None:
     assert bench.proposition(both) is L
 
 
-def test_s30_nan_from_a_guarded_input_is_lost() -> None:
+def test_s30_nan_from_a_guarded_input_is_stale() -> None:
     draft = Draft()
     positive = draft.above(draft.read(timeout_ns=SECOND), 0.0)
     bench = Bench(draft)
@@ -99,7 +99,7 @@ def test_s30_nan_from_a_guarded_input_is_lost() -> None:
     assert bench.proposition(positive) is L
 
 
-def test_s30_arithmetic_that_gives_no_number_from_a_guarded_input_is_lost() -> None:
+def test_s30_arithmetic_that_gives_no_number_from_a_guarded_input_is_stale() -> None:
     draft = Draft()
     guarded, other = draft.read(timeout_ns=SECOND), draft.read()
     alone = draft.above(draft.apply(Function.DIVIDE, guarded, guarded), 0.5)
@@ -138,7 +138,7 @@ def test_s30_elements_out_of_range_are_not_a_lack() -> None:
     assert bench.proposition(near) is L
 
 
-def test_s30_waiting_for_a_second_sample_is_not_lost() -> None:
+def test_s30_waiting_for_a_second_sample_is_not_stale() -> None:
     draft = Draft()
     rate = draft.signal(Sampled(Sampling.RATE, draft.read(timeout_ns=SECOND)))
     rising = draft.above(rate, 0.0)
@@ -248,7 +248,7 @@ def test_s32_after_a_gap_it_is_false_once_it_was_known_throughout_the_window() -
     assert bench.wake() == 3.9
     bench.send(3.8, c0=0.0)
     assert bench.send(4.7, c0=0.0) == []
-    assert told(bench.advance(5)) == [(0, 5.0, Change.CLEARED)]
+    assert reported(bench.advance(5)) == [(0, 5.0, Change.CLEARED)]
 
 
 def test_s33_for_matures_at_its_own_instant() -> None:
@@ -306,10 +306,10 @@ def test_s33_a_dropout_does_not_clear_a_rule_whose_condition_goes_on() -> None:
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     bench.send(0.9, c0=1.0)
-    assert told(bench.send(1.0, c0=1.0)) == [(0, 1.0, Change.ACTIVATED)]
+    assert reported(bench.send(1.0, c0=1.0)) == [(0, 1.0, Change.ACTIVATED)]
     assert bench.send(1.2, c0=NAN) == []
     assert bench.send(1.3, c0=1.0) == []
-    assert told(bench.send(1.4, c0=-1.0)) == [(0, 1.4, Change.CLEARED)]
+    assert reported(bench.send(1.4, c0=-1.0)) == [(0, 1.4, Change.CLEARED)]
 
 
 def test_s33_nothing_has_held_before_the_start() -> None:

@@ -5,7 +5,7 @@ from support.bench import Bench
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
-F, T, U, L = TruthValue.FALSE, TruthValue.TRUE, TruthValue.UNKNOWN, TruthValue.LOST
+F, T, U, L = TruthValue.FALSE, TruthValue.TRUE, TruthValue.UNKNOWN, TruthValue.STALE
 
 
 def test_s47_changed_compares_with_the_sample_before() -> None:
@@ -90,7 +90,7 @@ def test_s48_after_a_gap_it_is_false_once_it_was_known_throughout_the_window() -
     assert (bench.proposition(twice), bench.wake()) == (F, None)
 
 
-def test_s48_lost_while_the_input_is() -> None:
+def test_s48_stale_while_the_input_is() -> None:
     bench, once = recurring(1, 10, timeout_ns=SECOND)
     assert values(bench, once, (0, -1.0)) == [F]
     bench.advance(1)

@@ -128,7 +128,7 @@ def test_s76_no_turn_changes_no_bit() -> None:
         assert arithmetic.apply(function, (0.1, -0.7, 1e9, 0.0, 0.0, 0.0, 0.3)) == expected
 
 
-def test_s77_another_frame_than_declared_is_lost() -> None:
+def test_s77_another_frame_than_declared_is_stale() -> None:
     watched = Watched(
         f"{HAND} from tool timeout 1 sec", "hand.position.x", "hand.orientation.yaw()"
     )
@@ -215,7 +215,7 @@ FORCE = Watched(
 )
 
 
-def test_s79_a_frame_that_does_not_come_is_lost() -> None:
+def test_s79_a_frame_that_does_not_come_is_stale() -> None:
     watched = Watched(f"{HAND} from base in odom timeout 9 sec", "hand.position.x")
     hand = pose("base", (1.0, 0.0, 0.0))
     base = transform(Placed("odom", "base", (1.0, 0.0, 0.0), UPRIGHT))
@@ -230,7 +230,7 @@ def test_s79_a_frame_that_does_not_come_is_lost() -> None:
     assert watched.propositions == [L]
 
 
-def test_s80_a_frame_that_stays_is_lost_only_until_it_has_come() -> None:
+def test_s80_a_frame_that_stays_is_stale_only_until_it_has_come() -> None:
     watched = Watched(f"{HAND} from camera in head timeout 100000 sec", "hand.position.x")
     watched.hear(1, {"/hand": pose("camera", (1.0, 0.0, 0.0))})
     assert watched.propositions == [L]

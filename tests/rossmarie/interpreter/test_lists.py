@@ -172,7 +172,9 @@ def test_s53_nothing_is_near_and_nothing_is_fast_in_a_list_without_elements() ->
 
 
 @pytest.mark.parametrize("folding", Folding)
-def test_s54_arithmetic_with_the_least_of_nothing_is_unknown_and_not_lost(folding: Folding) -> None:
+def test_s54_arithmetic_with_the_least_of_nothing_is_unknown_and_not_stale(
+    folding: Folding,
+) -> None:
     objects = Objects(timeout_ns=SECOND)
     draft = objects.draft
     folded = draft.signal(Fold(folding, objects.distance))
@@ -188,7 +190,7 @@ def test_s54_arithmetic_with_the_least_of_nothing_is_unknown_and_not_lost(foldin
     assert (bench.proposition(nearer), bench.proposition(size)) == (L, T)
 
 
-def test_s54_a_list_that_is_not_known_is_lost_where_its_input_has_a_timeout() -> None:
+def test_s54_a_list_that_is_not_known_is_stale_where_its_input_has_a_timeout() -> None:
     objects = Objects(timeout_ns=SECOND)
     draft = objects.draft
     near = draft.proposition(Compare(Comparison.LESS, objects.nearest, draft.constant(1.0)))

@@ -102,7 +102,7 @@ def test_s65_messages_apart() -> None:
         assert apart.says(0.2) is expected
 
 
-def test_s65_a_speed_that_is_lost() -> None:
+def test_s65_a_speed_that_is_stale() -> None:
     assert Watched("stopping(drive) > 1 m").says(NAN) is L
 
 

@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 
 from rossmarie.ir import And, Change, Held, Not, Since, TruthValue, kleene
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -76,13 +76,13 @@ def test_s44_wakes_in_between_change_nothing() -> None:
     since = draft.proposition(Since(a, b))
     draft.proposition(Held(other, SECOND // 4))
     bench = Bench(draft)
-    bench.send(0, c1=NAN, c2=1.0)  # A lost, B lost
+    bench.send(0, c1=NAN, c2=1.0)  # A stale, B stale
     before = bench.proposition(since)
     bench.advance(0.25)
     assert (before, bench.proposition(since)) == (L, L)
 
 
-def test_s44_unknown_beside_lost_is_lost_at_once() -> None:
+def test_s44_unknown_beside_stale_is_stale_at_once() -> None:
     draft = Draft()
     a = draft.above(draft.read(timeout_ns=SECOND), 0.0)
     b = draft.above(draft.read(), 0.0)
@@ -183,9 +183,9 @@ def test_s46_false_while_an_answer_is_overdue() -> None:
     bench.send(0, c0=-1.0, c1=-1.0)
     bench.send(1, c0=1.0)
     bench.send(1.5, c0=-1.0)
-    assert told(bench.advance(5)) == [(0, 3.0, Change.ACTIVATED)]
+    assert reported(bench.advance(5)) == [(0, 3.0, Change.ACTIVATED)]
     assert bench.proposition(kept) is F
-    assert told(bench.send(6, c1=1.0)) == [(0, 6.0, Change.CLEARED)]
+    assert reported(bench.send(6, c1=1.0)) == [(0, 6.0, Change.CLEARED)]
 
 
 def test_s46_a_cause_that_goes_on_asks_at_each_instant() -> None:

@@ -313,7 +313,7 @@ def test_s82_points_that_are_seen_from_another_frame_lie_in_its_zones(engines: E
 
 
 @needs_c
-def test_s77_elements_of_another_frame_are_lost(engines: Engines) -> None:
+def test_s77_elements_of_another_frame_are_stale(engines: Engines) -> None:
     beams = [beam(1.0, 0.0)]
     engines.hear(Heard((BASE, LASER), scan(*beams), ("base", 0.0)))
     assert L not in engines.propositions("scan")
@@ -342,7 +342,7 @@ def test_s77_the_header_of_each_element_counts_where_the_message_has_none(
 
 
 @needs_c
-def test_s78_without_the_frames_on_the_way_elements_are_lost(engines: Engines) -> None:
+def test_s78_without_the_frames_on_the_way_elements_are_stale(engines: Engines) -> None:
     lists = scan(beam(1.0, 0.0))
     engines.hear(Heard((BASE,), lists))  # the laser has come before, and stays
     assert L not in engines.propositions("scan_")
@@ -371,7 +371,7 @@ def test_s78_without_the_frames_on_the_way_elements_are_lost(engines: Engines) -
     ],
     ids=str,
 )
-def test_s78_by_a_frame_that_lies_elements_are_lost(engines: Engines, base: Placed) -> None:
+def test_s78_by_a_frame_that_lies_elements_are_stale(engines: Engines, base: Placed) -> None:
     engines.hear(
         Heard((base, LASER), {**scan(beam(1.0, 0.0)), "/marks": ("", [marker((1, 2, 3))])})
     )

@@ -1,4 +1,4 @@
-"""A drive of 80 s, replayed: 6 rules, 5 signals, a lost sensor, and a rule that stays active."""
+"""A drive of 80 s, replayed: 6 rules, 5 signals, a stale sensor, and a rule that stays active."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def _sampled(
 
 
 def drive_machine() -> ir.Machine:
-    """Tilt, jolts, speed while tilted, turning, distance, and a sensor that must not be lost."""
+    """Tilt, jolts, speed while tilted, turning, distance, and a sensor that must not be stale."""
     draft = _Drive()
     topics = ("/imu/data", "/odom", "/scan", "/fix")
     types = (

@@ -36,11 +36,11 @@ rule waits: if not ready or mode == "manual" then { stop; };
 
 OVER_TIME = """\
 input ready = topic /ready : std_msgs/Bool .data timeout 1 sec;
-input told = topic /told : std_msgs/Bool .data;
+input reported = topic /reported : std_msgs/Bool .data;
 action stop;
-rule ever: if ready since told then { stop; };
-rule recent: if once told within 2 sec then { stop; };
-rule late: if not after told, ready within 2 sec then { stop; };
+rule ever: if ready since reported then { stop; };
+rule recent: if once reported within 2 sec then { stop; };
+rule late: if not after reported, ready within 2 sec then { stop; };
 """
 
 PREVIOUS = """\
@@ -127,7 +127,7 @@ def test_what_looks_back_is_what_it_means(
         (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
          "restart", "`held_before` is as it has to be"),
         (("either(m->truth_value[begun], m->since_before[k]);", "m->since_before[k];"), "visit_3",
-         "what `ready since told` was"),
+         "what `ready since reported` was"),
         (("        m->held_due_ns[k] = NEVER;\n",
           "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
          "restart", "`since_before` is as it has to be"),
@@ -174,7 +174,7 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
         "init",
         "latch",
         "numbers",
-        *deep(["advance", "catch_up", "handed", "inside", "questions", "reset", "restart",
+        *deep(["advance", "catch_up", "handed", "inside", "queries", "reset", "restart",
                "resting", "set_wake", "step", "tick", "update_tilt", "waiting"]),
     ],
 )  # fmt: skip
@@ -189,8 +189,8 @@ def test_numbers_and_timers_are_what_they_mean(
     [
         ("#define LATEST (INT64_C(1) << 62)", "#define LATEST (INT64_C(1) << 61)"),
         (
-            "enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };",
-            "enum { FALSE, TRUE, LOST, UNKNOWN, UNSET };",
+            "enum { FALSE, TRUE, UNKNOWN, STALE, UNSET };",
+            "enum { FALSE, TRUE, STALE, UNKNOWN, UNSET };",
         ),
     ],
 )
@@ -221,12 +221,12 @@ FAULTS = (
     (("            look(m, channel, t_ns);", "            ;"),
      "update_tilt_late_between", "the guard of `abs(tilt)`"),
     (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` has its defined value"),
-    (("condition == LOST", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
+    (("condition == STALE", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
     (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
      "has its defined value"),
     (("fabs(m->", "-(m->"), "numbers", "`abs(tilt)` has its defined value"),
     (("fabs(m->", "-(m->"), "step_numbers_tilt", "`abs(tilt)` has its defined value"),
-    (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
+    (("m->value[stale_values[i]] = NAN;", "m->value[stale_values[input]] = NAN;"), "tick",
      "`abs(tilt)` is forgotten with what it is computed from"),
     (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
      "nothing beyond the range passes for calm"),
@@ -294,7 +294,7 @@ FAULTS = (
 
 
 @pytest.mark.parametrize(("change", "part", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
-def test_a_seeded_fault_is_refuted(
+def test_a_mutant_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
@@ -343,7 +343,7 @@ def test_what_counts_and_elements_are_what_they_mean(
          "the guard of `min(ranges)`"),
     ],
 )  # fmt: skip
-def test_a_seeded_fault_in_them_is_refuted(
+def test_a_mutant_in_them_is_refuted(
     prover: Prover, counting: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))

@@ -1,7 +1,7 @@
 """The propositions of a machine in words, from their nodes alone, never from what the user wrote.
 
 Takes a machine that `ir.verify` has passed. A negation is carried inwards to the leaves, where it
-is the opposite word: by S2 that changes no value, unknown and lost included. What stands on more
+is the opposite word: by S2 that changes no value, unknown and stale included. What stands on more
 than `MOST_PARTS` others is named, and said in full in a place of its own.
 """
 

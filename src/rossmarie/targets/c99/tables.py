@@ -12,7 +12,7 @@ from rossmarie.core import MOST_SAMPLES
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
-from rossmarie.targets.c99.layout import Guard, Layout
+from rossmarie.targets.c99.layout import Layout, ValueGuard
 from rossmarie.targets.c99.recent import recent_tables
 from rossmarie.targets.c99.state import is_small
 from rossmarie.targets.c99.text import boolean, enumeration, lists, remarked_table, sizes, table
@@ -109,17 +109,17 @@ def _expiry_tables(layout: Layout) -> list[str]:
     samples: list[Sequence[object]] = []
     windows: list[Sequence[object]] = []
     for used in range(len(layout.machine.inputs)):
-        lost = layout.has_timeout(used)
+        stale = layout.has_timeout(used)
         values.append(
-            [value.name for value in layout.values if lost and used in value.support.inputs]
+            [value.name for value in layout.values if stale and used in value.support.inputs]
         )
         samples.append(_resting(layout, layout.sampled, used))
         windows.append(_resting(layout, [window.signal for window in layout.windows], used))
-    listed = [lists("input_values", "lost_values", _of_inputs(layout, values))]
+    listed = [lists("input_values", "stale_values", _of_inputs(layout, values))]
     if layout.sampled:
-        listed.append(lists("input_samples", "lost_samples", _of_inputs(layout, samples)))
+        listed.append(lists("input_samples", "stale_samples", _of_inputs(layout, samples)))
     if layout.windows:
-        listed.append(lists("input_windows", "lost_windows", _of_inputs(layout, windows)))
+        listed.append(lists("input_windows", "stale_windows", _of_inputs(layout, windows)))
     return listed
 
 
@@ -255,7 +255,7 @@ def _guard_tables(layout: Layout) -> str:
     )
 
 
-def _limit_rows(layout: Layout, guard: Guard) -> list[str]:
+def _limit_rows(layout: Layout, guard: ValueGuard) -> list[str]:
     """The limits of a guard between two ends."""
     rows = [f"BELOW_ALL, /* {comments.in_c(layout.values[guard.value].remark)} */"]
     pairs = enumerate(zip(guard.limits, twins(guard.limits), strict=True))
@@ -269,7 +269,7 @@ def _limit_rows(layout: Layout, guard: Guard) -> list[str]:
 
 
 def _blame_tables(layout: Layout) -> str:
-    """The values whose lack makes a guard lost, and those whose lack leaves it unknown; then the
+    """The values whose lack makes a guard stale, and those whose lack leaves it unknown; then the
     same for the oscillations.
     """
     swings = [layout.supports.propositions[index] for index in layout.oscillations]
@@ -278,10 +278,10 @@ def _blame_tables(layout: Layout) -> str:
     listed = [lists("row_blames", "blames", _rows_of_values(layout, blames))]
     excuses = _excuses(layout)
     if not any(excuses):
-        return _section("The numbers whose lack makes a proposition lost.", listed)
+        return _section("The numbers whose lack makes a proposition stale.", listed)
     of_lists = [boolean(layout.is_of_list(value)) for row in excuses for value in row]
     return _section(
-        "The numbers whose lack makes a proposition lost, and those whose lack leaves it unknown.",
+        "The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown.",
         [
             *listed,
             lists("row_excuses", "excuses", _rows_of_values(layout, excuses)),
@@ -385,7 +385,7 @@ def _age_tables(layout: Layout) -> list[str]:
         assert isinstance(node, ir.AgeReaches), "the layout lists ages"
         limits.append((duration(node.age_ns), layout.remark(index)))
         inputs.append(layout.input_names[node.input])
-        unknown.append("LOST" if layout.has_timeout(node.input) else "UNKNOWN")
+        unknown.append("STALE" if layout.has_timeout(node.input) else "UNKNOWN")
     leaves = [layout.proposition_names[index] for index in layout.ages]
     return [
         remarked_table("int64_t", "age_limits", limits),

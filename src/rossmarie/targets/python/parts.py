@@ -2,7 +2,7 @@
 source.
 
 They mean what `docs/explanation/semantics.md` says, with 0 for false, 1 for true, 2 for unknown and
-3 for lost.
+3 for stale.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ INF = math.inf
 class Verdict(NamedTuple):
     """A rule changed: 0 cleared, 1 activated, 2 activated for lack of an input with a timeout.
 
-    `truth_values[i]` is what `RULES[rule].terms[i]` was (0 false, 1 true, 2 unknown, 3 lost) and
+    `truth_values[i]` is what `RULES[rule].terms[i]` was (0 false, 1 true, 2 unknown, 3 stale) and
     `since_ns[i]` since when, `values[i]` is `RULES[rule].signals[i]` in SI units (NaN is unknown),
     `inputs[i]` the state of `RULES[rule].inputs[i]` (0 never received, 1 fresh, 2 expired).
     """

@@ -43,7 +43,7 @@ static const int64_t input_timeouts[1] = {
     INT64_C(1000000000), /* INPUT_INPUT_0 */
 };
 static const index_t input_values[2] = {0, 4};
-static const index_t lost_values[4] = {
+static const index_t stale_values[4] = {
     /* INPUT_INPUT_0 */ VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_PROPOSITION_2,
         VALUE_PROPOSITION_3,
 };
@@ -103,7 +103,7 @@ static const limit limits[12] = {
 };
 static const unsigned char leaf_below[4] = {TRUE, FALSE, FALSE, FALSE};
 
-/* The numbers whose lack makes a proposition lost, and those whose lack leaves it unknown. */
+/* The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown. */
 static const index_t row_blames[5] = {0, 1, 2, 3, 4};
 static const index_t blames[4] = {
     /* GUARD_MIN_RANGES */ VALUE_MIN_RANGES,

@@ -30,15 +30,15 @@ enum arrays_rule {
     arrays_rule_rule_1 = 0 /* draft.ross:1 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum arrays_truth_value { arrays_FALSE, arrays_TRUE, arrays_UNKNOWN, arrays_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum arrays_truth_value { arrays_FALSE, arrays_TRUE, arrays_UNKNOWN, arrays_STALE };
 
 enum arrays_input_state { arrays_NEVER_RECEIVED, arrays_FRESH, arrays_EXPIRED };
 
 enum arrays_change {
     arrays_CLEARED,
     arrays_ACTIVATED,
-    arrays_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    arrays_ACTIVATED_STALE, /* for lack of an input with a timeout */
     arrays_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -132,7 +132,7 @@ int64_t arrays_next_wake(const arrays_monitor *m);
 
 bool arrays_is_active(const arrays_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void arrays_latch(arrays_monitor *m, int rule);

@@ -57,18 +57,18 @@ static const int64_t input_timeouts[1] = {
     INT64_C(1000000000), /* INPUT_INPUT_0 */
 };
 static const index_t input_values[2] = {0, 11};
-static const index_t lost_values[11] = {
+static const index_t stale_values[11] = {
     /* INPUT_INPUT_0 */ VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2,
         VALUE_INPUT_0_SLOT_3, VALUE_SIGNAL_4, VALUE_RATE_ORIENTATION_PITCH,
         VALUE_PREVIOUS_ORIENTATION_PITCH, VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC,
         VALUE_MEAN_X_1_SEC, VALUE_LOW_PASS_X_0_2_SEC, VALUE_PROPOSITION_0,
 };
 static const index_t input_samples[2] = {0, 2};
-static const index_t lost_samples[2] = {
+static const index_t stale_samples[2] = {
     /* INPUT_INPUT_0 */ 0, 1,
 };
 static const index_t input_windows[2] = {0, 2};
-static const index_t lost_windows[2] = {
+static const index_t stale_windows[2] = {
     /* INPUT_INPUT_0 */ 0, 1,
 };
 
@@ -150,7 +150,7 @@ static const limit limits[15] = {
 };
 static const unsigned char leaf_below[5] = {FALSE, FALSE, FALSE, FALSE, FALSE};
 
-/* The numbers whose lack makes a proposition lost, and those whose lack leaves it unknown. */
+/* The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown. */
 static const index_t row_blames[7] = {0, 4, 8, 9, 10, 14, 15};
 static const index_t blames[15] = {
     /* GUARD_RATE_ORIENTATION_PITCH */ VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1,

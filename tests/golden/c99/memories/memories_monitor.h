@@ -34,15 +34,15 @@ enum memories_rule {
     memories_rule_rule_5 = 4 /* draft.ross:1 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum memories_truth_value { memories_FALSE, memories_TRUE, memories_UNKNOWN, memories_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum memories_truth_value { memories_FALSE, memories_TRUE, memories_UNKNOWN, memories_STALE };
 
 enum memories_input_state { memories_NEVER_RECEIVED, memories_FRESH, memories_EXPIRED };
 
 enum memories_change {
     memories_CLEARED,
     memories_ACTIVATED,
-    memories_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    memories_ACTIVATED_STALE, /* for lack of an input with a timeout */
     memories_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -158,7 +158,7 @@ int64_t memories_next_wake(const memories_monitor *m);
 
 bool memories_is_active(const memories_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void memories_latch(memories_monitor *m, int rule);

@@ -93,7 +93,7 @@ static const limit limits[8] = {
 };
 static const unsigned char leaf_below[3] = {FALSE, FALSE, FALSE};
 
-/* The numbers whose lack makes a proposition lost, and those whose lack leaves it unknown. */
+/* The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown. */
 static const index_t row_blames[3] = {0, 0, 0};
 static const index_t blames[1] = {0};
 static const index_t row_excuses[3] = {0, 1, 2};

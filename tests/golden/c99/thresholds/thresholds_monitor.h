@@ -31,15 +31,15 @@ enum thresholds_rule {
     thresholds_rule_rule_2 = 1 /* drive.ross:3 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum thresholds_truth_value { thresholds_FALSE, thresholds_TRUE, thresholds_UNKNOWN, thresholds_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum thresholds_truth_value { thresholds_FALSE, thresholds_TRUE, thresholds_UNKNOWN, thresholds_STALE };
 
 enum thresholds_input_state { thresholds_NEVER_RECEIVED, thresholds_FRESH, thresholds_EXPIRED };
 
 enum thresholds_change {
     thresholds_CLEARED,
     thresholds_ACTIVATED,
-    thresholds_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    thresholds_ACTIVATED_STALE, /* for lack of an input with a timeout */
     thresholds_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -134,7 +134,7 @@ int64_t thresholds_next_wake(const thresholds_monitor *m);
 
 bool thresholds_is_active(const thresholds_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void thresholds_latch(thresholds_monitor *m, int rule);

@@ -44,7 +44,7 @@ static const int64_t input_timeouts[2] = {
     INT64_C(1000000000), /* INPUT_INPUT_1 */
 };
 static const index_t input_values[3] = {0, 1, 2};
-static const index_t lost_values[2] = {
+static const index_t stale_values[2] = {
     /* INPUT_INPUT_0 */ VALUE_INPUT_0,
     /* INPUT_INPUT_1 */ VALUE_INPUT_1,
 };
@@ -94,7 +94,7 @@ static const limit limits[6] = {
 };
 static const unsigned char leaf_below[2] = {FALSE, TRUE};
 
-/* The numbers whose lack makes a proposition lost. */
+/* The numbers whose lack makes a proposition stale. */
 static const index_t row_blames[3] = {0, 1, 2};
 static const index_t blames[2] = {
     /* GUARD_INPUT_0 */ VALUE_INPUT_0,
@@ -110,7 +110,7 @@ static const int64_t age_limits[1] = {
     INT64_C(3000000000), /* draft.ross:1 proposition_1 */
 };
 static const index_t age_input[1] = {INPUT_INPUT_1};
-static const unsigned char age_unknown[1] = {LOST};
+static const unsigned char age_unknown[1] = {STALE};
 static const index_t age_leaf[1] = {PROPOSITION_BATTERY_STALE};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */

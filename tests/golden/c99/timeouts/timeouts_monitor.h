@@ -30,15 +30,15 @@ enum timeouts_rule {
     timeouts_rule_rule_1 = 0 /* draft.ross:1 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum timeouts_truth_value { timeouts_FALSE, timeouts_TRUE, timeouts_UNKNOWN, timeouts_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum timeouts_truth_value { timeouts_FALSE, timeouts_TRUE, timeouts_UNKNOWN, timeouts_STALE };
 
 enum timeouts_input_state { timeouts_NEVER_RECEIVED, timeouts_FRESH, timeouts_EXPIRED };
 
 enum timeouts_change {
     timeouts_CLEARED,
     timeouts_ACTIVATED,
-    timeouts_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    timeouts_ACTIVATED_STALE, /* for lack of an input with a timeout */
     timeouts_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -139,7 +139,7 @@ int64_t timeouts_next_wake(const timeouts_monitor *m);
 
 bool timeouts_is_active(const timeouts_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void timeouts_latch(timeouts_monitor *m, int rule);

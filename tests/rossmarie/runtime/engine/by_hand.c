@@ -31,7 +31,7 @@ enum { GUARD_SPEED };
 static const index_t input_channel[1] = {0};
 static const int64_t input_timeouts[1] = {INT64_C(500)};
 static const index_t input_values[2] = {0, 1};
-static const index_t lost_values[1] = {VALUE_SPEED};
+static const index_t stale_values[1] = {VALUE_SPEED};
 static const uint64_t node_users[4] = {BIT(OUTSIDE), BIT(RULE), BIT(LONG_OUTSIDE), BIT(RULE)};
 static const index_t guard_value[1] = {VALUE_SPEED};
 static const index_t covered_values[1] = {VALUE_SPEED};
@@ -126,10 +126,10 @@ int main(void)
     CHECK(receive(&m, 2100, 0.0) == 1 && last.change == hand_CLEARED);
 
     CHECK(hand_next_wake(&m) == 2600 && hand_advance(&m, 2599) == 0);
-    CHECK(hand_advance(&m, 2600) == 1 && last.change == hand_ACTIVATED_LOST);
+    CHECK(hand_advance(&m, 2600) == 1 && last.change == hand_ACTIVATED_STALE);
     CHECK(hand_input_state(&m, 0) == EXPIRED && last.inputs[0] == EXPIRED);
-    CHECK(receive(&m, 2700, NAN) == 0 && m.proposition[INSIDE] == LOST); /* it lacks its number */
-    CHECK(receive(&m, 2800, INFINITY) == 0 && m.proposition[INSIDE] == LOST);
+    CHECK(receive(&m, 2700, NAN) == 0 && m.proposition[INSIDE] == STALE); /* it lacks its number */
+    CHECK(receive(&m, 2800, INFINITY) == 0 && m.proposition[INSIDE] == STALE);
     CHECK(receive(&m, 2900, 0.0) == 1 && last.change == hand_CLEARED);
 
     CHECK(receive(&m, 100, 0.0) == 1 && last.change == hand_TIME_JUMP && last.from_ns == 2900);

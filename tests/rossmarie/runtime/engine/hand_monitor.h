@@ -8,7 +8,7 @@
 
 enum { hand_RULES = 1, hand_INPUTS = 1 };
 
-enum hand_change { hand_CLEARED, hand_ACTIVATED, hand_ACTIVATED_LOST, hand_TIME_JUMP };
+enum hand_change { hand_CLEARED, hand_ACTIVATED, hand_ACTIVATED_STALE, hand_TIME_JUMP };
 
 typedef struct hand_event {
     int64_t at_ns;

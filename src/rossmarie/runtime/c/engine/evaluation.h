@@ -74,14 +74,14 @@ static void expire(monitor *m, unsigned input)
     m->state[input] = EXPIRED;
     m->quiet[input_channel[input]] = false;
     for (unsigned i = input_values[input]; i != input_values[input + 1]; i++)
-        m->value[lost_values[i]] = NAN;
+        m->value[stale_values[i]] = NAN;
 #if SAMPLED
     for (unsigned i = input_samples[input]; i != input_samples[input + 1]; i++)
-        forget_samples(m, lost_samples[i]);
+        forget_samples(m, stale_samples[i]);
 #endif
 #if WINDOWS
     for (unsigned i = input_windows[input]; i != input_windows[input + 1]; i++)
-        forget_window(m, lost_windows[i]);
+        forget_window(m, stale_windows[i]);
 #endif
 }
 

@@ -32,7 +32,7 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
 {
     for (unsigned i = row_blames[row]; i != row_blames[row + 1]; i++)
         if (isnan(m->value[blames[i]]))
-            return LOST;
+            return STALE;
     if (row_blames[row] == row_blames[row + 1])
         return UNKNOWN;
 #if EXCUSES
@@ -40,7 +40,7 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
         if (is_missing(m, i))
             return UNKNOWN;
 #endif
-    return LOST;
+    return STALE;
 }
 
 #endif

@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Propositions, who depends on them, and three-valued logic: Kleene's, in which what is lost is
+/* Propositions, who depends on them, and three-valued logic: Kleene's, in which what is stale is
  * unknown, too. Propositions and rules are nodes: what depends on a node stands behind it.
  */
 

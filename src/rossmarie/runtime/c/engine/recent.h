@@ -29,7 +29,7 @@ static bool is_enough(const monitor *m, unsigned k, int64_t t_ns)
     return m->recent_count[k] == recent_first[k + 1] - recent_first[k] && t_ns < recent_end(m, k);
 }
 
-/* What is known of them, given their source, of which it matters whether it is unknown, or lost:
+/* What is known of them, given their source, of which it matters whether it is unknown, or stale:
  * too few tell nothing until the source has been known throughout the window.
  */
 static unsigned char enough_or_gap(monitor *m, unsigned k, unsigned char source, bool is_enough,

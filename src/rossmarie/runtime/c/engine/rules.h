@@ -45,8 +45,8 @@ static int judge(monitor *m, unsigned rule, int64_t t_ns)
     const bool was_active = is_active(m, rule);
     if (!was_active && condition == TRUE)
         return change_rule(m, rule, NAMED(ACTIVATED), t_ns);
-    if (!was_active && condition == LOST)
-        return change_rule(m, rule, NAMED(ACTIVATED_LOST), t_ns);
+    if (!was_active && condition == STALE)
+        return change_rule(m, rule, NAMED(ACTIVATED_STALE), t_ns);
     if (was_active && condition == FALSE && rule_release[rule] != LATCHED &&
         m->truth_value[rule_release[rule]] == TRUE)
         return change_rule(m, rule, NAMED(CLEARED), t_ns);

@@ -20,8 +20,9 @@
 #define RARE static
 #endif
 
-/* Propositions: unknown for lack of an input with a timeout is lost; unset is not evaluated yet. */
-enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
+/* Propositions: unknown for lack of an input with a timeout is stale; unset is not evaluated yet.
+ */
+enum { FALSE, TRUE, UNKNOWN, STALE, UNSET };
 
 enum { NEVER_RECEIVED, FRESH, EXPIRED };
 

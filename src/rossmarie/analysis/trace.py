@@ -1,8 +1,8 @@
-"""A course of events in a few legs, unrolled from the start of a trace.
+"""A trace of events in a few legs, unrolled from the start of a trace.
 
 On each leg some channels send the same message over and over for a while, and the others are
 silent. A leg is looked at twice: at its first message and at its end. What the terms say of such a
-course is a proposal: the interpreter has the last word (`shrink`).
+trace is a proposal: the interpreter has the last word (`shrink`).
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rossmarie.analysis.terms import (
 from rossmarie.analysis.times import SECOND, Times
 from rossmarie.core import View, sampling_row
 from rossmarie.core.expressions import Operand
-from rossmarie.ir.calls import question_at
+from rossmarie.ir.calls import query_at
 
 
 @dataclass(frozen=True)
@@ -196,7 +196,7 @@ class Moment(Encoding):
 
     def was(self, operand: int, initially: bool) -> Fact:
         """The value of a proposition before it became true, where it is; before the start, as
-        told.
+        reported.
         """
         if self._before is None:
             return literal(initially)
@@ -231,8 +231,8 @@ class Moment(Encoding):
         return FALSE if self._before is None else self._before.proposition(index)
 
 
-class Course:
-    """A few legs, and which rules are active at each of their moments. The legs of a brief course
+class Trace:
+    """A few legs, and which rules are active at each of their moments. The legs of a brief trace
     are single messages.
     """
 
@@ -252,7 +252,7 @@ class Course:
 
     @property
     def facts(self) -> list[z3.BoolRef]:
-        """The facts of every course; complete once all has been asked of the moments."""
+        """The facts of every trace; complete once all has been asked of the moments."""
         found = [fact for moment in self.moments for fact in moment.facts]
         for leg in self.legs:
             found += self._leg_facts(leg)
@@ -262,7 +262,7 @@ class Course:
 
     @property
     def calm(self) -> list[z3.BoolRef]:
-        """The facts of a course on which every sensor sends what it measures. What only a skill
+        """The facts of a trace on which every sensor sends what it measures. What only a skill
         has is known only while that runs.
         """
         found = []
@@ -338,7 +338,7 @@ class Course:
         """The answers about skills in one message go together, and so does what is not known."""
         slots = self.asked.machine.slots
         asking = {index: number for index, number in leg.slots.items()
-                  if question_at(slots[index].path) is not None}  # fmt: skip
+                  if query_at(slots[index].path) is not None}  # fmt: skip
         found: list[z3.BoolRef] = []
         for index, number in asking.items():
             found += leg.calls.facts(slots[index], number.value)
