@@ -67,9 +67,9 @@ ifneq ($(wildcard $(HUSKY_RECORDING)),)
 endif
 	$(RUN)/ezskiros check examples/pick_place/skills
 	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --no-conditions
-	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --svg build/demo/tree.svg
+	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --format svg --out build/demo/tree.svg
 	$(RUN)/ezskiros run PickAndPlace examples/pick_place/skills \
-		--scene examples/pick_place/lab.turtle --save build/demo/lab_after.turtle \
+		--scene examples/pick_place/lab.turtle --out build/demo/lab_after.turtle \
 		Object=starter Gripper=gripper PlacingLocation=shelf
 	$(RUN)/heron demo --out build/demo/heron.html || [ $$? -eq 2 ]
 	$(RUN)/heron learn tree --arm unguarded --arm guard --steps 40000 --out build/demo || [ $$? -eq 2 ]

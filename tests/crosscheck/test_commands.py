@@ -83,7 +83,10 @@ def test_a_change_of_a_skill_is_followed_to_trees_and_rules() -> None:
 
 def test_the_picture_is_svg_with_all_names(tmp_path: Path) -> None:
     out = tmp_path / "robot.svg"
-    assert command_line.run("crosscheck", "show", RULES, "--svg", out).returncode == 0
+    assert (
+        command_line.run("crosscheck", "show", RULES, "--format", "svg", "--out", out).returncode
+        == 0
+    )
     texts = [each.text for each in ET.fromstring(out.read_text()).iter() if each.text]
     assert {"Wipe", "contact", "/cmd_vel"} <= {*texts}
 
@@ -109,7 +112,7 @@ def test_queries_that_take_too_long_are_an_error(
 @pytest.mark.parametrize(
     "command",
     [
-        ("crosscheck", "show", "wide.ross", "--svg"),
+        ("crosscheck", "show", "wide.ross", "--format", "svg", "--out"),
         ("rossmarie", "export", "wide.ross", "--out"),
         ("ezskiros", "export", "skills", "--out"),
     ],

@@ -17,7 +17,7 @@ from support.parts import MUJOCO, needs
 
 @needs(MUJOCO)
 def test_an_episode_is_run_and_its_measures_are_printed() -> None:
-    found = CliRunner().invoke(app, ["run", "nav", "--arm", "rossmarie", "--terrain", "flat"])
+    found = CliRunner().invoke(app, ["run", "nav", "--arm", "rossmarie", "--variant", "flat"])
     assert found.exit_code == 0
     assert "rossmarie, on flat terrain, seed 0" in found.stdout
     assert "completed" in found.stdout
@@ -34,7 +34,7 @@ def test_the_arm_places_its_block() -> None:
 
 @needs(MUJOCO)
 def test_somebody_comes_into_the_room() -> None:
-    found = CliRunner().invoke(app, ["run", "human", "--arm", "none", "--person", "inside"])
+    found = CliRunner().invoke(app, ["run", "human", "--arm", "none", "--variant", "inside"])
     assert found.exit_code == 0
     assert "none, somebody inside, seed 0" in found.stdout
     assert "least distance to the person" in found.stdout

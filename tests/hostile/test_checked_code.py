@@ -340,7 +340,7 @@ def test_what_the_system_refuses_is_reported(tmp_path: Path, attack: str) -> Non
 OTHERS = {
     "explain": ("explain", "Skill", "own"),
     "show": ("show", "Skill", "own"),
-    "show a picture": ("show", "Skill", "--svg", "picture.svg", "own"),
+    "show a picture": ("show", "Skill", "--format", "svg", "--out", "picture.svg", "own"),
     "fix": ("check", "--fix", "own"),
     "plan": ("plan", "--goal", "(a b c)", "--scene", "none.turtle", "own"),
     "run": ("run", "--simulate", "Skill", "own"),

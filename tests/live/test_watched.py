@@ -192,7 +192,7 @@ def test_a_robot_in_a_namespace_is_reported_alone_and_time_may_stand_still(
     watching.until(lambda: bool(watching.changes("exemption-begins")), "the exemption is used")
     assert {each["rule"] for each in watching.changes("rule-activates")} == {"contact"}
     assert watching.codes() == []
-    nobody = watch("--namespace", "/robot3", "--seconds", "1")
+    nobody = watch("--namespace", "/robot3", "--duration", "1")
     assert nobody.process.wait(LIMIT) == 1, nobody.said()
     assert "error[CHK403]" in nobody.said()
     assert "on /robot3/skill_context" in nobody.said()

@@ -248,6 +248,8 @@ NAV2_MONITOR = Part(
     "apt-get install ros-$ROS_DISTRO-nav2-collision-monitor",
 )
 SROS2 = Part("SROS2", _sros2, "apt-get install ros-$ROS_DISTRO-sros2")
+ZSH = Part("zsh", partial(_program, "zsh"), "install the package zsh")
+FISH = Part("fish", partial(_program, "fish"), "install the package fish")
 CHROMIUM = Part("Chromium", _browser, "make browser")
 DISPLAY = Part("a display", partial(_program, "Xvfb"), "make display")
 EGL = Part("EGL", _egl, "make drawing")
@@ -292,7 +294,7 @@ PARTS = (
         NAV2_MONITOR,
         SROS2,
     ),
-    *(CHROMIUM, DISPLAY, EGL),
+    *(ZSH, FISH, CHROMIUM, DISPLAY, EGL),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP),
     *(PEERS, RTLOLA_IN_RUST),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),

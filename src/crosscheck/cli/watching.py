@@ -10,7 +10,6 @@ from pathlib import Path
 
 import typer
 
-from crosscheck.cli.choices import LiveFormat
 from crosscheck.cli.loading import loaded
 from crosscheck.cli.output import output
 from crosscheck.live.facts import facts_of
@@ -18,6 +17,7 @@ from crosscheck.live.model import Change
 from crosscheck.live.ros import Ears, NoRosError, listen
 from crosscheck.live.watch import Reported, Watch
 from dslkit import signals
+from dslkit.command_line import ReportFormat
 from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_json import finding
 
@@ -33,8 +33,8 @@ Print = Callable[[Reported], None]
 def run_live(
     rules: Path,
     namespace: str,
-    seconds: float | None,
-    form: LiveFormat,
+    duration_s: float | None,
+    form: ReportFormat,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
@@ -46,9 +46,9 @@ def run_live(
     except NoRosError as problem:
         output.fail(str(problem), exit_code=2)
     watch = Watch(facts, time.monotonic())
-    is_json = form is LiveFormat.JSON
+    is_json = form is ReportFormat.JSON
     tell = _tell_json if is_json else _tell_text
-    until = None if seconds is None else watch.start + seconds
+    until = None if duration_s is None else watch.start + duration_s
     try:
         _listen(ears, watch, lambda: has_to_end() or _is_over(until), tell)
         _tell_all(watch.end(time.monotonic()), tell)

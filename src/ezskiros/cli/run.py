@@ -57,6 +57,10 @@ ContextFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Tell which skills run, in the words of this skills.json."),
 ]
+WorldFile = Annotated[
+    Path | None,
+    typer.Option("--out", "-o", metavar="FILE", help="Write the world at the end (.turtle)."),
+]
 GuardsFile = Annotated[
     Path | None,
     typer.Option(metavar="FILE", help="Let skills wait for rules: guards.json of `crosscheck`."),
@@ -70,9 +74,7 @@ def run(
         Path | None,
         typer.Option(metavar="FILE", help="The world at the start (.turtle)."),
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the world at the end (.turtle).")
-    ] = None,
+    out: WorldFile = None,
     simulate: Annotated[
         bool, typer.Option("--simulate", help="Primitives only let their post-conditions hold.")
     ] = False,
@@ -94,7 +96,7 @@ def run(
     ontology: Folders = None,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
-    for path in (save, trace):
+    for path in (out, trace):
         if path is not None:
             output.try_file(path)
     name_ontology(ontology)
@@ -118,9 +120,9 @@ def run(
     waiting = guards_for(guards, export, simulate=simulate)
     run = _Run(ready.call, execution, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
-    if save is not None:
-        with output.writing(save):
-            ready.world.save(save)
+    if out is not None:
+        with output.writing(out):
+            ready.world.save(out)
     _tell(skill, outcome)
     raise typer.Exit(0 if outcome.is_success else 1)
 

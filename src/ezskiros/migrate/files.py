@@ -6,6 +6,7 @@ import difflib
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span, is_file, is_folder
@@ -80,6 +81,16 @@ class Migration:
         if any(done or left for done, left in implementing):
             said += f"; {_become(implementing, 'implementation')}"
         return f"{said}; {_counted(changed, 'file')} {done}{rest}"
+
+    def result(self, *, is_written: bool) -> dict[str, Any]:
+        """The files as JSON: the path of each, with the change as `patch` takes it."""
+        return {
+            "is_written": is_written,
+            "files": [
+                {"path": str(each.path), "diff": each.diff() if each.is_changed else None}
+                for each in self.files
+            ],
+        }
 
 
 def migrate_paths(

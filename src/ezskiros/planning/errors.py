@@ -86,7 +86,7 @@ class PlanningTimeOver(Error, code="EZS855", name="planning-time-over"):
 
     title = "no plan was found in {seconds:g} s"
     note = "whether there is one is not known"
-    help = "give it more time with `--seconds`, or name fewer skills: the paths say which are used"
+    help = "give it more time with `--timeout`, or name fewer skills: the paths say which are used"
     seconds: float
 
 

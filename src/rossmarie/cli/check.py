@@ -30,39 +30,40 @@ def run_check(
     only: Sequence[Category],
 ) -> None:
     """Print the findings, write the witnesses, and end with the exit code."""
-    is_tests = witnesses is not None and witnesses.suffix == ".ross"
-    if is_tests and len(files) > 1:
-        output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
-    together = _looking_at_both() if skills else None
-    if witnesses is not None:
-        (output.try_file if is_tests else output.try_folder)(witnesses)
-    with reported_steps("reading the rules") as on_step:
-        analyses = [
-            analyze_file(
-                path,
-                thorough=thorough,
-                toggle_ns=round(toggle_s * 1e9),
-                systems=systems,
-                message_folders=message_folders,
-                only=only,
-                on_step=on_step,
-            )
-            for path in files
-        ]
-    found: list[Diagnostic] = []
-    for path, analysis in zip(files, analyses, strict=True):
-        found += analysis.diagnostics
-        if target is not None:
-            found += _for_target(path, target, systems, message_folders, only)
-        if together is not None:
-            found += together(path, systems=systems, message_folders=message_folders)
-    reported = each_once(found)
-    output.print_diagnostics(reported, form, file_count=len(files))
-    if witnesses is not None and is_tests:
-        _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
-    elif witnesses is not None:
-        _write(analyses, witnesses, form)
-    raise typer.Exit(output.exit_code(reported))
+    with output.answering(form, "check", files=len(files)):
+        is_tests = witnesses is not None and witnesses.suffix == ".ross"
+        if is_tests and len(files) > 1:
+            output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
+        together = _looking_at_both() if skills else None
+        if witnesses is not None:
+            (output.try_file if is_tests else output.try_folder)(witnesses)
+        with reported_steps("reading the rules") as on_step:
+            analyses = [
+                analyze_file(
+                    path,
+                    thorough=thorough,
+                    toggle_ns=round(toggle_s * 1e9),
+                    systems=systems,
+                    message_folders=message_folders,
+                    only=only,
+                    on_step=on_step,
+                )
+                for path in files
+            ]
+        found: list[Diagnostic] = []
+        for path, analysis in zip(files, analyses, strict=True):
+            found += analysis.diagnostics
+            if target is not None:
+                found += _for_target(path, target, systems, message_folders, only)
+            if together is not None:
+                found += together(path, systems=systems, message_folders=message_folders)
+        reported = each_once(found)
+        output.print_diagnostics(reported, form, file_count=len(files))
+        if witnesses is not None and is_tests:
+            _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
+        elif witnesses is not None:
+            _write(analyses, witnesses, form)
+        raise typer.Exit(output.exit_code(reported))
 
 
 def _looking_at_both() -> Callable[..., Sequence[Diagnostic]]:

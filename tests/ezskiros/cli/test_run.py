@@ -67,7 +67,7 @@ def test_pick_and_place_runs_as_listed_in_the_thesis(tmp_path: Path) -> None:
     saved, trace = tmp_path / "after.turtle", tmp_path / "trace.jsonl"
     done = run(
         "PickAndPlace", *PICK[1:], "Object=starter", "PlacingLocation=shelf", "--simulate",
-        "--save", str(saved), "--trace", str(trace),
+        "--out", str(saved), "--trace", str(trace),
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines()[-1].startswith("PickAndPlace has succeeded (1 tick, ")
@@ -117,7 +117,7 @@ def test_skills_with_errors_are_not_run(tmp_path: Path) -> None:
         (("work", "--scene", "no.turtle"), "cannot read no.turtle: no such file or directory"),
         (("work", "--trace", "no/trace.jsonl", "--timeout", "0"),
          "cannot write no/trace.jsonl: no such file or directory"),
-        (("work", "--save", "no/after.turtle", "--timeout", "0"),
+        (("work", "--out", "no/after.turtle", "--timeout", "0"),
          "cannot write no/after.turtle: no such file or directory"),
     ],
 )  # fmt: skip

@@ -18,7 +18,7 @@ import pytest
 import typer
 
 from campaign import Campaign, Failure
-from dslkit.command_line import INTERNAL_ERROR
+from dslkit.command_line import INTERNAL_ERROR, ReportFormat
 from rossmarie.cli import replays
 from support import command_line
 from support.recordings import ROS1, readings, write_ros1
@@ -180,7 +180,14 @@ def test_a_replay_that_does_not_come_to_its_end_is_a_defect(
     monkeypatch.setattr(replays, "_campaign", lambda *_: ended)
     with pytest.raises(typer.Exit) as found:
         replays.run_replays(
-            switches / "rules.ross", [Path("a.bag"), Path("b.bag")], [], None, [], [], []
+            switches / "rules.ross",
+            [Path("a.bag"), Path("b.bag")],
+            [],
+            None,
+            ReportFormat.TEXT,
+            [],
+            [],
+            [],
         )
     assert found.value.exit_code == INTERNAL_ERROR
     assert capsys.readouterr().out.startswith(f"a.bag:\nnot finished: {reason}\n\nb.bag:\n")
