@@ -20,6 +20,8 @@ from pages import Pages, navigation
 
 PROJECT = Path(__file__).resolve().parents[2]
 SETTINGS = Path(__file__).with_name("mkdocs.yml")
+EXTRAS = {"site.css": "assets/site.css", "search-from-disk.js": "assets/iframe-worker.js"}
+"""Files beside this one, and their places in the site."""
 LEADS = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Documentation</title>
 <meta http-equiv="refresh" content="0; url={version}/index.html"></head>
@@ -65,7 +67,9 @@ def build(out: Path) -> Path:
     work = PROJECT / "build" / "website" if out == PROJECT / "build" / "site" else out / ".work"
     pages = Pages(PROJECT, work / "pages")
     pages.write()
-    shutil.copyfile(Path(__file__).with_name("site.css"), work / "pages" / "site.css")
+    for name, place in EXTRAS.items():
+        (work / "pages" / place).parent.mkdir(exist_ok=True)
+        shutil.copyfile(Path(__file__).with_name(name), work / "pages" / place)
     version = version_of(PROJECT)
     subprocess.run(
         [
