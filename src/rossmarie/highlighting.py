@@ -14,7 +14,7 @@ from pygments.lexer import RegexLexer, bygroups, words
 from pygments.token import Comment, Keyword, Name, Number, Operator, Punctuation, String, Whitespace
 
 import rossmarie.syntax
-from rossmarie.syntax.words import OPERATOR_WORDS, RESERVED
+from rossmarie.syntax.words import RESERVED
 
 GRAMMAR = Path(rossmarie.syntax.__file__).with_name("ross.lark")
 CONSTANTS = frozenset({"true", "false", "unknown"})
@@ -72,7 +72,6 @@ class RossLexer(RegexLexer):
                 bygroups(Keyword.Declaration, Whitespace, Name.Entity),
             ),
             (words(sorted(CONSTANTS), prefix=r"\b", suffix=r"\b"), Keyword.Constant),
-            (words(sorted(OPERATOR_WORDS), prefix=r"\b", suffix=r"\b"), Operator.Word),
             (words(sorted((RESERVED - CONSTANTS) | _ENDINGS), prefix=r"\b", suffix=r"\b"), Keyword),
             (words(_FREE, prefix=r"\b", suffix=_NO_NAME), Keyword),
             (rf"{_NAME}(?=\()", Name.Function),

@@ -22,6 +22,13 @@ TOP = {
     "CONTRIBUTING.md": "project/contributing.md",
 }
 """Pages that get another name in the site."""
+SETTINGS = {
+    "README.md": "hide:\n  - navigation\n",
+    "docs/reference/cheat-sheet.md": "hide:\n  - navigation\n  - toc\nsearch:\n  boost: 2\n",
+    "docs/reference/ezskiros-cheat-sheet.md": "hide:\n  - navigation\n  - toc\n",
+    "docs/reference/language.md": "search:\n  boost: 4\n",
+}
+"""What the generator is told about single pages: menus that they do without, their rank in a search."""
 CODES = re.compile(r"src/\w+/catalog/pages/(\w+\.md)")
 IMAGES = frozenset({".csv", ".gif", ".jpg", ".png", ".svg", ".webp"})
 LANGUAGES = {".py": "python", ".ross": "ross", ".sh": "bash", ".toml": "toml", ".ttl": "turtle"}
@@ -91,7 +98,9 @@ class Pages:
             self.titles[place] = title(text)
             return
         self.titles[place] = title(text)
-        written.write_text(to_site(text, lambda target: self._target(source, target)), "utf-8")
+        settings = f"---\n{SETTINGS[source]}---\n\n" if source in SETTINGS else ""
+        text = to_site(text, lambda target: self._target(source, target))
+        written.write_text(settings + text, encoding="utf-8")
 
     def _listing(self, source: str) -> str:
         """A page with the pages and files of a folder."""
