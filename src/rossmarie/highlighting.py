@@ -41,7 +41,7 @@ _ANY_WORD = words(_WORDS, suffix=r"\b").get()
 _FREE = sorted(keywords() - RESERVED - _ENDINGS - CONSTANTS)
 _UNITS = rf"(?!{_ANY_WORD}){_UNIT}(?:[.*/]{_UNIT})*"
 # A word that is free as a name is a keyword where a value or another name follows.
-_NO_NAME = r"\b(?!\(|\s*[;.,:={}\])]|\s+(?:and|else|or|over|then|unless)\b)"
+_NO_NAME = r"\b(?!\(|\s*[;.,:=}\])]|\s+(?:and|else|or|over|then|unless)\b)"
 
 
 class RossLexer(RegexLexer):
@@ -57,6 +57,7 @@ class RossLexer(RegexLexer):
             (r"//[^\r\n]*", Comment.Single),
             (r"'''(?s:.*?)'''", String.Doc),
             (r'"[^"\r\n]*"', String),
+            (r"([0-9]+)([ \t]+)(times)\b", bygroups(Number, Whitespace, Keyword)),
             (
                 rf"([0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?)([ \t]*)({_UNITS})",
                 bygroups(Number, Whitespace, Keyword.Type),
@@ -76,7 +77,7 @@ class RossLexer(RegexLexer):
             (words(_FREE, prefix=r"\b", suffix=_NO_NAME), Keyword),
             (rf"{_NAME}(?=\()", Name.Function),
             (_NAME, Name),
-            (r"\.\.|[=!<>]=|[-+*/<>=]", Operator),
+            (r"\.\.|[=!<>]=|[-+*/<>=^%°]", Operator),
             (r"[{}()\[\],;:.]", Punctuation),
         ]
     }

@@ -1,8 +1,8 @@
 """Pages of GitHub's Markdown in the dialect of Python-Markdown, which the site's generator reads.
 
-The two dialects differ in four respects that our pages need. Python-Markdown wants four spaces for
-each level of a list, a blank line before a list or a table, the name of a file as an option of a
-fence, and no line break within a link's address.
+The two dialects differ in three respects that our pages need. Python-Markdown wants four spaces for
+each level of a list, a blank line before a list or a table, and the name of a file as an option of
+a fence. The addresses of links change as well, since pages lie elsewhere in the site.
 """
 
 from __future__ import annotations
@@ -18,7 +18,9 @@ _FENCE = re.compile(r"(?P<fence>`{3,})(?P<language>[\w+-]+) +(?P<name>[\w./-]+)\
 _ITEM = re.compile(r"(?P<indent>\s*)(?P<marker>[-*+]|\d+[.)])(?P<gap>\s+|$)")
 _LINK = re.compile(r"(?P<start>!?\[(?:[^\[\]]|\[[^\[\]]*\])*\]\()(?P<target>[^()\s]+)(?P<end>\))")
 _DEFINITION = re.compile(r"^(?P<start>\[[^\]]+\]:\s*)(?P<target>\S+)(?P<end>)", re.MULTILINE)
-_SOURCE = re.compile(r'(?P<start><(?:img|source|a)\b[^>]*?(?:src|href)=")(?P<target>[^"]+)(?P<end>")')
+_SOURCE = re.compile(
+    r'(?P<start><(?:img|source|a)\b[^>]*?(?:src|href)=")(?P<target>[^"]+)(?P<end>")'
+)
 _CODE = re.compile(r"(?P<ticks>`+)(?!`).+?(?<!`)(?P=ticks)(?!`)", re.DOTALL)
 _OPENS = {"bullet_list_open", "ordered_list_open", "table_open", "blockquote_open"}
 
@@ -39,11 +41,11 @@ def title(text: str) -> str:
 
 
 def _lines_of_code(tokens: list[Token]) -> set[int]:
-    """The numbers of the lines, from 0, in blocks of code without their fences."""
+    """The numbers of the lines, from 0, in blocks of code; the line that opens a fence is none."""
     found: set[int] = set()
     for token in tokens:
         if token.type == "fence" and token.map:
-            found.update(range(token.map[0] + 1, token.map[1] - 1))
+            found.update(range(token.map[0] + 1, token.map[1]))
         elif token.type == "code_block" and token.map:
             found.update(range(*token.map))
     return found
@@ -59,7 +61,7 @@ def _reindent(lines: list[str], tokens: list[Token], code: set[int]) -> list[str
         first, end = token.map
         item = _ITEM.match(lines[first][old[first] :])
         assert item is not None, lines[first]
-        width = old[first] + item.end() if item["gap"].strip("\n") else old[first] + item.end()
+        width = old[first] + item.end()
         level = new[first]
         old[first] += len(item["indent"])
         for number in range(first + 1, end):
