@@ -44,7 +44,7 @@ _UNITS = rf"(?!{_ANY_WORD}){_UNIT}(?:[.*/]{_UNIT})*"
 _NO_NAME = r"\b(?!\(|\s*[;.,:=}\])]|\s+(?:and|else|or|over|then|unless)\b)"
 
 
-class RossLexer(RegexLexer):
+class RossLexer(RegexLexer):  # type: ignore[misc] # Pygments has no types
     """The lexer of `.ross` files. It decides by near neighbours whether a word is a keyword."""
 
     name = "ROSSMARie"

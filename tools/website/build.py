@@ -15,13 +15,14 @@ import subprocess
 import sys
 from pathlib import Path
 
-from packaging.version import InvalidVersion, Version
+from packaging.version import Version
 from pages import Pages, navigation
 
 PROJECT = Path(__file__).resolve().parents[2]
 SETTINGS = Path(__file__).with_name("mkdocs.yml")
 EXTRAS = {"site.css": "assets/site.css", "search-from-disk.js": "assets/iframe-worker.js"}
 """Files beside this one, and their places in the site."""
+VERSION = re.compile(r"\d+\.\d+")
 LEADS = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Documentation</title>
 <meta http-equiv="refresh" content="0; url={version}/index.html"></head>
@@ -40,13 +41,8 @@ def version_of(project: Path) -> str:
 
 def versions_in(folder: Path) -> list[str]:
     """The versions that a folder of sites has, the newest first."""
-    found = []
-    for path in folder.iterdir():
-        try:
-            found.append((Version(path.name), path.name))
-        except InvalidVersion:
-            continue
-    return [name for _, name in sorted(found, reverse=True)]
+    names = [path.name for path in folder.iterdir() if VERSION.fullmatch(path.name)]
+    return sorted(names, key=Version, reverse=True)
 
 
 def write_settings(work: Path, pages: Pages) -> Path:
@@ -95,10 +91,10 @@ def main() -> int:
     try:
         first = build(out)
     except subprocess.CalledProcessError:
-        print("the site was not built: mkdocs has told why", file=sys.stderr)
+        sys.stderr.write("the site was not built: mkdocs has told why\n")
         return 1
-    print(f"the site:  open {first} in a browser, or serve it:")
-    print(f"           {Path(sys.executable).name} -m http.server --directory {out}")
+    server = f"{Path(sys.executable).name} -m http.server --directory {out}"
+    sys.stdout.write(f"the site:  open {first} in a browser, or serve it:\n           {server}\n")
     return 0
 
 

@@ -28,7 +28,7 @@ SETTINGS = {
     "docs/reference/ezskiros-cheat-sheet.md": "hide:\n  - navigation\n  - toc\n",
     "docs/reference/language.md": "search:\n  boost: 4\n",
 }
-"""What the generator is told about single pages: menus that they do without, their rank in a search."""
+"""Settings of single pages: the menus that they do without, and their rank in a search."""
 CODES = re.compile(r"src/\w+/catalog/pages/(\w+\.md)")
 IMAGES = frozenset({".csv", ".gif", ".jpg", ".png", ".svg", ".webp"})
 LANGUAGES = {".py": "python", ".ross": "ross", ".sh": "bash", ".toml": "toml", ".ttl": "turtle"}
