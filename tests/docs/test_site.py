@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.highlighting import keywords
-from support.browser import document_of, needs_browser
+from support.browser import document_of, needs_browser, printed_sheets
 from support.parts import SITE, needs
 from support.site import PROGRAMS, PROJECT, broken, program, read
 
@@ -116,6 +116,32 @@ def test_versions_stand_newest_first(tmp_path: Path) -> None:
     for name in ("0.9", "0.10", "1.0", ".work", "images"):
         (tmp_path / name).mkdir()
     assert program("build").versions_in(tmp_path) == ["1.0", "0.10", "0.9"]
+
+
+def test_a_link_to_no_anchor_ends_the_build(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    project = tmp_path / "project"
+    for name in ("README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md"):
+        (project / "docs" / "decisions").mkdir(parents=True, exist_ok=True)
+        (project / name).write_text("# One\n", encoding="utf-8")
+    for name in ("gallery.md", "experiments.md", "learning.md", "decisions/index.md"):
+        (project / "docs" / name).write_text("# One\n", encoding="utf-8")
+    (project / "docs" / "README.md").write_text("[a](gallery.md#two)\n", encoding="utf-8")
+    (project / "pyproject.toml").write_text('version = "2.3.4"\n', encoding="utf-8")
+    build = program("build")
+    monkeypatch.setattr(build, "PROJECT", project)
+    with pytest.raises(SystemExit, match="does not contain an anchor '#two'"):
+        build.build(tmp_path / "out")
+    (project / "docs" / "README.md").write_text("[a](gallery.md#one)\n", encoding="utf-8")
+    assert build.build(tmp_path / "out").is_file()
+    assert build.versions_in(tmp_path / "out") == ["2.3"]
+
+
+@needs_browser
+@pytest.mark.parametrize("name", ["cheat-sheet", "ezskiros-cheat-sheet"])
+def test_a_cheat_sheet_prints_on_two_sheets(built: Path, name: str) -> None:
+    assert printed_sheets(built / "reference" / f"{name}.html") <= 2
 
 
 @needs_browser

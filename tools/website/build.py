@@ -58,7 +58,7 @@ def write_settings(work: Path, pages: Pages) -> Path:
 def build(out: Path) -> Path:
     """Build the site of this version into a folder of sites; give the first page.
 
-    Raises `CalledProcessError` where the generator finds a broken link or another fault.
+    Ends the program where the generator finds a broken link or another fault.
     """
     work = PROJECT / "build" / "website" if out == PROJECT / "build" / "site" else out / ".work"
     pages = Pages(PROJECT, work / "pages")
@@ -67,14 +67,19 @@ def build(out: Path) -> Path:
         (work / "pages" / place).parent.mkdir(exist_ok=True)
         shutil.copyfile(Path(__file__).with_name(name), work / "pages" / place)
     version = version_of(PROJECT)
-    subprocess.run(
+    # Not `--quiet`: then the generator does not count what is strict.
+    done = subprocess.run(
         [
-            *(sys.executable, "-m", "mkdocs", "build", "--strict", "--clean", "--quiet"),
+            *(sys.executable, "-m", "mkdocs", "build", "--strict", "--clean"),
             *("--config-file", write_settings(work, pages), "--site-dir", out / version),
         ],
-        check=True,
+        stderr=subprocess.PIPE,
+        text=True,
+        check=False,
         env={**os.environ, "NO_MKDOCS_2_WARNING": "1"},
     )
+    if done.returncode:
+        sys.exit(f"{done.stderr}\nthe site was not built")
     names = versions_in(out)
     offered = [{"version": name, "title": name, "aliases": []} for name in names]
     (out / "versions.json").write_text(json.dumps(offered), encoding="utf-8")
@@ -82,21 +87,16 @@ def build(out: Path) -> Path:
     return out / "index.html"
 
 
-def main() -> int:
+def main() -> None:
     """Build the site, and tell where it is."""
     parser = argparse.ArgumentParser(description="Build the documentation site.")
     parser.add_argument("--out", type=Path, default=PROJECT / "build" / "site")
     out = parser.parse_args().out.resolve()
     out.mkdir(parents=True, exist_ok=True)
-    try:
-        first = build(out)
-    except subprocess.CalledProcessError:
-        sys.stderr.write("the site was not built: mkdocs has told why\n")
-        return 1
+    first = build(out)
     server = f"{Path(sys.executable).name} -m http.server --directory {out}"
     sys.stdout.write(f"the site:  open {first} in a browser, or serve it:\n           {server}\n")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()
