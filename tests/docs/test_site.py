@@ -45,6 +45,7 @@ def test_each_page_of_the_project_is_in_the_site(built: Path) -> None:
             assert str(path.relative_to(PROJECT / "docs").with_suffix(".html")) in found
     for path in PROJECT.glob("src/*/catalog/pages/*.md"):
         assert f"diagnostics/{path.stem}.html" in found
+    assert "../reference/ezskiros-diagnostics.html" in read(built / "diagnostics/EZS401.html").links
     assert {"index.html", "contents.html", "project/architecture.html"} <= found
 
 

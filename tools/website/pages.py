@@ -29,7 +29,13 @@ SETTINGS = {
     "docs/reference/language.md": "search:\n  boost: 4\n",
 }
 """Settings of single pages: the menus that they do without, and their rank in a search."""
-CODES = re.compile(r"src/\w+/catalog/pages/(\w+\.md)")
+CODES = re.compile(r"src/(\w+)/catalog/pages/(\w+\.md)")
+TABLES = {
+    "crosscheck": "docs/reference/crosscheck.md",
+    "ezskiros": "docs/reference/ezskiros-diagnostics.md",
+    "rossmarie": "docs/reference/diagnostics.md",
+}
+"""The page with all diagnostics of a program."""
 IMAGES = frozenset({".csv", ".gif", ".jpg", ".png", ".svg", ".webp"})
 LANGUAGES = {".py": "python", ".ross": "ross", ".sh": "bash", ".toml": "toml", ".ttl": "turtle"}
 FENCE = "`" * 6
@@ -72,7 +78,7 @@ class Pages:
         if source in TOP:
             return TOP[source]
         if code := CODES.fullmatch(source):
-            return f"diagnostics/{code[1]}"
+            return f"diagnostics/{code[2]}"
         inside = source.removeprefix("docs/") if source.startswith("docs/") else f"files/{source}"
         if (self._project / source).is_dir():
             return f"{inside}/index.md"
@@ -91,6 +97,8 @@ class Pages:
             text = self._listing(source)
         elif path.suffix == ".md":
             text = path.read_text(encoding="utf-8")
+            if code := CODES.fullmatch(source):
+                text += f"\n[All diagnostics of `{code[1]}`](../../../../{TABLES[code[1]]})\n"
         else:
             code = path.read_text(encoding="utf-8").rstrip("\n")
             text = f"# {source}\n\n{FENCE}{LANGUAGES.get(path.suffix, 'text')}\n{code}\n{FENCE}\n"
