@@ -9,7 +9,7 @@ HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 # Python keeps what it has compiled: tests start hundreds of programs, and each worker reads all tests.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help demo evaluate study test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
+.PHONY: help demo evaluate study site test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
 
 help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot,"
@@ -17,6 +17,7 @@ help:
 	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was;"
 	@echo "               and films of them -> docs/gallery.md"
 	@echo "make study   all trainings on 10 seeds -> docs/learning.md; goes on where it was; some hours"
+	@echo "make site    the documentation site -> build/site"
 	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
@@ -90,6 +91,10 @@ study: $(READY) compiler
 	$(RUN)/heron learn tree --seeds 10 --out docs
 	$(RUN)/heron learn moves --arm unguarded --arm guard --arm guard_feedback --seeds 10 --out docs
 	$(RUN)/heron learn steps --algorithm sac --arm unguarded --arm guard --seeds 10 --out docs
+
+# The tests build the site too, strictly, and follow its links.
+site: $(READY)
+	@$(RUN)/python tools/website/build.py
 
 # Live tests mostly wait, so there are more workers than processors. A worker takes whole files, in
 # the order of tests/support/order.py.

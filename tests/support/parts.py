@@ -75,6 +75,10 @@ def _python() -> str | None:
     return f"this is Python {version}" if sys.version_info < (3, 11) else None
 
 
+def _generator() -> str | None:
+    return None if find_spec("material") else _python() or "mkdocs-material is not installed"
+
+
 def _mujoco() -> str | None:
     return None if find_spec("mujoco") else _python() or "not installed"
 
@@ -256,6 +260,7 @@ EGL = Part("EGL", _egl, "make drawing")
 PYTHON_3_11 = Part("Python 3.11", _python, _NEWER_PYTHON)
 MUJOCO = Part("MuJoCo", _mujoco, _NEWER_PYTHON)
 LEARNERS = Part("learners", _learners, "make .venv/.ready")
+SITE = Part("the generator of the site", _generator, _NEWER_PYTHON)
 RAY = Part("Ray", _ray, "EXTRAS=ray tools/setup.sh")
 PYRIGHT = Part("pyright", _pyright, "apt-get install nodejs")
 SKIROS2 = Part(
@@ -294,7 +299,7 @@ PARTS = (
         NAV2_MONITOR,
         SROS2,
     ),
-    *(ZSH, FISH, CHROMIUM, DISPLAY, EGL),
+    *(ZSH, FISH, CHROMIUM, DISPLAY, EGL, SITE),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP),
     *(PEERS, RTLOLA_IN_RUST),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),

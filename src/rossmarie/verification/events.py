@@ -50,7 +50,7 @@ class Events:
         yield "said->change == change"
         found = reported(self._layout.machine, self._rules[rule].condition)
         for place, term in enumerate(found.terms):
-            yield f"said->propositions[{place}] == {self._definitions.proposition(term)}"
+            yield f"said->truth_values[{place}] == {self._definitions.proposition(term)}"
             yield f"said->since_ns[{place}] == {self._definitions.since(term)}"
         for place, signal in enumerate(found.signals):
             yield f"spec_same(said->values[{place}], {self._definitions.number(signal)})"
