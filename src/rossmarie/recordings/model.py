@@ -70,8 +70,8 @@ class Rhythm:
 
 @dataclass(frozen=True)
 class Survey:
-    """The rhythm of each topic that was looked at, and the frames. `end_ns` is the stamp of the last
-    message that was read; `is_whole` if nothing was left unread for lack of time.
+    """The rhythm of each topic that was looked at, and the frames. `end_ns` is the stamp of the
+    last message that was read; `is_whole` if nothing was left unread for lack of time.
     """
 
     rhythms: Mapping[str, Rhythm] = field(default_factory=dict)

@@ -20,7 +20,7 @@ from rossmarie.recordings.stored import Connection, Packed
 _MOST_SAMPLES = 2000
 """Messages of a topic that are decoded."""
 
-_FAILURES = (*DECODE_FAILURES, AttributeError)
+_FAILURES: tuple[type[Exception], ...] = (*DECODE_FAILURES, AttributeError)
 
 
 @dataclass

@@ -43,16 +43,17 @@ class Joints:
         }
 
     def fields(self, name: str) -> Mapping[str, str]:
-        """An input for each field with numbers."""
-        filled = self.largest or {}
-        return {f"{name}_{each}": f".{each} in {_UNITS[each]}" for each in filled} or {name: ""}
+        """An input for the positions, and for each field with numbers other than zero."""
+        filled = [each for each, most in (self.largest or {}).items() if most or each == "position"]
+        inputs = {f"{name}_{each}": f".{each} in {_UNITS[each]}" for each in filled}
+        return inputs or {f"{name}_state": ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
         """Fast and loaded joints; where the joints of an arm can be told by their names, those of
         the library.
         """
         commands, filled = robot.commands, self.largest or {}
-        if "velocity" in filled:
+        if filled.get("velocity"):
             limit = rounded_up(max(filled["velocity"] * _ROOM, 0.1))
             yield Proposal(
                 f"The fastest joint in the recording: {plain(filled['velocity'])} rad/s.",
@@ -60,7 +61,7 @@ class Joints:
                 f" if any(abs({watched.name}_velocity) > {plain(limit)} rad/s) for 0.05 sec"
                 f" then {{ {commands.stop}; }} clear for 1 sec;",
             )
-        if "effort" in filled:
+        if filled.get("effort"):
             limit = rounded_up(max(filled["effort"] * _ROOM, 1.0))
             yield Proposal(
                 f"The largest torque in the recording: {plain(filled['effort'])} Nm. Some drivers"

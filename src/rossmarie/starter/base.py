@@ -11,8 +11,9 @@ from rossmarie.starter.robot import Proposal, Robot, Watched
 
 _ROOM = 1.2
 """A limit is so much above what was normal in the recording."""
-_UPRIGHT_DEG = 60
-"""An IMU that is tilted farther is mounted otherwise than the base stands."""
+_UPRIGHT_DEG = 30
+"""An IMU that begins tilted farther is mounted otherwise than the base stands."""
+_LEAST_TILT_DEG, _MOST_TILT_DEG = 15, 30
 _LATEST_SCAN_S = 0.5
 _MOST_BEAMS = 4096
 _FULL_TURN_DEG = 359
@@ -71,6 +72,7 @@ class Inertia:
 
     def __init__(self) -> None:
         self.tilt, self.turn = 0.0, 0.0
+        self.first_tilt: float | None = None
         self.has_orientation = True
 
     def see(self, message: Any) -> None:
@@ -88,7 +90,9 @@ class Inertia:
         x, y, z, w = (each / length for each in (q.x, q.y, q.z, q.w))
         pitch = math.asin(max(-1.0, min(1.0, 2 * (w * y - z * x))))
         roll = math.atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y))
-        self.tilt = max(self.tilt, math.degrees(abs(pitch)), math.degrees(abs(roll)))
+        tilt = math.degrees(max(abs(pitch), abs(roll)))
+        self.tilt = max(self.tilt, tilt)
+        self.first_tilt = tilt if self.first_tilt is None else self.first_tilt
 
     def fields(self, name: str) -> Mapping[str, str]:
         """The whole message."""
@@ -97,8 +101,9 @@ class Inertia:
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
         """Tilt, where the IMU knows it; turning, where not."""
         commands, name = robot.commands, watched.name
-        if not self.has_orientation or self.tilt > _UPRIGHT_DEG:
-            reason = f"is tilted by {self.tilt:.0f} deg, so it may be mounted turned"
+        first = self.first_tilt or 0.0
+        if not self.has_orientation or first > _UPRIGHT_DEG:
+            reason = f"begins tilted by {first:.0f} deg, so it may be mounted turned"
             if not self.has_orientation:
                 reason = "tells no orientation"
             limit = rounded_up(max(self.turn * _ROOM, 0.5))
@@ -108,7 +113,7 @@ class Inertia:
                 f" {plain(limit)} rad/s for 0.1 sec then {{ {commands.stop}; }} clear for 1 sec;",
             )
             return
-        limit = max(15, math.ceil(self.tilt * _ROOM))
+        limit = min(max(_LEAST_TILT_DEG, math.ceil(self.tilt * _ROOM)), _MOST_TILT_DEG)
         yield Proposal(
             f"The steepest in the recording: {plain(self.tilt)} deg.",
             f"rule {robot.rule(watched, 'tilted')}:"
@@ -153,12 +158,12 @@ class Scan:
         if self.sector is None:
             return
         (right, left), commands = self.sector, robot.commands
-        is_seen = math.isfinite(self.nearest)
         limit = rounded_down(min(max(self.nearest * 0.8, 0.1), 0.5))
-        nearest = f"{plain(self.nearest)} m" if is_seen else "nothing"
+        nearest = "The recording has nothing in reach."
+        if math.isfinite(self.nearest):
+            nearest = f"The nearest in the recording: {plain(self.nearest)} m."
         yield Proposal(
-            f"The nearest in the recording: {nearest}. The sector is by the angles of the scanner;"
-            " 0 deg is where it looks.",
+            f"{nearest} The sector is by the angles of the scanner; 0 deg is where it looks.",
             f"rule {robot.rule(watched, 'near')}:"
             f" if min({watched.name}.ranges[{right} deg .. {left} deg]) < {plain(limit)} m"
             f" then {{ {commands.stop}; }} clear for 0.5 sec;",

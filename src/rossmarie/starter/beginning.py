@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from rossmarie.recordings import Recording, RecordingError, Topic, write_model
 from rossmarie.recordings.errors import at_file
 from rossmarie.recordings.matching import listed
-from rossmarie.recordings.model import Survey
+from rossmarie.recordings.model import Observe, Survey
 from rossmarie.recordings.system_model import can_be_declared
 from rossmarie.starter.commands import (
     Wanted,
@@ -55,7 +55,8 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
     ]
     kinds = {each.name: KINDS[each.message_type or ""]() for each in _known(topics)}
     wanted = {each.name: Wanted() for each in topics if are_commands(each)}
-    observers = {name: each.see for name, each in {**kinds, **wanted}.items()}
+    observers: dict[str, Observe] = {name: each.see for name, each in kinds.items()}
+    observers |= {name: each.see for name, each in wanted.items()}
     survey = recording.survey(observers, seconds)
     model = write_model(recording, definitions, survey.frames)  # raises for a table, without types
     names = Names()
@@ -96,15 +97,14 @@ def _known(topics: Sequence[Topic]) -> Iterator[Topic]:
 def _watched(
     topics: Sequence[Topic], kinds: Mapping[str, Kind], survey: Survey, names: Names
 ) -> Iterator[Watched]:
-    words = [kind.word for kind in kinds.values()]
     types = {each.name: each.message_type or "" for each in topics}
     for recorded, kind in kinds.items():
         rhythm = survey.rhythms.get(recorded)
         if rhythm is None or rhythm.count < 2:
             continue
         topic = _absolute(recorded)
-        others = [word for word in words if word == kind.word][1:]
-        name = names.take(name_of(topic, kind.word, others))
+        alike = [_absolute(name) for name, each in kinds.items() if each.word == kind.word]
+        name = names.take(name_of(topic, kind.word, alike))
         yield Watched(
             topic,
             recorded,

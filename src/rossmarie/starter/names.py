@@ -14,6 +14,9 @@ _TAKEN = frozenset(
 )
 """The names of actions of the library, and of an element in a rule that is proposed."""
 
+_SHORTEST = 3
+"""The letters of an abbreviation."""
+
 
 class Names:
     """Hands out each name once."""
@@ -31,11 +34,22 @@ class Names:
         return name
 
 
-def name_of(topic: str, word: str, others: Collection[str]) -> str:
-    """A name for the messages on a topic: the word for their kind, if no other topic has messages
-    of that kind, else with the other parts of the topic: `imu_front` for `/front/imu/data`.
+def name_of(topic: str, word: str, alike: Collection[str]) -> str:
+    """A name for the messages on a topic, one of those `alike` that have messages of one kind: the
+    word for that kind, and the parts of the topic that tell it from the others: `imu_front` for
+    `/front/imu/data` beside `/rear/imu/data`.
     """
-    if not others:
+    if len(alike) == 1:
         return word
-    parts = [part for part in topic.split("/") if part not in ("", "data", word)]
-    return re.sub(r"\W+", "_", "_".join([word, *parts]), flags=re.ASCII)
+    shared = set(_words(topic)).intersection(*map(_words, alike))
+    own = [each for each in _words(topic) if each not in shared and not _means(each, word)]
+    return "_".join([word, *own])
+
+
+def _words(topic: str) -> list[str]:
+    return [each for each in re.split(r"[/_]+", topic) if each]
+
+
+def _means(part: str, word: str) -> bool:
+    """Say whether a part of a topic says what the word says, as `odom` of `odometry`."""
+    return part == "data" or (len(part) >= _SHORTEST and word.startswith(part))

@@ -11,6 +11,7 @@ FEWEST = 5
 SHORTEST_S = 0.05
 """The shortest timeout: an operating system without real time may pause for so long."""
 PERIODS = 3
+MOST_PERIODS = 5
 GAPS = 1.5
 _MOST_OUTLIERS = 0.02
 _STEPS = (1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8, 10)
@@ -18,8 +19,8 @@ _EXACT = 1e-9
 
 
 def rounded_up(number: float) -> float:
-    """The next of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 and 8 times a power of ten, at or above a positive
-    number.
+    """A number at or above a positive one: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6 or 8 times a power of
+    ten.
     """
     power = 10.0 ** math.floor(math.log10(number))
     step = next(each for each in _STEPS if each * power >= number * (1 - _EXACT))
@@ -49,10 +50,10 @@ def timeout_s(rhythm: Rhythm) -> float:
     """The timeout in seconds for a topic of this rhythm.
 
     It is three periods, or one and a half times the longest gap, whichever is longer; of a steady
-    topic ten periods at most, so that a pause of the sensor in the recording is seen as one.
+    topic five periods at most, so that a pause of the sensor in the recording is seen as one.
     """
     period, longest = rhythm.median_ns / 1e9, rhythm.longest_ns / 1e9
     wanted = max(PERIODS * period, GAPS * longest, SHORTEST_S)
     if is_steady(rhythm):
-        wanted = min(wanted, max(Rhythm.OUTLIER * period, SHORTEST_S))
+        wanted = min(wanted, max(MOST_PERIODS * period, SHORTEST_S))
     return rounded_up(wanted)

@@ -8,7 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from rossmarie.driver.formatting import format_text
-from rossmarie.starter.numbers import GAPS, PERIODS, SHORTEST_S, plain, rounded_down
+from rossmarie.starter.numbers import GAPS, MOST_PERIODS, PERIODS, SHORTEST_S, plain, rounded_down
 from rossmarie.starter.robot import Proposal, Robot, Watched
 
 _WIDTH = 100
@@ -46,18 +46,14 @@ def write_rules(source: Source, robot: Robot, proposals: Mapping[str, Sequence[P
 def _opening(source: Source) -> str:
     begun = f"First rules for a robot, begun by `rossmarie init` from {source.name}"
     begun += f", of which {source.part} were read." if source.part else "."
-    return "\n//\n".join(
-        map(
-            _prose,
-            (
-                f"{begun} Nothing here is certified.",
-                "Lines that begin with `//` and no space behind it are proposals. Delete the `//` in"
-                " front of a proposal to use it, and set its numbers to those of your robot.",
-                f"A timeout is {PERIODS} periods of the topic or {GAPS:g} times its longest gap,"
-                f" whichever is longer; at least {SHORTEST_S:g} s, and at most ten periods.",
-            ),
-        )
+    paragraphs = (
+        f"{begun} Nothing here is certified.",
+        "Lines that begin with `//` and no space behind it are proposals. Delete the `//` in front"
+        " of a proposal to use it, and set its numbers to those of your robot.",
+        f"A timeout is {PERIODS} periods of the topic or {GAPS:g} times its longest gap, whichever"
+        f" is longer; at least {SHORTEST_S:g} s, and at most {MOST_PERIODS} periods, rounded up.",
     )
+    return "\n//\n".join(map(_prose, paragraphs))
 
 
 def _inputs(steady: Sequence[Watched], silent: str) -> Iterator[str]:
