@@ -53,13 +53,12 @@ class Odometry:
         others = [each for each in robot.of_word(self.word) if each is not watched]
         filtered = [each for each in others if "filtered" in each.topic]
         if filtered and robot.commands.is_twist:
-            commands = robot.commands.topic
-            folder, _, last = commands.rpartition("/")
+            commands, entry = robot.commands.topic, robot.commands.entry
             yield Proposal(
                 "Wheels that turn while the body stands, and the other way round. The planner's"
-                f" commands enter the filter as {folder}/unfil_{last}, which is not recorded: give"
-                f" `replay` --topic-map {folder}/unfil_{last}={commands}.",
-                f'import "rossmarie/base/stall.ross" with unfiltered = {folder}/unfil_{last},'
+                f" commands enter the filter as {entry}, which is not recorded: give"
+                f" `replay` --topic-map {entry}={commands}.",
+                f'import "rossmarie/base/stall.ross" with unfiltered = {entry},'
                 f" odometry = {watched.topic}, localization = {filtered[0].topic},"
                 f" cmd_vel = {commands} as {robot.rule(watched, 'drive')};",
             )

@@ -19,7 +19,7 @@ from rossmarie.starter.commands import (
     proposal,
 )
 from rossmarie.starter.errors import NothingToWatch
-from rossmarie.starter.kinds import ARM, KINDS
+from rossmarie.starter.kinds import ARM, KINDS, OWN
 from rossmarie.starter.names import Names, name_of
 from rossmarie.starter.numbers import FEWEST, is_steady, timeout_s
 from rossmarie.starter.robot import Commands, Kind, Proposal, Robot, Watched
@@ -68,9 +68,11 @@ def begin(recording: Recording, seconds: float = READING_S) -> Beginning:
     proposals: dict[str, list[Proposal]] = {
         each.topic: list(each.kind.proposals(each, robot)) for each in watched
     }
-    if recorded is not None:
+    types = {_absolute(each.name): each.message_type for each in topics}
+    if recorded is not None and _is_free(commands, types):
         proposals[commands.topic] = [proposal(robot, wanted, recorded)]
-    source = Source(recording.path.name, _unread(recording, survey))
+    has_own = any(_absolute(each.name) == OWN for each in topics)
+    source = Source(recording.path.name, _unread(recording, survey), OWN if has_own else None)
     return Beginning(
         model,
         definitions,
@@ -86,7 +88,7 @@ def _known(topics: Sequence[Topic]) -> Iterator[Topic]:
     the same, the first counts.
     """
     order = list(KINDS)
-    found = [each for each in topics if each.message_type in KINDS]
+    found = [each for each in topics if each.message_type in KINDS and _absolute(each.name) != OWN]
     seen: set[str] = set()
     for each in sorted(found, key=lambda each: (order.index(each.message_type or ""), each.name)):
         if _absolute(each.name) not in seen:
@@ -122,9 +124,15 @@ def _commands(topics: Sequence[Topic], watched: Sequence[Watched]) -> tuple[Comm
     found = [each for each in topics if are_commands(each)]
     topic = chosen(found)
     if topic is None:
-        return commands_of_nobody({each.kind.word for each in watched} <= ARM), None
+        is_arm = {each.kind.word for each in watched} <= ARM
+        return commands_of_nobody(is_arm, {_absolute(each.name) for each in topics}), None
     others = [_absolute(each.name) for each in found if each is not topic]
     return commands_on(_absolute(topic.name), topic.message_type or "", others), topic.name
+
+
+def _is_free(commands: Commands, types: Mapping[str, str | None]) -> bool:
+    """Say whether no message of another type is on the topic on which commands enter the filter."""
+    return types.get(commands.entry, commands.message_type) == commands.message_type
 
 
 def _absolute(topic: str) -> str:

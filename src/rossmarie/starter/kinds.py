@@ -22,5 +22,8 @@ KINDS: Mapping[str, Callable[[], Kind]] = {
 }
 """For each type what takes in its messages, in the order in which rules are written."""
 
+OWN = "/diagnostics"
+"""The topic on which the node of the rules speaks, too: its silence tells nothing (ROSS256)."""
+
 ARM = frozenset({"joints", "wrench"})
 """The words for the kinds of messages that an arm without a base has."""

@@ -9,6 +9,9 @@ from typing import Any, Protocol
 from rossmarie.recordings.model import Rhythm
 from rossmarie.starter.names import Names
 
+UNFILTERED = "unfil_"
+"""In front of the name of a topic: that on which commands enter its filter."""
+
 
 @dataclass(frozen=True)
 class Proposal:
@@ -37,6 +40,12 @@ class Commands:
     def is_twist(self) -> bool:
         """Say whether rules of the library for a base fit."""
         return self.message_type == "geometry_msgs/Twist"
+
+    @property
+    def entry(self) -> str:
+        """The topic on which commands enter the filter of the rules."""
+        folder, _, last = self.topic.rpartition("/")
+        return f"{folder}/{UNFILTERED}{last}"
 
     @property
     def field(self) -> str:

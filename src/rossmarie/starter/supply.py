@@ -9,7 +9,6 @@ from typing import Any
 from rossmarie.starter.numbers import plain, rounded_down
 from rossmarie.starter.robot import Proposal, Robot, Watched
 
-_OWN_DIAGNOSTICS = "/diagnostics"
 _FEWEST_STATUSES = 16
 
 
@@ -124,9 +123,8 @@ class Diagnostics:
             f"rule {robot.rule(watched, 'defective')}: if any(part in {watched.name}:"
             f" part.level == DiagnosticStatus.ERROR) then {{ {commands.slow}; }} clear for 2 sec;",
         )
-        if watched.topic != _OWN_DIAGNOSTICS:  # on which the node of the rules speaks, too
-            yield Proposal(
-                "Parts that are defective, or silent.",
-                f'import "rossmarie/health/diagnostics.ross" with diagnostics = {watched.topic},'
-                f" commands = {commands.topic} as {robot.rule(watched, 'parts')};",
-            )
+        yield Proposal(
+            "Parts that are defective, or silent.",
+            f'import "rossmarie/health/diagnostics.ross" with diagnostics = {watched.topic},'
+            f" commands = {commands.topic} as {robot.rule(watched, 'parts')};",
+        )

@@ -13,15 +13,22 @@ from rossmarie.starter.robot import Proposal, Robot, Watched
 
 _WIDTH = 100
 _CLEAR_S = 1
+_SHARED = (
+    "No input reads {topic}, because the node of these rules speaks there, too. Let the drivers of"
+    " the hardware publish on a topic of their own, such as /hardware/diagnostics."
+)
 _JOINT = "\N{WORD JOINER}"
 
 
 @dataclass(frozen=True)
 class Source:
-    """The file that rules are begun from; `part` is what was read of it, None if all."""
+    """The file that rules are begun from; `part` is what was read of it, None if all. `shared` is
+    a recorded topic on which the node of the rules speaks, too; None if there is none.
+    """
 
     name: str
     part: str | None
+    shared: str | None
 
 
 def write_rules(source: Source, robot: Robot, proposals: Mapping[str, Sequence[Proposal]]) -> str:
@@ -36,6 +43,8 @@ def write_rules(source: Source, robot: Robot, proposals: Mapping[str, Sequence[P
         "\n".join(_inputs(steady, silent)),
         _rule_of_silence(silent, steady, robot),
     ]
+    if source.shared is not None:
+        parts.append(_prose(_SHARED.format(topic=source.shared)))
     for each in robot.watched:
         parts += _proposed(each, proposals.get(each.topic, ()))
     parts += map(_comment, proposals.get(robot.commands.topic, ()))
@@ -48,8 +57,8 @@ def _opening(source: Source) -> str:
     begun += f", of which {source.part} were read." if source.part else "."
     paragraphs = (
         f"{begun} Nothing here is certified.",
-        "Lines that begin with `//` and no space behind it are proposals. Delete the `//` in front"
-        " of a proposal to use it, and set its numbers to those of your robot.",
+        "Proposals are comments without a space behind `//`, or with several. Delete the `//` in"
+        " front of each line of a proposal to use it, and set its numbers to those of your robot.",
         f"A timeout is {PERIODS} periods of the topic or {GAPS:g} times its longest gap, whichever"
         f" is longer; at least {SHORTEST_S:g} s, and at most {MOST_PERIODS} periods, rounded up.",
     )
@@ -59,7 +68,7 @@ def _opening(source: Source) -> str:
 def _inputs(steady: Sequence[Watched], silent: str) -> Iterator[str]:
     for each in steady:
         yield _prose(_rhythm(each, silent))
-        yield _declarations(each)[0]
+        yield _declarations(each)[_first_input(each)]
 
 
 def _rhythm(watched: Watched, silent: str | None) -> str:
@@ -73,13 +82,13 @@ def _rhythm(watched: Watched, silent: str | None) -> str:
     return text
 
 
-def _declarations(watched: Watched) -> list[str]:
-    """The inputs of a topic."""
-    return [
-        f"input {name} = topic {watched.topic} : {watched.message_type} {field}"
+def _declarations(watched: Watched) -> dict[str, str]:
+    """The inputs of a topic by their names."""
+    return {
+        name: f"input {name} = topic {watched.topic} : {watched.message_type} {field}"
         f" timeout {plain(watched.timeout)} sec;"
         for name, field in watched.kind.fields(watched.name).items()
-    ]
+    }
 
 
 def _first_input(watched: Watched) -> str:
@@ -98,7 +107,13 @@ def _rule_of_silence(silent: str, steady: Sequence[Watched], robot: Robot) -> st
 def _proposed(watched: Watched, proposals: Sequence[Proposal]) -> Iterator[str]:
     """Proposals about a topic, with the inputs that they need beside those that are there."""
     declared = _declarations(watched)
-    needed = declared[1:] if watched.is_steady else declared
+    code = "\n".join(each.code for each in proposals)
+    names = [name for name in declared if re.search(rf"\b{name}\b", code)]
+    needed = [
+        declared[name]
+        for name in names
+        if not (watched.is_steady and name == _first_input(watched))
+    ]
     if needed:
         about = f"More of {watched.topic}."
         if not watched.is_steady:
