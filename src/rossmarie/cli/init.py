@@ -20,6 +20,8 @@ SEEN = "seen"
 
 def run_init(recording: Path, folder: Path, *, force: bool) -> None:
     """Write a system model, definitions of messages, and rules into a folder."""
+    if folder.resolve() == recording.resolve():
+        output.fail(f"{folder} is the recording; choose another --out", exit_code=2)
     _refuse_overwriting([folder / SYSTEM_MODEL, folder / RULES], force=force)
     output.try_folder(folder)
     with refusing(), open_recording(recording) as opened:

@@ -1,4 +1,4 @@
-"""Joints and forces: what an arm tells."""
+"""Rules about the joints and the forces of an arm."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Odometry, inertia and laser scans: what a mobile base tells."""
+"""Rules about the odometry, the inertia and the laser scans of a mobile base."""
 
 from __future__ import annotations
 
@@ -129,7 +129,7 @@ class Inertia:
 
 
 class Scan:
-    """What a laser scanner sees."""
+    """The distances that a laser scanner sees."""
 
     word = "scan"
 
@@ -153,7 +153,7 @@ class Scan:
         return {name: ""}
 
     def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
-        """What is near, in a sector that the scanner sees; and what makes a scanner blind."""
+        """Things that are near, in a sector that the scanner sees; and a scanner that is blind."""
         if self.sector is None:
             return
         (right, left), commands = self.sector, robot.commands

@@ -1,4 +1,4 @@
-"""From a recording to the texts of a system model and of first rules."""
+"""The texts of a system model and of first rules, written from a recording."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def _watched(
 
 
 def _commands(topics: Sequence[Topic], watched: Sequence[Watched]) -> tuple[Commands, str | None]:
-    """What bounds commands, and the recorded topic of these; None if none is recorded."""
+    """The actions that bound commands, and the recorded topic of these commands, or None."""
     found = [each for each in topics if are_commands(each)]
     topic = chosen(found)
     if topic is None:
@@ -140,7 +140,7 @@ def _absolute(topic: str) -> str:
 
 
 def _unread(recording: Recording, survey: Survey) -> str | None:
-    """How much of the recording was read, in words; None if that is all."""
+    """The part of the recording that was read, in words; None if that is all."""
     if survey.is_whole:
         return None
     read, whole = ((end - recording.start_ns) / 1e9 for end in (survey.end_ns, recording.end_ns))

@@ -53,7 +53,7 @@ def chosen(topics: Sequence[Topic]) -> Topic | None:
 
 
 def commands_on(name: str, message_type: str, others: Sequence[str]) -> Commands:
-    """What bounds the commands on a recorded topic."""
+    """The actions that bound the commands on a recorded topic."""
     about = "The commands of the planner pass through the filter of the rules on this topic."
     if others:
         about += f" Also recorded: {', '.join(others)}. Name the one that the robot itself obeys."
@@ -65,7 +65,7 @@ def commands_on(name: str, message_type: str, others: Sequence[str]) -> Commands
 
 
 def commands_of_nobody(is_arm: bool, others: Collection[str]) -> Commands:
-    """What bounds commands that a recording does not have; `others` are the topics that it has."""
+    """The actions for commands that a recording does not have; `others` are its topics."""
     if is_arm:
         name = _free("/servo_node/delta_twist_cmds", others)
         about = f"The recording has no commands; {name} is that of MoveIt Servo: name yours."

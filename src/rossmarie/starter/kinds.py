@@ -20,7 +20,7 @@ KINDS: Mapping[str, Callable[[], Kind]] = {
     "sensor_msgs/Temperature": Heat,
     "diagnostic_msgs/DiagnosticArray": Diagnostics,
 }
-"""For each type what takes in its messages, in the order in which rules are written."""
+"""A class for the messages of each type, in the order in which rules are written."""
 
 OWN = "/diagnostics"
 """The topic on which the node of the rules speaks, too: its silence tells nothing (ROSS256)."""

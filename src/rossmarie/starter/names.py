@@ -1,4 +1,4 @@
-"""Names for what a rules file declares, each of its own."""
+"""Names for the declarations of a rules file, each of its own."""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class Commands:
 
 
 class Kind(Protocol):
-    """What rules ask of messages of a type, and what has been seen of those on one topic."""
+    """The rules about messages of a type, with limits from the messages on one topic."""
 
     @property
     def word(self) -> str:

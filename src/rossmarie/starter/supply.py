@@ -1,4 +1,4 @@
-"""Batteries, temperatures and diagnostics: what the parts of any robot tell."""
+"""Rules about the batteries, the temperatures and the diagnostics of any robot."""
 
 from __future__ import annotations
 
@@ -97,7 +97,7 @@ class Heat:
 
 
 class Diagnostics:
-    """What parts say of themselves."""
+    """The statuses that parts report."""
 
     word = "diagnostics"
 

@@ -22,8 +22,8 @@ _JOINT = "\N{WORD JOINER}"
 
 @dataclass(frozen=True)
 class Source:
-    """The file that rules are begun from; `part` is what was read of it, None if all. `shared` is
-    a recorded topic on which the node of the rules speaks, too; None if there is none.
+    """The file that rules are begun from. `part` is the part that was read; None if that is all.
+    `shared` is a recorded topic on which the node of the rules speaks, too; None if there is none.
     """
 
     name: str
@@ -72,7 +72,7 @@ def _inputs(steady: Sequence[Watched], silent: str) -> Iterator[str]:
 
 
 def _rhythm(watched: Watched, silent: str | None) -> str:
-    """How a topic spoke, in a sentence."""
+    """The rhythm of a topic, in a sentence or two."""
     rhythm = watched.rhythm
     longest = rhythm.longest_ns / 1e9
     text = f"{rhythm.count} messages, {plain(1e9 / max(rhythm.median_ns, 1))} Hz;"

@@ -1,4 +1,4 @@
-"""`rossmarie init`: what it writes works at once, and nothing of a user's is overwritten."""
+"""`rossmarie init` writes files that work at once, and overwrites nothing."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def test_robots_in_the_box(robot: Robot, tmp_path: Path) -> None:
 
 
 def test_a_minute_is_enough_for_a_real_drive(tmp_path: Path) -> None:
-    """From nothing to a replay, with a recording of six minutes."""
+    """A recording of six minutes is begun, checked, tested and replayed."""
     if not HUSKY_DRIVE.is_file():
         pytest.skip(f"the recording of a real robot is not there: {HUSKY_DRIVE.name}")
     begun_s = time.monotonic()
@@ -115,6 +115,15 @@ def test_a_folder_that_cannot_be_written_to(tmp_path: Path) -> None:
     done = run(tmp_path, "drive.bag")
     assert (done.returncode, done.stdout) == (2, "")
     assert "cannot write to robot: " in done.stderr
+
+
+def test_the_folder_of_the_recording_stays_as_it_is(tmp_path: Path) -> None:
+    path = write_kind(tmp_path, "mcap directory", drive(store_of("mcap"), BASE))
+    before = sorted(each.name for each in path.iterdir())
+    done = run(tmp_path, "drive", "--out", "./drive")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "rossmarie: drive is the recording; choose another --out\n"
+    assert sorted(each.name for each in path.iterdir()) == before
 
 
 @pytest.mark.parametrize(

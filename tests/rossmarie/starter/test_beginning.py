@@ -101,7 +101,7 @@ def test_two_imus_have_names_of_their_own(tmp_path: Path) -> None:
 
 
 def test_the_commands_that_reach_the_robot(tmp_path: Path) -> None:
-    """That is the topic with the usual name and the most messages, not one of a teleoperation."""
+    """They are on the topic with the usual name and the most messages."""
     others = [
         Spoken("/base/cmd_vel", "geometry_msgs/Twist", 40, {}),
         Spoken("/teleop_cmd_vel", "geometry_msgs/Twist", 80, {}),
