@@ -11,13 +11,13 @@ import typer
 from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.cli.replay import refusing, topic_pairs
 from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
-from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
+from rossmarie.driver.testing import RanTests, UnknownTestError, run_test_file, tests_beside
 from rossmarie.ir import near_name
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins
@@ -59,11 +59,11 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
     output.save(written.path, written.text)
     typer.echo(f"wrote {_counted(written.count, 'test')} to {written.path}")
-    for told in written.left_out:
-        typer.echo(told)
+    for reported in written.left_out:
+        typer.echo(reported)
 
 
-def report(tested: Outcome) -> None:
+def report(tested: RanTests) -> None:
     """Print the findings, the counts and the coverage."""
     found = [finding for ran in tested.ran for finding in ran.found]
     output.print_findings([*tested.findings, *found])
@@ -96,7 +96,7 @@ def run_coverage(
     if report is not None:
         output.try_file(report)
         refuse_report(report, (rules, *recordings))
-    with refusing(), told_progress("moving thresholds") as on_progress:
+    with refusing(), reported_progress("moving thresholds") as on_progress:
         found = cover_recordings(
             rules,
             recordings,
