@@ -100,6 +100,13 @@ def test_two_imus_have_names_of_their_own(tmp_path: Path) -> None:
     assert list(findings(beginning, proposed, tmp_path)) == []
 
 
+def test_topics_of_the_same_words_have_names_of_their_own(tmp_path: Path) -> None:
+    spoken = [Spoken(topic, "sensor_msgs/Imu", 50, UPRIGHT) for topic in ("/a/b", "/a_b")]
+    beginning = begun(drive(ROS1, spoken), tmp_path)
+    assert inputs(beginning.rules) == ["imu", "imu_2"]
+    assert list(findings(beginning, PROPOSED.sub("", beginning.rules), tmp_path)) == []
+
+
 def test_the_commands_that_reach_the_robot(tmp_path: Path) -> None:
     """They are on the topic with the usual name and the most messages."""
     others = [
