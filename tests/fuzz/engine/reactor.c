@@ -62,7 +62,7 @@ typedef struct fuzzed_bounds {
 /* The monitor: a bit for each active rule, and the watched proposition. */
 typedef struct fuzzed_monitor {
     unsigned active;
-    unsigned proposition;
+    unsigned truth_value;
 } fuzzed_monitor;
 
 static bool fuzzed_is_active(const fuzzed_monitor *m, int rule)
