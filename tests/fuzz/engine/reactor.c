@@ -165,7 +165,7 @@ static void make(const call *made)
         exempted[rule] = (unsigned char)(about >> (4 + rule) & 1u);
     if (made->kind == REACT) {
         monitored.active = about & 15u;
-        monitored.proposition = about >> 8 & 3u;
+        monitored.truth_value = about >> 8 & 3u;
         fuzzed_react(&tried, &monitored, exempted, made->t_ns);
     } else if (made->kind == REPORT) {
         fuzzed_report(&tried, &monitored, made->t_ns, (int)(about & 15u), (about & 16u) != 0);
