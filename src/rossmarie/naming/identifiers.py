@@ -42,7 +42,8 @@ _PRIVATE = """
     never no node now on opposite or others pass planned pose poses receive recent report resource
     rossmarie
     row rule sampled samples scale seconds set settle shown since size slot stage staged stamp
-    start started swings t take task term text texts timeout proposition propositions topic truth turn
+    start started swings t take task term text texts timeout proposition propositions topic truth
+    turn
     uint16 uint64 uint8 unknown unknowns value values wake was watched width window x yields
 """
 
