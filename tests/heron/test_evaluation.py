@@ -15,7 +15,7 @@ require(MUJOCO)
 
 from typer.testing import CliRunner
 
-from campaign import Journal, Value
+from dslkit.campaign import Journal, Value
 from heron.cli.main import app
 from heron.evaluation import (
     Folder,

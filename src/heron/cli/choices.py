@@ -29,7 +29,7 @@ from heron.variants import (
 )
 
 if TYPE_CHECKING:  # needs MuJoCo
-    from campaign import Workers
+    from dslkit.campaign import Workers
 
 
 def _catalog() -> Catalog:
@@ -112,7 +112,7 @@ def workers_of(jobs: int | None, ray: str | None, limit_s: float = _LIMIT_S) -> 
     """Processes of this machine, or a Ray cluster at HOST:PORT. On this machine an episode, or a
     training, takes `limit_s` at most.
     """
-    from campaign import Processes
+    from dslkit.campaign import Processes
 
     if ray is None:
         return Processes(jobs or Processes.cores(), limit_s)
@@ -120,7 +120,7 @@ def workers_of(jobs: int | None, ray: str | None, limit_s: float = _LIMIT_S) -> 
         output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
     if find_spec("ray") is None:
         output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
-    from campaign.ray_cluster import RayCluster
+    from dslkit.campaign.ray_cluster import RayCluster
 
     return RayCluster(ray)
 

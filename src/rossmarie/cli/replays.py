@@ -14,7 +14,7 @@ from tempfile import TemporaryDirectory
 import typer
 from rich.console import Console
 
-from campaign import Campaign, Journal, Processes, Result, Value, run
+from dslkit.campaign import Campaign, Journal, Processes, Result, Value, run
 from dslkit.command_line import INTERNAL_ERROR, INTERRUPTED
 from dslkit.writing import reason
 from rossmarie.cli.output import output

@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from campaign import Campaign, Failure
+from dslkit.campaign import Campaign, Failure
 from dslkit.command_line import INTERNAL_ERROR
 from rossmarie.cli import replays
 from support import command_line
