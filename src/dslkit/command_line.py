@@ -27,6 +27,7 @@ if TYPE_CHECKING:  # a run without findings needs neither
     from rich.console import Console
 
     from dslkit.catalog import Catalog
+    from dslkit.extras import Extras
 
 INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
@@ -60,6 +61,8 @@ class CommandLine:
     internal_code: str
     unreadable: frozenset[str]
     catalog: Callable[[], Catalog]
+    distribution: str
+    extras: Callable[[], Extras]
 
     def exit_code(self, found: Sequence[Diagnostic]) -> int:
         """0 without errors, 1 with errors, 2 if a file could not be read."""
@@ -72,7 +75,7 @@ class CommandLine:
         """The installed version."""
         from importlib.metadata import version
 
-        return version("rossmarie")
+        return version(self.distribution)
 
     def version_option(self) -> Any:
         """The option `--version` of Typer, which prints the version and ends the run."""
@@ -154,6 +157,14 @@ class CommandLine:
         self.complain(message)
         raise typer.Exit(exit_code)
 
+    def require(self, *extras: str) -> None:
+        """End the run with advice if one of these extras is not installed."""
+        known = self.extras()
+        missing = [module for extra in extras for module in known.missing(extra)]
+        if missing:
+            modules, advice = ", ".join(missing), known.advice(*extras)
+            self.fail(f"this needs {modules}, not installed here: {advice}", exit_code=2)
+
     # --- what is written --------------------------------------------------------------------------
 
     def try_file(self, path: Path) -> None:
@@ -231,6 +242,11 @@ class CommandLine:
             elif isinstance(error, FileNotFoundError) and not _has_folder():
                 code = 2
                 self.complain("the current folder is gone: change to another one")
+            elif isinstance(error, ModuleNotFoundError) and (
+                advice := self.extras().explained(error)
+            ):
+                code = 2
+                self.complain(advice)
             else:
                 import traceback
 

@@ -114,7 +114,8 @@ def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:
     """The check of rules and skills together, which is another package's."""
     found = extension("ezskiros.check", "rules")
     if found is None:
-        output.fail("`--rules` needs the package crosscheck, which is not installed", exit_code=2)
+        advice = output.extras().advice("rules")
+        output.fail(f"`--rules` needs the package crosscheck: {advice}", exit_code=2)
     return found
 
 

@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
+from heron.extras import EXTRAS
 from heron.variants import (
     ALGORITHMS,
     ARMS,
@@ -58,6 +59,8 @@ output = CommandLine(
     internal_code="HERON",
     unreadable=frozenset(),
     catalog=_catalog,
+    distribution="heron-robot",
+    extras=lambda: EXTRAS,
 )
 
 
@@ -119,7 +122,7 @@ def workers_of(jobs: int | None, ray: str | None, limit_s: float = _LIMIT_S) -> 
     if not re.fullmatch(r"\S+:\d+", ray):
         output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
     if find_spec("ray") is None:
-        output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
+        output.fail(f"--ray needs Ray: {EXTRAS.advice('ray')}", exit_code=2)
     from dslkit.campaign.ray_cluster import RayCluster
 
     return RayCluster(ray)
@@ -192,15 +195,13 @@ def require_learning(algorithms: Sequence[str]) -> None:
     if _VERSION < _OLDEST:
         python, oldest = (".".join(map(str, each)) for each in (_VERSION, _OLDEST))
         reason = f"{reason}, which needs Python {oldest} or later; this is Python {python}"
-    output.fail(f"{reason}: pip install 'rossmarie[learning]'", exit_code=2)
+    output.fail(f"{reason}: {EXTRAS.advice('learning')}", exit_code=2)
 
 
 def require_gymnasium() -> None:
     """End the run if there can be no environments."""
     if find_spec("gymnasium") is None:
-        output.fail(
-            "what was learned needs Gymnasium: pip install 'rossmarie[gym,heron]'", exit_code=2
-        )
+        output.fail(f"what was learned needs Gymnasium: {EXTRAS.advice('gym')}", exit_code=2)
 
 
 def require_simulation() -> None:
@@ -218,7 +219,7 @@ def require_simulation() -> None:
             f"the simulation needs MuJoCo, which needs Python {oldest} or later; "
             f"this is Python {python}"
         )
-    output.fail(f"{reason}: pip install 'rossmarie[heron]'", exit_code=2)
+    output.fail(f"{reason}: {EXTRAS.advice()}", exit_code=2)
 
 
 def _require_renderer() -> None:
