@@ -25,7 +25,7 @@ help:
 	@echo "make fuzz    look for files that crash what reads them, for SECONDS=60 each; TARGET=mcap for one"
 	@echo "make clean   remove everything that make made"
 
-$(READY): pyproject.toml constraints.txt tools/setup.sh
+$(READY): pyproject.toml $(wildcard packages/*/pyproject.toml) constraints.txt tools/setup.sh
 	@PYTHON="$(PYTHON)" tools/setup.sh
 	@touch $@
 

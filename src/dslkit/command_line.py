@@ -182,6 +182,20 @@ class CommandLine:
         with self.writing(path):
             write_whole(path, text)
 
+    def copy_example(self, example: Path, folder: Path) -> None:
+        """Copy a folder of examples and name each file; the run ends if a file is there already."""
+        from dslkit.examples import FilesAreThereError, copy_example
+
+        self.try_folder(folder)
+        try:
+            with self.writing_to(folder):
+                written = copy_example(example, folder)
+        except FilesAreThereError as error:
+            paths = ", ".join(map(str, error.paths))
+            self.fail(f"nothing is written, because these are there: {paths}", exit_code=2)
+        for path in written:
+            typer.echo(f"wrote {path}")
+
     @contextmanager
     def writing(self, path: Path) -> Iterator[None]:
         """Within, a file that cannot be written ends the run."""

@@ -23,9 +23,10 @@ from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import start_monitor
 from rossmarie.ir import Category
-from rossmarie.recordings import RecordingError
-from rossmarie.report import Replay, write_table
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.report.model import Replay
 from rossmarie.report.spans import summarize
+from rossmarie.report.table import write_table
 from rossmarie.report.wording import format_length
 
 

@@ -1,4 +1,4 @@
-"""Lines of .msg files mean to us what they mean to rosbags, and to ROS where rosbags is at fault."""
+"""Lines of .msg files mean the same to us and to rosbags, except where rosbags differs from ROS."""
 
 from __future__ import annotations
 
