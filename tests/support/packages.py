@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import Distribution, PackageNotFoundError, distribution
+from itertools import chain
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -50,7 +51,7 @@ class Project:
     @property
     def requirements(self) -> Sequence[Requirement]:
         """All requirements, those of extras included."""
-        texts = [*self.table.get("dependencies", ()), *sum(map(list, self.extras.values()), [])]
+        texts = chain(self.table.get("dependencies", ()), *self.extras.values())
         return [Requirement(text) for text in texts]
 
 
