@@ -50,6 +50,10 @@ class Trial:
 
 _ROBOT = "turtlebot4/turtlebot4"
 _NO_ERRORS = "no errors in 1 file"
+_LOCATED = """
+with open("pick_place/lab.turtle", "a") as scene:
+    scene.write('skiros:Product-7 <http://www.opengis.net/ont/geosparql#asWKT> "POINT (0 0)" .')
+"""
 TRIALS = (
     Trial(
         "rossmarie-common",
@@ -119,6 +123,12 @@ TRIALS = (
             Expected(
                 "ezskiros migrate pick_place/skills",
                 ("libcst", "pip install 'ezskiros[edit]'"),
+                code=2,
+            ),
+            Expected(f"python -c {shlex.quote(_LOCATED)}"),
+            Expected(
+                "ezskiros check pick_place/lab.turtle --ontology pick_place/ontology",
+                ("pip install 'ezskiros[locations]'",),
                 code=2,
             ),
             Expected(

@@ -34,6 +34,10 @@ def reported(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> Repo
             return work(collector)
         except UnknownSkillError as problem:
             raise confinement.RefusedError(str(problem)) from None
+        except ModuleNotFoundError as problem:
+            if advice := output.extras().explained(problem):
+                raise confinement.RefusedError(advice) from None
+            raise
 
     report = confinement.confined(refusing, PATIENCE_S + seconds, may_act=may_act)
     if report.unconfined is not None:
