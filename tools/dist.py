@@ -231,7 +231,8 @@ def programs_of_ours(trial: Trial) -> tuple[str, ...]:
 
 def pythons() -> Mapping[str, Path]:
     """The supported Pythons of this machine by their versions: this one, those that pyenv keeps,
-    and those on the PATH."""
+    and those on the PATH.
+    """
     kept = [Path(sys.base_prefix, "bin", "python3")]
     kept += sorted(Path.home().glob(".pyenv/versions/*/bin/python"))
     found: dict[str, Path] = {}
