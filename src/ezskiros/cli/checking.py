@@ -102,16 +102,17 @@ def print_check(
     """Check, print what is found, and give the exit code. With `rules`, what only these and the
     skills together can tell is found as well; with `knowledge`, what runs say of the skills.
     """
-    together = None if rules is None else _looking_at_both()
-    lessons, wrong = lessons_of(knowledge)
-    report = checked(paths, values, lessons)
-    found = (
-        *report.diagnostics,
-        *(together(rules) if together is not None else ()),
-        *wrong,
-    )
-    output.print_diagnostics(found, form, file_count=file_count(report, paths))
-    return output.exit_code(found)
+    with output.answering(form, "check", files=len(paths)):
+        together = None if rules is None else _looking_at_both()
+        lessons, wrong = lessons_of(knowledge)
+        report = checked(paths, values, lessons)
+        found = (
+            *report.diagnostics,
+            *(together(rules) if together is not None else ()),
+            *wrong,
+        )
+        output.print_diagnostics(found, form, file_count=file_count(report, paths))
+        return output.exit_code(found)
 
 
 def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:

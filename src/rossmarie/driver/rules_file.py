@@ -91,7 +91,7 @@ def _rule(machine: ir.Machine, index: int, out: Path) -> Json:
     return {
         "name": rule.name,
         "documentation": rule.documentation,
-        "condition": machine.truths[rule.condition].text,
+        "condition": machine.propositions[rule.condition].text,
         "clears": rule.contract,
         "inputs": [machine.inputs[each].name for each in rule.inputs],
         "hazards": [machine.hazards[each].name for each in rule.hazards],
@@ -112,9 +112,9 @@ def _exemption(exemption: ir.Exemption) -> Json:
     }
 
 
-def _plan(machine: ir.Machine, rule: int) -> reactions.Plan:
+def _plan(machine: ir.Machine, rule: int) -> reactions.RecoveryPlan:
     plans = machine.reactions.plans
-    return plans[rule] if plans else reactions.Plan((), ())
+    return plans[rule] if plans else reactions.RecoveryPlan((), ())
 
 
 def _effects(machine: ir.Machine, rule: int, out: Path) -> Iterator[Json]:

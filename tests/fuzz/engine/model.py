@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fuzz.engine.rules import (
     ACTIVATED,
-    ACTIVATED_LOST,
+    ACTIVATED_STALE,
     AGES,
     CLEARED,
     EARLIEST,
@@ -22,17 +22,17 @@ from fuzz.engine.rules import (
     LATEST,
     LEAVES,
     LONGEST,
-    LOST,
     MOST_SAMPLES,
     NAN,
     NEVER_RECEIVED,
+    PROPOSITIONS,
     RESTS_ON,
     RULES,
     SINCES,
+    STALE,
     SWINGS,
     TIME_JUMP,
     TRUE,
-    TRUTHS,
     UNKNOWN,
     VALUES,
     Event,
@@ -61,8 +61,8 @@ class Monitor:
         self.state = dict.fromkeys(INPUTS, NEVER_RECEIVED)
         self.stamp_ns = dict.fromkeys(INPUTS, 0)
         self.value = dict.fromkeys(VALUES, NAN)
-        self.truth = dict.fromkeys(TRUTHS, -1)
-        self.since_ns = dict.fromkeys(TRUTHS, 0)
+        self.truth = dict.fromkeys(PROPOSITIONS, -1)
+        self.since_ns = dict.fromkeys(PROPOSITIONS, 0)
         self.active = [False] * len(RULES)
         self.since = dict.fromkeys(SINCES, FALSE)
         self.events: list[Event] = []
@@ -126,7 +126,7 @@ class Monitor:
         for name in INPUTS:
             self.stamp_ns[name] = t_ns - min(self.now_ns - self.stamp_ns[name], LONGEST)
         self._forget(t_ns)
-        self.truth = dict.fromkeys(TRUTHS, -1)
+        self.truth = dict.fromkeys(PROPOSITIONS, -1)
         self.now_ns = t_ns
 
     def _forget(self, t_ns: int) -> None:
@@ -178,13 +178,13 @@ class Monitor:
 
     def _expire(self, t_ns: int) -> None:
         """S10, S21."""
-        lost: dict[str, Sequence[str]] = {"x": ("x", "rate", "mean"), "z": ("z",)}
+        stale: dict[str, Sequence[str]] = {"x": ("x", "rate", "mean"), "z": ("z",)}
         for name, (_, timeout_ns) in INPUTS.items():
             if self.state[name] != FRESH or timeout_ns is None:
                 continue
             if t_ns - self.stamp_ns[name] >= timeout_ns:
                 self.state[name] = EXPIRED
-                self.value.update(dict.fromkeys(lost[name], NAN))
+                self.value.update(dict.fromkeys(stale[name], NAN))
                 if name == "x":
                     self.samples["x"] = []
 
@@ -255,8 +255,6 @@ class Monitor:
             if heading != 0:
                 self.recent[name].instants.append(t_ns)
 
-    # --- truths ------------------------------------------------------------------------------
-
     def _evaluate(self, t_ns: int, arrived: Sequence[int]) -> None:
         self._expire(t_ns)
         self._compute(t_ns, arrived)
@@ -264,21 +262,21 @@ class Monitor:
             if INPUTS[SWINGS[name][0]][0] in arrived:
                 self._follow(name, t_ns)
         self.started, self.now_ns = True, t_ns
-        for name in TRUTHS:
-            value = self._truth(name, t_ns)
+        for name in PROPOSITIONS:
+            value = self._proposition(name, t_ns)
             if value != self.truth[name]:
                 self.truth[name], self.since_ns[name] = value, t_ns
         for index, rule in enumerate(RULES):
             self._judge(index, rule, t_ns)
 
-    def _truth(self, name: str, t_ns: int) -> int:
+    def _proposition(self, name: str, t_ns: int) -> int:
         truth = self.truth
         if name in LEAVES:
             return self._leaf(name)
         if name in AGES:
             used, age_ns = AGES[name]
             if self.state[used] == NEVER_RECEIVED:
-                return LOST if INPUTS[used][1] is not None else UNKNOWN
+                return STALE if INPUTS[used][1] is not None else UNKNOWN
             return int(t_ns - self.stamp_ns[used] >= age_ns)
         if name in HELD:
             return self._held(name, t_ns)
@@ -323,11 +321,11 @@ class Monitor:
         rests = RESTS_ON[used]
         guarded = [each for each in rests if each in INPUTS and INPUTS[each][1] is not None]
         if any(math.isnan(self.value[each]) for each in guarded):
-            return LOST
+            return STALE
         missing = [math.isnan(x) or x == math.inf for x in map(self.value.__getitem__, rests)]
         if "least" in rests and math.isinf(self.value["least"]):
             missing.append(True)
-        return UNKNOWN if any(missing) or not guarded else LOST
+        return UNKNOWN if any(missing) or not guarded else STALE
 
     def _held(self, name: str, t_ns: int) -> int:
         """S33, S45."""
@@ -377,8 +375,8 @@ class Monitor:
         """S35 to S37."""
         condition = self.truth[rule.condition]
         if not self.active[index]:
-            if condition in (TRUE, LOST):
-                self._change(index, ACTIVATED if condition == TRUE else ACTIVATED_LOST, t_ns)
+            if condition in (TRUE, STALE):
+                self._change(index, ACTIVATED if condition == TRUE else ACTIVATED_STALE, t_ns)
         elif condition == FALSE and rule.release is not None and self.truth[rule.release] == TRUE:
             self._change(index, CLEARED, t_ns)
 

@@ -37,7 +37,10 @@ def test_rules_that_do_nothing_pass() -> None:
 
 @pytest.mark.parametrize(
     ("watches", "said"),
-    [((99,), "watch 0: there is no truth 99"), ((-1,), "watch 0: there is no truth -1")],
+    [
+        ((99,), "watch 0: there is no proposition 99"),
+        ((-1,), "watch 0: there is no proposition -1"),
+    ],
 )
 def test_watches(watches: tuple[int, ...], said: str) -> None:
     assert refused(FOUND, watches) == said
@@ -47,7 +50,7 @@ def test_watches_are_not_elementwise() -> None:
     draft = Draft()
     near = draft.above(draft.elements(), 0.5)
     machine = replace(draft.machine(), watches=(near,))
-    with pytest.raises(ir.MalformedMachine, match="watch 0: truth 0 is elementwise"):
+    with pytest.raises(ir.MalformedMachine, match="watch 0: proposition 0 is elementwise"):
         ir.verify(machine)
 
 
@@ -60,8 +63,8 @@ def test_order(order: tuple[int, ...], said: str) -> None:
     assert refused(replace(FOUND, order=order)) == said
 
 
-def plan(*stages: tuple[int, ...], tasks: tuple[int, ...]) -> reactions.Plan:
-    return reactions.Plan(stages, tasks)
+def plan(*stages: tuple[int, ...], tasks: tuple[int, ...]) -> reactions.RecoveryPlan:
+    return reactions.RecoveryPlan(stages, tasks)
 
 
 FIRST, SECOND_PLAN = FOUND.plans
@@ -81,7 +84,7 @@ FIRST, SECOND_PLAN = FOUND.plans
         ((FIRST, plan((3, 6), tasks=(3, 4, 5, 6, 6))), "plans: not each task once"),
     ],
 )  # fmt: skip
-def test_plans(plans: tuple[reactions.Plan, ...], said: str) -> None:
+def test_plans(plans: tuple[reactions.RecoveryPlan, ...], said: str) -> None:
     assert refused(replace(FOUND, plans=plans)) == said
 
 

@@ -148,7 +148,7 @@ def test_a_confirmation_is_watched_once() -> None:
         "cancel /b confirm by speed < 0.1 m/s else stop; }\nif speed > 1 m/s then { halt; };"
     )
     (watched,) = machine.watches
-    assert machine.truths[watched].text == "speed < 0.1 m/s"
+    assert machine.propositions[watched].text == "speed < 0.1 m/s"
     effects = [task.effect for task in machine.reactions.tasks][:2]
     assert [isinstance(one, reactions.CancelGoal) and one.confirmation for one in effects] == [0, 0]
 
@@ -167,7 +167,7 @@ def test_poses_are_read_once_and_remembered_once_for_each_way_to_remember_them()
         reactions.Memory((0, 1, 2), 9, 0.01, 1_000_000_000),
     )
     (watched,) = machine.watches
-    assert machine.truths[watched].text == "all of tip is known"
+    assert machine.propositions[watched].text == "all of tip is known"
     effects = [task.effect for task in machine.reactions.tasks]
     found = [
         (each.memory, each.period_ns, each.numbers[0])
@@ -214,7 +214,7 @@ def test_escalations_have_tasks_of_their_own() -> None:
     names = [machine.reactions.actions[task.action].name for task in tasks]
     assert names == ["lock", "lock", "home", "stop"]
     assert [task.otherwise for task in tasks] == [(2,), (), (3,), ()]
-    assert machine.reactions.plans[0] == reactions.Plan(((0, 1),), (0, 1, 2, 3))
+    assert machine.reactions.plans[0] == reactions.RecoveryPlan(((0, 1),), (0, 1, 2, 3))
 
 
 def test_the_order_is_that_of_the_file_but_for_the_priorities() -> None:

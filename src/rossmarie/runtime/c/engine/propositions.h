@@ -1,0 +1,94 @@
+/* Part of ROSSMARie, the same for all rules. */
+
+/* Propositions, who depends on them, and three-valued logic: Kleene's, in which what is stale is
+ * unknown, too. Propositions and rules are nodes: what depends on a node stands behind it.
+ */
+
+#if NODES <= 64
+
+/* A node is evaluated again: something that it depends on changed. */
+INLINE void mark(monitor *m, unsigned node) { m->dirty |= BIT(node); }
+
+INLINE bool is_pending(const monitor *m) { return m->dirty != 0; }
+
+#else
+
+enum { WORDS = (NODES + 63) / 64 };
+
+INLINE void mark(monitor *m, unsigned node)
+{
+    m->dirty[node / 64] |= BIT(node % 64);
+    m->pending = true;
+}
+
+INLINE bool is_pending(const monitor *m) { return m->pending; }
+
+#endif
+
+/* The index of the lowest bit that is set. */
+INLINE unsigned lowest(uint64_t bits)
+{
+#if defined(__GNUC__)
+    return (unsigned)__builtin_ctzll(bits);
+#else
+    unsigned place = 0;
+    for (unsigned width = 32; width != 0; width /= 2) {
+        if ((bits & (((uint64_t)1 << width) - 1)) == 0) {
+            bits >>= width;
+            place += width;
+        }
+    }
+    return place;
+#endif
+}
+
+/* A proposition has a value; if that is new, what depends on it is marked. */
+INLINE void set_truth_value(monitor *m, unsigned node, unsigned value, int64_t t_ns)
+{
+    if (value == m->truth_value[node])
+        return;
+    m->truth_value[node] = (unsigned char)value;
+    m->since_ns[node] = t_ns;
+#if NODES <= 64
+    m->dirty |= node_users[node];
+#else
+    for (unsigned i = node_users[node]; i != node_users[node + 1]; i++)
+        mark(m, users[i]);
+#endif
+}
+
+/* Kleene's conjunction. */
+static inline unsigned char both(unsigned char a, unsigned char b)
+{
+    if (a == FALSE || b == FALSE)
+        return FALSE;
+    return a > b ? a : b;
+}
+
+/* Kleene's disjunction. */
+static inline unsigned char either(unsigned char a, unsigned char b)
+{
+    if (a == TRUE || b == TRUE)
+        return TRUE;
+    return a > b ? a : b;
+}
+
+/* Kleene's negation. */
+static inline unsigned char opposite(unsigned char a)
+{
+    if (a == FALSE)
+        return TRUE;
+    return a == TRUE ? (unsigned char)FALSE : a;
+}
+
+#if SINCES
+
+/* `held since begun`; its memory is what it was when it was last evaluated. */
+static unsigned char since(monitor *m, unsigned k, unsigned held, unsigned begun)
+{
+    const unsigned char before = either(m->truth_value[begun], m->since_before[k]);
+    m->since_before[k] = either(m->truth_value[begun], both(m->truth_value[held], before));
+    return m->since_before[k];
+}
+
+#endif
