@@ -209,8 +209,10 @@ class CommandLine:
             raise
         except (OSError, KeyboardInterrupt):
             raise  # nobody may be there to read an answer
-        except Exception:
-            answer.error = f"this is a defect of {self.tool}; standard error has the details"
+        except Exception as error:
+            lacks = isinstance(error, ModuleNotFoundError) and self.extras().explained(error)
+            defect = f"this is a defect of {self.tool}; standard error has the details"
+            answer.error = lacks or defect
             typer.echo(answer.text(), nl=False)
             raise
         else:
