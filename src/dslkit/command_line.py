@@ -28,6 +28,7 @@ if TYPE_CHECKING:  # a run without findings needs neither
     from rich.console import Console
 
     from dslkit.catalog import Catalog
+    from dslkit.extras import Extras
 
 INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
@@ -68,6 +69,8 @@ class CommandLine:
     internal_code: str
     unreadable: frozenset[str]
     catalog: Callable[[], Catalog]
+    distribution: str
+    extras: Callable[[], Extras]
     _answers: list[Answer] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def exit_code(self, found: Sequence[Diagnostic]) -> int:
@@ -81,7 +84,7 @@ class CommandLine:
         """The installed version."""
         from importlib.metadata import version
 
-        return version("rossmarie")
+        return version(self.distribution)
 
     def version_option(self) -> Any:
         """The option `--version` of Typer, which prints the version and ends the run."""
@@ -173,6 +176,14 @@ class CommandLine:
             self._answers[-1].error = message
         raise typer.Exit(exit_code)
 
+    def require(self, *extras: str) -> None:
+        """End the run with advice if one of these extras is not installed."""
+        known = self.extras()
+        missing = [module for extra in extras for module in known.missing(extra)]
+        if missing:
+            modules, advice = ", ".join(missing), known.advice(*extras)
+            self.fail(f"this needs {modules}, not installed here: {advice}", exit_code=2)
+
     # --- answers for programs ---------------------------------------------------------------------
 
     @contextmanager
@@ -198,8 +209,10 @@ class CommandLine:
             raise
         except (OSError, KeyboardInterrupt):
             raise  # nobody may be there to read an answer
-        except Exception:
-            answer.error = f"this is a defect of {self.tool}; standard error has the details"
+        except Exception as error:
+            lacks = isinstance(error, ModuleNotFoundError) and self.extras().explained(error)
+            defect = f"this is a defect of {self.tool}; standard error has the details"
+            answer.error = lacks or defect
             typer.echo(answer.text(), nl=False)
             raise
         else:
@@ -227,6 +240,20 @@ class CommandLine:
         """Write a file; the run ends if that cannot be done."""
         with self.writing(path):
             write_whole(path, text)
+
+    def copy_example(self, example: Path, folder: Path) -> None:
+        """Copy a folder of examples and name each file; the run ends if a file is there already."""
+        from dslkit.examples import FilesAreThereError, copy_example
+
+        self.try_folder(folder)
+        try:
+            with self.writing_to(folder):
+                written = copy_example(example, folder)
+        except FilesAreThereError as error:
+            paths = ", ".join(map(str, error.paths))
+            self.fail(f"nothing is written, because these are there: {paths}", exit_code=2)
+        for path in written:
+            typer.echo(f"wrote {path}")
 
     @contextmanager
     def writing(self, path: Path) -> Iterator[None]:
@@ -288,6 +315,11 @@ class CommandLine:
             elif isinstance(error, FileNotFoundError) and not _has_folder():
                 code = 2
                 self.complain("the current folder is gone: change to another one")
+            elif isinstance(error, ModuleNotFoundError) and (
+                advice := self.extras().explained(error)
+            ):
+                code = 2
+                self.complain(advice)
             else:
                 import traceback
 

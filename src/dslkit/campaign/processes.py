@@ -14,7 +14,7 @@ from multiprocessing import resource_tracker
 from multiprocessing.connection import Connection, wait
 from threading import Thread
 
-from campaign.workers import Result, Work
+from dslkit.campaign.workers import Result, Work
 
 # Spawned, not forked: what draws the bar in this process has threads.
 _CONTEXT = multiprocessing.get_context("spawn")

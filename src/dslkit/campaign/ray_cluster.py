@@ -12,7 +12,7 @@ from typing import Any
 
 import ray
 
-from campaign.workers import Result, UnreachableError, Work
+from dslkit.campaign.workers import Result, UnreachableError, Work
 
 _RETRIES = 3
 _PERIOD_S = 5.0

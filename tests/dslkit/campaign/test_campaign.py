@@ -15,7 +15,7 @@ from pathlib import Path
 import pytest
 from rich.console import Console
 
-from campaign import Bar, BusyError, Campaign, ForeignError, Journal, Processes, run
+from dslkit.campaign import Bar, BusyError, Campaign, ForeignError, Journal, Processes, run
 from support import campaigns
 from support.campaigns import SlowToArrive, work
 

@@ -11,7 +11,7 @@ import os
 from pathlib import Path
 from typing import IO
 
-from campaign.workers import Value
+from dslkit.campaign.workers import Value
 
 _HEAD = b'{"journal_of": '
 

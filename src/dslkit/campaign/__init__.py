@@ -4,11 +4,11 @@ What an episode is, only the function knows that is given here. Whatever happens
 was reported is on disk, and a campaign that was interrupted goes on where it was.
 """
 
-from campaign.journal import BusyError, ForeignError, Journal
-from campaign.processes import Processes, undisturbed
-from campaign.progress import Bar
-from campaign.runner import Campaign, Failure, run
-from campaign.workers import Result, Scalar, UnreachableError, Value, Work, Workers
+from dslkit.campaign.journal import BusyError, ForeignError, Journal
+from dslkit.campaign.processes import Processes, undisturbed
+from dslkit.campaign.progress import Bar
+from dslkit.campaign.runner import Campaign, Failure, run
+from dslkit.campaign.workers import Result, Scalar, UnreachableError, Value, Work, Workers
 
 __all__ = [
     "Bar",

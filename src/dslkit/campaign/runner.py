@@ -7,8 +7,8 @@ from contextlib import closing
 from dataclasses import dataclass
 from typing import Protocol
 
-from campaign.journal import Journal
-from campaign.workers import Result, Value, Work, Workers
+from dslkit.campaign.journal import Journal
+from dslkit.campaign.workers import Result, Value, Work, Workers
 
 
 @dataclass(frozen=True)

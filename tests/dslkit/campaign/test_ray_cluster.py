@@ -22,9 +22,9 @@ require(RAY)
 
 from rich.console import Console
 
-from campaign import Bar, Journal, UnreachableError, ray_cluster, run
-from campaign.ray_cluster import RayCluster
-from campaign.workers import Result
+from dslkit.campaign import Bar, Journal, UnreachableError, ray_cluster, run
+from dslkit.campaign.ray_cluster import RayCluster
+from dslkit.campaign.workers import Result
 from support import campaigns
 from support.campaigns import work
 
