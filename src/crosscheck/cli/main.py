@@ -13,7 +13,7 @@ import typer
 
 from crosscheck.cli.choices import LiveFormat, ros_namespace
 from crosscheck.cli.output import output
-from dslkit.command_line import Format
+from dslkit.command_line import Format, StudyFile
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from rossmarie.cli.options import MessageFolders, Rules, Systems, written
@@ -48,10 +48,12 @@ def check(
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    study: StudyFile = None,
 ) -> None:
     """Find what only rules and skills together can tell."""
     from crosscheck.check import check_robot
 
+    output.try_study(study)
     try:
         found = check_robot(
             rules, systems=system or [], message_folders=messages or [], scene=scene
@@ -60,6 +62,7 @@ def check(
         if scene is None:
             raise
         output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
+    output.log_study(study, "check", [rules], found)
     output.print_diagnostics(found, form, file_count=1)
     raise typer.Exit(output.exit_code(found))
 

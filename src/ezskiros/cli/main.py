@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import Format
+from dslkit.command_line import Format, StudyFile
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
@@ -76,9 +76,11 @@ def check(
     fixed: Annotated[
         bool, typer.Option("--fix", help="Add the pre-conditions that compound skills lack first.")
     ] = False,
+    study: StudyFile = None,
 ) -> None:
     """Check the skills of Python files: all that is wrong with them, without ROS."""
     name_ontology(ontology)
+    output.try_study(study)
     if fixed:
         from ezskiros.cli.fix import fix
 
@@ -86,9 +88,9 @@ def check(
             output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
         fix(paths)
     if watched:
-        _check_again_and_again(paths, ontology or [], values, form, rules, knowledge)
+        _check_again_and_again(paths, ontology or [], values, form, rules, knowledge, study)
         return
-    raise typer.Exit(print_check(paths, values, form, rules, knowledge))
+    raise typer.Exit(print_check(paths, values, form, rules, knowledge, study))
 
 
 @app.command()
@@ -226,6 +228,7 @@ def _check_again_and_again(
     form: Format,
     rules: Path | None,
     knowledge: Path | None,
+    study: Path | None,
 ) -> None:
     """Each time from the start: what has been imported is forgotten with the process."""
     from ezskiros.cli.watch import watch
@@ -238,7 +241,7 @@ def _check_again_and_again(
         return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
     def check_once() -> None:
-        print_check(paths, values, form, rules, knowledge)
+        print_check(paths, values, form, rules, knowledge, study)
         sys.stdout.flush()
 
     watch(files, check_once)

@@ -28,8 +28,10 @@ def run_check(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
     only: Sequence[Category],
+    study: Path | None,
 ) -> None:
     """Print the findings, write the witnesses, and end with the exit code."""
+    output.try_study(study)
     is_tests = witnesses is not None and witnesses.suffix == ".ross"
     if is_tests and len(files) > 1:
         output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
@@ -57,6 +59,7 @@ def run_check(
         if together is not None:
             found += together(path, systems=systems, message_folders=message_folders)
     told = each_once(found)
+    output.log_study(study, "check", files, told)
     output.print_diagnostics(told, form, file_count=len(files))
     if witnesses is not None and is_tests:
         _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)

@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from dslkit.command_line import Format
+from dslkit.command_line import Format, StudyFile
 from dslkit.parameters import Group
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
@@ -88,13 +88,23 @@ def check(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    study: StudyFile = None,
 ) -> None:
     """Check rules files: names, types, units, what cannot work, and what rules mean together."""
     from rossmarie.cli.check import run_check
 
-    name, folders = None if target is None else target.value, messages or ()
     run_check(
-        files, format, name, thorough, toggle, witnesses, skills, system or (), folders, only or ()
+        files,
+        format,
+        None if target is None else target.value,
+        thorough,
+        toggle,
+        witnesses,
+        skills,
+        system or (),
+        messages or (),
+        only or (),
+        study,
     )
 
 
