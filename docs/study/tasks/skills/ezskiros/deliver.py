@@ -1,12 +1,7 @@
 """Skills of a robot that delivers what its gripper holds."""
 
-from pathlib import Path
-
 from ezskiros import INFERRED, SkillDescription
-from ezskiros.ontology import load
-
-world = load(Path(__file__).parent / "ontology")
-cora, rparts, skiros = world.cora, world.rparts, world.skiros
+from world import cora, rparts, skiros
 
 
 class Drive(SkillDescription):
@@ -59,7 +54,7 @@ class Deliver(SkillDescription):
 
     def description(
         self,
-        Robot: INFERRED[cora.Robot],
+        Robot: cora.Robot,
         Start: INFERRED[skiros.Location],
         Gripper: rparts.GripperEffector,
         Object: INFERRED[skiros.Product],
