@@ -57,8 +57,6 @@ def lifetimes(runs: Sequence[Run]) -> Sequence[Lifetime]:
     return found
 
 
-def _lifetime(
-    key: Key, start: tuple[datetime, bool], now: datetime, *, vanished: bool
-) -> Lifetime:
+def _lifetime(key: Key, start: tuple[datetime, bool], now: datetime, *, vanished: bool) -> Lifetime:
     began, came_back = start
     return Lifetime(key[0], began, (now - began).total_seconds(), vanished, came_back)

@@ -71,9 +71,7 @@ def _answers(fault: Fault, condition: Condition) -> Answers:
         file = tools.lay_out(condition, plant(condition, [fault]), Path(folder) / "task")
         at = (condition.name, fault.id)
         if not condition.is_ours:
-            found: dict[tuple[str, str], Sequence[str]] = {
-                at: [tools.plain_stage(condition, file)]
-            }
+            found: dict[tuple[str, str], Sequence[str]] = {at: [tools.plain_stage(condition, file)]}
         else:
             found = {at: list(dict.fromkeys(tools.codes(condition, file)))}
         if condition.name == "python":
@@ -111,9 +109,7 @@ def matrix_text(found: Answers) -> str:
 Row = Sequence[str]
 
 
-def _table(
-    columns: Sequence[str], faults: Sequence[Fault], rows: Sequence[Row]
-) -> Iterator[str]:
+def _table(columns: Sequence[str], faults: Sequence[Fault], rows: Sequence[Row]) -> Iterator[str]:
     yield f"\n| fault | the robot | {' | '.join(columns)} |\n"
     yield f"|---|---|{'---|' * len(columns)}\n"
     for fault, row in zip(faults, rows, strict=True):
@@ -124,9 +120,7 @@ def _found(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """One sentence with the counts of faults that a tool finds before the robot runs."""
     late = ("not at all", "run time", "–")
     counts = [sum(not row[at].startswith(late) for row in rows) for at in range(len(columns))]
-    told = ", ".join(
-        f"{column} {count}" for column, count in zip(columns, counts, strict=True)
-    )
+    told = ", ".join(f"{column} {count}" for column, count in zip(columns, counts, strict=True))
     return f"\nFound or excluded before the robot runs, of {len(rows)} faults: {told}.\n"
 
 
@@ -167,6 +161,8 @@ def _baseline() -> Mapping[str, str]:
     """The answers of SkiROS2 by the faults of the comparison."""
     listed: Sequence[Mapping[str, Any]] = tomllib.loads(BASELINE.read_text("utf-8"))["fault"]
     return {
-        each["fault"]: "not at all" if each["when"] == "never" else f"run time: {each['when']}".replace("run time: never;", "not at all;")
+        each["fault"]: "not at all"
+        if each["when"] == "never"
+        else f"run time: {each['when']}".replace("run time: never;", "not at all;")
         for each in listed
     }

@@ -51,8 +51,10 @@ def _lines(study: Study, found: Analysis) -> Iterator[str]:
         "Planted faults",
         ("condition", "fault", "sessions", "found", "fixed", "median time to a fix in s"),
         [
-            (*map(str, (line.condition, line.fault, line.sessions, line.found, line.fixed)),
-             _seconds(line.median_s))
+            (
+                *map(str, (line.condition, line.fault, line.sessions, line.found, line.fixed)),
+                _seconds(line.median_s),
+            )
             for line in found.faults
         ],
     )
@@ -60,16 +62,23 @@ def _lines(study: Study, found: Analysis) -> Iterator[str]:
         "Findings by code",
         ("code", "findings", "vanished", "came back", "median time to vanish in s"),
         [
-            (line.code, str(line.count), str(line.vanished), str(line.came_back),
-             _seconds(line.median_s))
+            (
+                line.code,
+                str(line.count),
+                str(line.vanished),
+                str(line.came_back),
+                _seconds(line.median_s),
+            )
             for line in found.codes
         ],
     )
     yield from _table(
         "Opinions",
         ("opinion", "condition", "1 (strongly disagree)", "2", "3", "4", "5 (strongly agree)"),
-        [(name, condition, *map(str, counts)) for (name, condition), counts in
-         sorted(found.opinions.items())],
+        [
+            (name, condition, *map(str, counts))
+            for (name, condition), counts in sorted(found.opinions.items())
+        ],
     )
 
 

@@ -55,7 +55,7 @@ def mypy_accepts(file: Path, *, is_strict: bool) -> bool:
 
 def python_runs(folder: Path) -> bool:
     """Say whether the plain Python program of the rover comes to the end of the trace."""
-    return _run(folder, sys.executable, "run.py", "trace.csv").returncode == 0
+    return _drive_python(folder).returncode == 0
 
 
 def cpp_builds(folder: Path) -> bool:
@@ -64,9 +64,20 @@ def cpp_builds(folder: Path) -> bool:
     return _run(folder, *words).returncode == 0
 
 
-def cpp_runs(folder: Path) -> bool:
-    """Say whether the plain C++ program of the rover comes to the end of the trace."""
-    return _run(folder, str(folder / "run"), "trace.csv").returncode == 0
+def output(condition: Condition, folder: Path) -> str:
+    """The commands of a plain program of the rover on the trace, one for each row."""
+    if condition.name == "cpp":
+        cpp_builds(folder)
+        return _drive_cpp(folder).stdout
+    return _drive_python(folder).stdout
+
+
+def _drive_python(folder: Path) -> subprocess.CompletedProcess[str]:
+    return _run(folder, sys.executable, "run.py", "trace.csv")
+
+
+def _drive_cpp(folder: Path) -> subprocess.CompletedProcess[str]:
+    return _run(folder, folder / "run", "trace.csv")
 
 
 def plain_stage(condition: Condition, file: Path) -> str:
@@ -74,7 +85,7 @@ def plain_stage(condition: Condition, file: Path) -> str:
     if condition.name == "cpp":
         if not cpp_builds(file.parent):
             return "build"
-        return "never" if cpp_runs(file.parent) else "run"
+        return "never" if _drive_cpp(file.parent).returncode == 0 else "run"
     if not mypy_accepts(file, is_strict=condition.name == "python"):
         return "check"
     if condition.name == "python" and not python_runs(file.parent):
