@@ -79,7 +79,7 @@ def test_the_model_solutions_of_rules_agree_on_the_trace(tmp_path: Path) -> None
         printed[name] = tools.output(condition, folder)
     assert printed["python"] == printed["cpp"]
     speeds = Counter(line.split()[1] for line in printed["python"].splitlines())
-    assert set(speeds) == {"0.00", "0.20", "1.00"}
+    assert speeds["0.00"] > 50 < speeds["0.20"]
 
 
 @needs_cpp

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from study_kit.cli import app
+from study_kit.cli import ConditionName, app
 from study_kit.faults import CONDITIONS
 from study_kit.sessions import PROGRESS, SessionError, prepare, read_progress, session_of, watch
 from typer.testing import CliRunner
@@ -76,3 +76,7 @@ def test_a_wrong_line_has_its_place(tmp_path: Path) -> None:
     (tmp_path / PROGRESS).write_text('{"format": "else"}\n')
     with pytest.raises(SessionError, match=f"{PROGRESS}:1:1: this line is not of a progress log"):
         read_progress(tmp_path / PROGRESS)
+
+
+def test_the_command_line_knows_all_conditions() -> None:
+    assert [each.value for each in ConditionName] == list(CONDITIONS)

@@ -20,7 +20,17 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
 )
 
-ConditionName = Enum("ConditionName", {name: name for name in CONDITIONS}, type=str)
+
+class ConditionName(str, Enum):
+    """The conditions, as the command line has them."""
+
+    ROSSMARIE = "rossmarie"
+    PYTHON = "python"
+    CPP = "cpp"
+    EZSKIROS = "ezskiros"
+    SKIROS2 = "skiros2"
+
+
 SessionFolder = Annotated[
     Path, typer.Argument(metavar="SESSION", help="The folder that `prepare` made.")
 ]

@@ -150,11 +150,12 @@ def states(condition: Condition, text: str) -> Mapping[str, State]:
 
 def _state(variant: Variant, compact: str) -> State:
     wrong, right = _compact(variant.wrong), _compact(variant.right)
-    if right in compact and not (wrong in compact and right not in compact.replace(wrong, "\0")):
-        return State.FIXED
-    if not wrong or wrong in compact:
+    leaves_out = wrong in right
+    if not leaves_out and wrong in compact:
         return State.KEPT
-    return State.CHANGED
+    if right in compact:
+        return State.FIXED
+    return State.KEPT if leaves_out else State.CHANGED
 
 
 def _compact(text: str) -> str:

@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections import defaultdict
 from pathlib import Path
 
-import matplotlib
+import matplotlib as mpl
 from matplotlib.figure import Figure
 
 from study_kit import statistics
 from study_kit.faults import CONDITIONS
-from study_kit.records import Study
+from study_kit.records import Outcome, Study
 
 
 def draw(study: Study, path: Path) -> None:
     """Write the figure as SVG: one panel for each task, and one for the SUS scores."""
-    with matplotlib.rc_context({"svg.hashsalt": "study"}):
+    with mpl.rc_context({"svg.hashsalt": "study"}):
         figure = Figure(figsize=(12, 4), layout="constrained")
         rules, skills, sus = figure.subplots(1, 3)
         _draw_faults(rules, study, "rules")
@@ -24,8 +24,8 @@ def draw(study: Study, path: Path) -> None:
         figure.savefig(path, metadata={"Date": None})
 
 
-def _draw_faults(axes: matplotlib.axes.Axes, study: Study, task: str) -> None:
-    outcomes = defaultdict(list)
+def _draw_faults(axes: mpl.axes.Axes, study: Study, task: str) -> None:
+    outcomes: dict[str, list[Outcome]] = defaultdict(list)
     for each in study.attempts:
         if each.task == task:
             outcomes[each.condition] += each.outcomes
@@ -44,7 +44,7 @@ def _draw_faults(axes: matplotlib.axes.Axes, study: Study, task: str) -> None:
         axes.legend()
 
 
-def _draw_scores(axes: matplotlib.axes.Axes, study: Study) -> None:
+def _draw_scores(axes: mpl.axes.Axes, study: Study) -> None:
     names = [name for name in CONDITIONS if any(each.condition == name for each in study.answers)]
     for at, name in enumerate(names):
         scores = [each.score for each in study.answers if each.condition == name]

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import sys
 import tempfile
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from study_kit import tools
-from study_kit.faults import CONDITIONS, KIT, Condition, Fault, plant, read_faults, tomllib
+from study_kit.faults import CONDITIONS, KIT, Condition, Fault, plant, read_faults
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
 
 PAGE = KIT / "matrix.md"
 BASELINE = KIT.parents[1] / "tests" / "fixtures" / "ezskiros" / "baseline.toml"
@@ -21,28 +27,34 @@ _WORDS: Mapping[str, str] = {
 _HEAD = """\
 # What goes wrong, and which language finds it when
 
-`python docs/study/study.py matrix` writes this page. It plants each fault of [the list](faults.toml) alone into the
-model solution of each language, runs the tools, and writes the first stage at which a tool finds the fault:
+`python docs/study/study.py matrix` writes this page. The command plants each fault of
+[the list](faults.toml) alone into the model solution of each language, runs the tools, and writes
+the first stage at which a tool finds the fault:
 
 - **by construction**: nobody can write the fault in this language.
-- **writing**: a type checker in an editor finds the fault (mypy, with the stub that `ezskiros stubs` writes).
+- **writing**: a type checker in an editor finds the fault (mypy, with the stub that
+  `ezskiros stubs` writes).
 - **check**: a check finds the fault before anything is built or run. A code names the diagnostic.
-- **build**: the compiler of the plain program finds the fault, or warns of it (`g++ -Wall -Wextra`).
-- **run time**: the program ends with an error on [the trace](tasks/rules/trace.csv), or SkiROS2 notices.
-- **not at all**: the program runs to the end and the robot does the wrong thing.
+- **build**: the compiler of the plain program rejects the fault or warns of it
+  (`g++ -Wall -Wextra`).
+- **run time**: the program ends with an error on [the trace](tasks/rules/trace.csv), or SkiROS2
+  notices the fault.
+- **not at all**: nothing finds the fault, and the robot does the wrong thing.
 
-The first matrix contains faults of rules that guard a rover, beside the same rules in plain Python and plain C++. The
-plain programs have the same structure as the rules and contain only types, so that a type checker has its best case.
-"Python alone" is the same program without mypy. Neither program has tests: tests of the behavior can find each of
-these faults in every language.
+The first matrix contains faults of rules that guard a rover, beside the same rules in plain Python
+and plain C++. The plain programs have the structure of the rules, and all their functions have
+types, so that a type checker has its best case. "Python alone" is the same program without mypy.
+No program has tests: tests of the behavior can find each of these faults in every language.
 """
 _SKILLS = """\
 
-The second matrix contains faults of skills and a behavior tree, beside plain SkiROS2. The answers of SkiROS2 at run
-time come from [the comparison with SkiROS2](../reference/compared-with-skiros2.md), which was measured with its core.
-A dash says that the comparison does not have the fault.
+The second matrix contains faults of skills and a behavior tree, beside plain SkiROS2. The answers
+of SkiROS2 at run time come from
+[the comparison with SkiROS2](../reference/compared-with-skiros2.md), which was measured with its
+core. The authors of the tools chose the faults, so that the counts say nothing about faults in
+the wild.
 """
-
+_UNKNOWN = "not measured"
 
 Answers = Mapping[tuple[str, str], Sequence[str]]
 """By condition and fault: the codes of a check of our language, or one stage of plain tools.
@@ -118,7 +130,7 @@ def _table(columns: Sequence[str], faults: Sequence[Fault], rows: Sequence[Row])
 
 def _found(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """One sentence with the counts of faults that a tool finds before the robot runs."""
-    late = ("not at all", "run time", "–")
+    late = ("not at all", "run time", "does not apply")
     counts = [sum(not row[at].startswith(late) for row in rows) for at in range(len(columns))]
     told = ", ".join(f"{column} {count}" for column, count in zip(columns, counts, strict=True))
     return f"\nFound or excluded before the robot runs, of {len(rows)} faults: {told}.\n"
@@ -126,7 +138,9 @@ def _found(columns: Sequence[str], rows: Sequence[Row]) -> str:
 
 def _rules_row(fault: Fault, found: Answers) -> Row:
     python = _plain(fault, "python", found)
-    alone = "–" if fault.variants["python"].absent else _WORDS[found["alone", fault.id][0]]
+    alone = (
+        "does not apply" if fault.variants["python"].absent else _WORDS[found["alone", fault.id][0]]
+    )
     return _ours(fault, "rossmarie", found), python, alone, _plain(fault, "cpp", found)
 
 
@@ -135,7 +149,7 @@ def _skills_row(fault: Fault, found: Answers) -> Row:
         "writing (mypy)" if found["writing", fault.id] else "not at all",
         _ours(fault, "ezskiros", found),
         _plain(fault, "skiros2", found),
-        _baseline().get(fault.baseline, "–"),
+        _baseline().get(fault.baseline, _UNKNOWN),
     )
 
 
@@ -153,7 +167,7 @@ def _link(condition: Condition, code: str) -> str:
 
 def _plain(fault: Fault, name: str, found: Answers) -> str:
     if fault.variants[name].absent:
-        return f"– ({fault.variants[name].absent})"
+        return f"does not apply: {fault.variants[name].absent}"
     return _WORDS[found[name, fault.id][0]]
 
 

@@ -35,7 +35,7 @@ def _lines(study: Study, found: Analysis) -> Iterator[str]:
         [
             (
                 MEASURES[each.measure],
-                f"{each.ours} − {each.plain}",
+                f"{each.ours} minus {each.plain}",
                 f"{each.difference.value:+.2f}",
                 _interval(each.difference),
                 f"{each.difference.p:.4f}",
@@ -104,9 +104,9 @@ def _table(title: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> It
 
 def _interval(each: Estimate | Difference) -> str:
     if each.low is None or each.high is None:
-        return "–"
+        return "none"
     return f"{each.low:.2f} to {each.high:.2f}"
 
 
 def _seconds(value: float | None) -> str:
-    return "–" if value is None else f"{value:.0f}"
+    return "none" if value is None else f"{value:.0f}"

@@ -43,7 +43,7 @@ class Session:
 
 
 def prepare(participant: str, condition: Condition, sessions: Path) -> Session:
-    """Make the folder of a session: the task sheet and the starting files, without the faults' list.
+    """Make the folder of a session: the task sheet and the starting files, without the list.
 
     Raises `SessionError` for a name that is not plain and for a folder that exists.
     """

@@ -1,4 +1,4 @@
-"""The statistics of a small study, all by SciPy: intervals, comparisons and times with censoring."""
+"""The statistics of a small study, all by SciPy: intervals, comparisons, censored times."""
 
 from __future__ import annotations
 

@@ -93,16 +93,17 @@ def check(
     """Check rules files: names, types, units, what cannot work, and what rules mean together."""
     from rossmarie.cli.check import run_check
 
+    name, systems, folders = target and target.value, system or (), messages or ()
     run_check(
         files,
         format,
-        None if target is None else target.value,
+        name,
         thorough,
         toggle,
         witnesses,
         skills,
-        system or (),
-        messages or (),
+        systems,
+        folders,
         only or (),
         study,
     )

@@ -8,7 +8,6 @@ import sys
 from messages import Imu, Odometry, Quaternion, Range, Twist, TwistWithCovariance, Vector3
 from rover import Guard
 
-WANTED = 1.0
 
 
 def main() -> None:
@@ -24,7 +23,7 @@ def main() -> None:
                 guard.on_odometry(now, Odometry(twist))
             if distance := row["/front.range"]:
                 guard.on_front(now, Range(float(distance)))
-            print(f"{now:.1f} {guard.command(now, WANTED):.2f}")
+            print(f"{now:.1f} {guard.command(now, float(row['wanted'])):.2f}")
 
 
 main()
