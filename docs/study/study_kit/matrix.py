@@ -39,7 +39,7 @@ the first stage at which a tool finds the fault:
   (`g++ -Wall -Wextra`).
 - **run time**: the program ends with an error on [the trace](tasks/rules/trace.csv), or SkiROS2
   notices the fault.
-- **not at all**: nothing finds the fault, and the robot does the wrong thing.
+- **not at all**: no tool of the column finds the fault, and the robot does the wrong thing.
 
 The first matrix contains faults of rules that guard a rover, beside the same rules in plain Python
 and plain C++. The plain programs have the structure of the rules, and all their functions have
@@ -130,10 +130,12 @@ def _table(columns: Sequence[str], faults: Sequence[Fault], rows: Sequence[Row])
 
 def _found(columns: Sequence[str], rows: Sequence[Row]) -> str:
     """One sentence with the counts of faults that a tool finds before the robot runs."""
-    late = ("not at all", "run time", "does not apply")
-    counts = [sum(not row[at].startswith(late) for row in rows) for at in range(len(columns))]
-    told = ", ".join(f"{column} {count}" for column, count in zip(columns, counts, strict=True))
-    return f"\nFound or excluded before the robot runs, of {len(rows)} faults: {told}.\n"
+    late = ("not at all", "run time")
+    told = []
+    for at, column in enumerate(columns):
+        cells = [row[at] for row in rows if not row[at].startswith("does not apply")]
+        told.append(f"{column} {sum(not each.startswith(late) for each in cells)} of {len(cells)}")
+    return f"\nFound or excluded before the robot runs: {', '.join(told)}.\n"
 
 
 def _rules_row(fault: Fault, found: Answers) -> Row:
