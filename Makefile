@@ -9,7 +9,7 @@ HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 # Python keeps what it has compiled: tests start hundreds of programs, and each worker reads all tests.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help demo evaluate study test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
+.PHONY: help demo evaluate study site test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
 
 help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot,"
@@ -17,6 +17,7 @@ help:
 	@echo "make evaluate  all experiments on 30 seeds -> docs/experiments.md; goes on where it was;"
 	@echo "               and films of them -> docs/gallery.md"
 	@echo "make study   all trainings on 10 seeds -> docs/learning.md; goes on where it was; some hours"
+	@echo "make site    the documentation site -> build/site"
 	@echo "make test    the tests, a quarter of an hour on two processors; OPTIONS='...' are those of pytest"
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
@@ -67,9 +68,9 @@ ifneq ($(wildcard $(HUSKY_RECORDING)),)
 endif
 	$(RUN)/ezskiros check examples/pick_place/skills
 	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --no-conditions
-	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --svg build/demo/tree.svg
+	$(RUN)/ezskiros show pick_and_place examples/pick_place/skills --depth 1 --format svg --out build/demo/tree.svg
 	$(RUN)/ezskiros run PickAndPlace examples/pick_place/skills \
-		--scene examples/pick_place/lab.turtle --save build/demo/lab_after.turtle \
+		--scene examples/pick_place/lab.turtle --out build/demo/lab_after.turtle \
 		Object=starter Gripper=gripper PlacingLocation=shelf
 	$(RUN)/heron demo --out build/demo/heron.html || [ $$? -eq 2 ]
 	$(RUN)/heron learn tree --arm unguarded --arm guard --steps 40000 --out build/demo || [ $$? -eq 2 ]
@@ -90,6 +91,10 @@ study: $(READY) compiler
 	$(RUN)/heron learn tree --seeds 10 --out docs
 	$(RUN)/heron learn moves --arm unguarded --arm guard --arm guard_feedback --seeds 10 --out docs
 	$(RUN)/heron learn steps --algorithm sac --arm unguarded --arm guard --seeds 10 --out docs
+
+# The tests build the site too, strictly, and follow its links.
+site: $(READY)
+	@$(RUN)/python tools/website/build.py
 
 # Live tests mostly wait, so there are more workers than processors. A worker takes whole files, in
 # the order of tests/support/order.py.
@@ -117,7 +122,7 @@ bench: $(READY) compiler ros1 prover
 	$(RUN)/python benchmarks/operators.py --out docs/reference/performance-operators.md
 	$(RUN)/python benchmarks/places.py --out docs/reference/performance-places.md
 	$(RUN)/python benchmarks/scans.py --out docs/reference/performance-scans.md
-	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
+	$(RUN)/python benchmarks/queries.py --out docs/reference/performance-queries.md
 	$(RUN)/python benchmarks/replaying.py --out docs/reference/performance-replay.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/beside_nav2.py --out docs/reference/beside-nav2.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/library_reuse.py --out docs/reference/library-reuse.md

@@ -1,4 +1,4 @@
-"""Claims about a state of the machine in which a skill is known to run, for z3."""
+"""Predicates about a state of the machine in which a skill is known to run, for z3."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rossmarie.analysis.terms import YES
 
 def runs(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill runs. Others may run beside it."""
-    asked = questions(state.machine)
+    asked = queries(state.machine)
     yes = {
         slot: skill in step.skills and not step.arguments and not step.is_ahead
         for slot, step in asked.items()
@@ -27,7 +27,7 @@ def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill does not run, nor one that is asked for
     together with it.
     """
-    asked = questions(state.machine)
+    asked = queries(state.machine)
     no = {
         slot: False if skill in step.skills and not step.is_ahead else None
         for slot, step in asked.items()
@@ -41,7 +41,7 @@ def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
 
 
 def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.BoolRef]:
-    """Say that the context is there, and answers the questions in these slots, which are all; None
+    """Say that the context is there, and answers the queries in these slots, which are all; None
     stands for any answer.
     """
     for slot, answer in answers.items():
@@ -55,7 +55,7 @@ def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.Bo
             yield state.proposition(index).false
 
 
-def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
+def queries(machine: ir.Machine) -> dict[int, ir.Doing]:
     """The slots that ask which skills run, and what each asks."""
     found = {}
     for index, slot in enumerate(machine.slots):
@@ -66,8 +66,8 @@ def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
 
 
 def asked_by(machine: ir.Machine, rule: int) -> tuple[ir.Doing, ...]:
-    """The questions of the condition of a rule to the skills that run, each once."""
-    asked, found = questions(machine), dict[ir.Doing, None]()
+    """The queries of the condition of a rule to the skills that run, each once."""
+    asked, found = queries(machine), dict[ir.Doing, None]()
     for proposition in ir.reachable_propositions(machine, machine.rules[rule].condition):
         node = machine.propositions[proposition].node
         if isinstance(node, ir.Flag):

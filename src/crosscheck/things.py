@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import z3
 
-from crosscheck.asking import questions, tells
+from crosscheck.asking import queries, tells
 from crosscheck.errors import NeverInScene, NoNumberInScene, NothingToTake
 from crosscheck.robot import Robot
 from dslkit.diagnostics import Diagnostic, listed
@@ -42,7 +42,7 @@ def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
 
 
 def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
-    """A warning for each question to the skills that no thing of the scene lets be true."""
+    """A warning for each query to the skills that no thing of the scene lets be true."""
     asked = dict(_asked(robot.machine))
     for span, step in asked.items():
         for parameter, classes in step.arguments:
@@ -50,7 +50,7 @@ def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
             if possible and not any(scene.is_a(thing, classes) for thing in possible):
                 known = listed(scene.classes(possible))
                 help = NeverInScene.Others(parameter=parameter, known=known)
-                never = NeverInScene(question=str(step), parameter=parameter)
+                never = NeverInScene(query=str(step), parameter=parameter)
                 yield never.at(span, help=help)
                 break
 
@@ -74,8 +74,8 @@ def _things_of(robot: Robot, skill: Skill) -> Iterator[Parameter]:
 
 
 def _asked(machine: ir.Machine) -> Iterator[tuple[Span, ir.Doing]]:
-    """The questions to the skills, each by the place where rules write it."""
-    asked = questions(machine)
+    """The queries to the skills, each by the place where rules write it."""
+    asked = queries(machine)
     for proposition in machine.propositions:
         if isinstance(proposition.node, ir.Flag):
             signal = machine.signals[proposition.node.signal].node
@@ -143,11 +143,11 @@ def _taken(robot: Robot, scene: Scene, reading: _Reading) -> Iterator[tuple[Skil
 def _answers(
     machine: ir.Machine, scene: Scene, reading: _Reading, skill: Skill, thing: str
 ) -> Mapping[int, bool | None]:
-    """The answers to all questions while only this skill runs, with this thing; None for those that
+    """The answers to all queries while only this skill runs, with this thing; None for those that
     depend on other things.
     """
     found: dict[int, bool | None] = {}
-    for slot, step in questions(machine).items():
+    for slot, step in queries(machine).items():
         arguments = dict(step.arguments)
         wanted = arguments.pop(reading.step.parameter, None)
         fits = skill.name in step.skills and (wanted is None or scene.is_a(thing, wanted))
@@ -189,6 +189,6 @@ def _without_number(
         hold="holds" if len(names) == 1 else "hold",
         skill=skill.name,
     )
-    label = NoNumberInScene.Read(question=str(reading.step))
+    label = NoNumberInScene.Read(query=str(reading.step))
     heads = [robot.machine.rules[rule].head for rule in rules]
     return without.at(scene.place(thing), *(label.at(head) for head in heads))

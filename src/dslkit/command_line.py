@@ -13,13 +13,14 @@ import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
 
 import typer
 
 from dslkit import garbage, signals, streams
+from dslkit.answer import Answer
 from dslkit.diagnostics import Diagnostic, Severity, summary
 from dslkit.writing import reason, try_folder, try_writing, write_whole
 
@@ -50,11 +51,18 @@ _OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG
 
 
 class Format(str, enum.Enum):
-    """The format in which findings are printed."""
+    """The formats in which a check prints its findings."""
 
     TEXT = "text"
     JSON = "json"
     SARIF = "sarif"
+
+
+class ReportFormat(str, enum.Enum):
+    """The formats in which the other commands print their findings and their result."""
+
+    TEXT = "text"
+    JSON = "json"
 
 
 @dataclass(frozen=True)
@@ -71,6 +79,7 @@ class CommandLine:
     internal_code: str
     unreadable: frozenset[str]
     catalog: Callable[[], Catalog]
+    _answers: list[Answer] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def exit_code(self, found: Sequence[Diagnostic]) -> int:
         """0 without errors, 1 with errors, 2 if a file could not be read."""
@@ -100,14 +109,13 @@ class CommandLine:
     def print_diagnostics(
         self, found: Sequence[Diagnostic], form: Format, *, file_count: int
     ) -> None:
-        """All findings; as text with a closing line that counts them."""
-        if form is Format.TEXT:
+        """Print all findings: as text with a closing line that counts them, or in the answer."""
+        if self._answers:
+            self._answers[-1].add(found)
+            self._answers[-1].files = file_count
+        elif form is not Format.SARIF:
             self.print_findings(found)
             typer.echo(summary(found, file_count))
-        elif form is Format.JSON:
-            from dslkit.diagnostics.render_json import render_json
-
-            typer.echo(render_json(found, file_count=file_count), nl=False)
         else:
             from dslkit.diagnostics.render_sarif import render_sarif
 
@@ -115,8 +123,14 @@ class CommandLine:
             typer.echo(render_sarif(found, tool), nl=False)
 
     def print_findings(self, found: Sequence[Diagnostic], console: Console | None = None) -> None:
-        """The findings as text, without a count: on standard output, if nothing else is given."""
+        """Print findings as text, without a count: on standard output, if nothing else is given.
+
+        An answer as JSON collects the findings instead, unless they are for another console.
+        """
         if not found:
+            return
+        if self._answers and console is None:
+            self._answers[-1].add(found)
             return
         from rich.console import Console
 
@@ -152,6 +166,9 @@ class CommandLine:
 
     def reject(self, found: Sequence[Diagnostic]) -> NoReturn:
         """Print findings of which at least one is an error, and end the run."""
+        if self._answers:
+            self._answers[-1].add(found)
+            raise typer.Exit(self.exit_code(found))
         files = {each.primary.span.file.path for each in found}
         self.print_diagnostics(found, Format.TEXT, file_count=len(files))
         raise typer.Exit(self.exit_code(found))
@@ -161,9 +178,49 @@ class CommandLine:
         typer.echo(f"{self.tool}: {message}", err=True)
 
     def fail(self, message: str, *, exit_code: int) -> NoReturn:
-        """End the run with one line on standard error."""
+        """End the run with one line on standard error; an answer as JSON has the line, too."""
         self.complain(message)
+        if self._answers:
+            self._answers[-1].error = message
         raise typer.Exit(exit_code)
+
+    # --- answers for programs ---------------------------------------------------------------------
+
+    @contextmanager
+    def answering(self, form: enum.Enum, command: str, *, files: int) -> Iterator[Answer]:
+        """Within, a command whose `form` is JSON prints nothing on standard output; at the end it
+        prints one JSON object with all findings and the result of the answer.
+
+        `command` is the name of the command, `files` the number of files that the user named. The
+        object is printed after an error as well. An answer within another one is that other one.
+        """
+        if self._answers:
+            yield self._answers[-1]
+            return
+        answer = Answer(f"{self.tool} {command}", files, is_printed=form.value == Format.JSON.value)
+        if not answer.is_printed:
+            yield answer
+            return
+        self._answers.append(answer)
+        try:
+            yield answer
+        except typer.Exit:
+            typer.echo(answer.text(), nl=False)
+            raise
+        except (OSError, KeyboardInterrupt):
+            raise  # nobody may be there to read an answer
+        except Exception:
+            answer.error = f"this is a defect of {self.tool}; standard error has the details"
+            typer.echo(answer.text(), nl=False)
+            raise
+        else:
+            typer.echo(answer.text(), nl=False)
+        finally:
+            self._answers.pop()
+
+    def tell(self, line: str) -> None:
+        """Print a line about the run: on standard error if standard output is for an answer."""
+        typer.echo(line, err=bool(self._answers))
 
     # --- what is written --------------------------------------------------------------------------
 

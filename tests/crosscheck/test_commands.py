@@ -37,9 +37,9 @@ def test_the_example_is_fine_and_its_file_of_skills_is_up_to_date(tmp_path: Path
     out = tmp_path / "skills.json"
     again = command_line.run("ezskiros", "export", "skills", "-o", out, folder=EXAMPLE)
     assert again.returncode == 0
-    told = [json.loads(path.read_text()) for path in (out, EXAMPLE / "skills.json")]
-    assert [skill["name"] for skill in told[0]["skills"]] == [
-        skill["name"] for skill in told[1]["skills"]
+    reported = [json.loads(path.read_text()) for path in (out, EXAMPLE / "skills.json")]
+    assert [skill["name"] for skill in reported[0]["skills"]] == [
+        skill["name"] for skill in reported[1]["skills"]
     ]
 
 
@@ -83,7 +83,10 @@ def test_a_change_of_a_skill_is_followed_to_trees_and_rules() -> None:
 
 def test_the_picture_is_svg_with_all_names(tmp_path: Path) -> None:
     out = tmp_path / "robot.svg"
-    assert command_line.run("crosscheck", "show", RULES, "--svg", out).returncode == 0
+    assert (
+        command_line.run("crosscheck", "show", RULES, "--format", "svg", "--out", out).returncode
+        == 0
+    )
     texts = [each.text for each in ET.fromstring(out.read_text()).iter() if each.text]
     assert {"Wipe", "contact", "/cmd_vel"} <= {*texts}
 
@@ -97,7 +100,7 @@ def test_a_name_cannot_break_the_picture(tmp_path: Path) -> None:
     assert "Traceback" not in done.stdout + done.stderr
 
 
-def test_questions_that_take_too_long_are_an_error(
+def test_queries_that_take_too_long_are_an_error(
     wide: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("crosscheck.check.LONGEST_S", -1.0)
@@ -109,7 +112,7 @@ def test_questions_that_take_too_long_are_an_error(
 @pytest.mark.parametrize(
     "command",
     [
-        ("crosscheck", "show", "wide.ross", "--svg"),
+        ("crosscheck", "show", "wide.ross", "--format", "svg", "--out"),
         ("rossmarie", "export", "wide.ross", "--out"),
         ("ezskiros", "export", "skills", "--out"),
     ],

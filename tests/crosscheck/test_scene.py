@@ -91,7 +91,7 @@ def test_each_thing_that_can_be_taken_is_looked_at(robot: Path) -> None:
     ]
 
 
-def test_a_class_without_a_thing_is_told_once_and_what_there_is_instead(robot: Path) -> None:
+def test_a_class_without_a_thing_is_reported_once_and_what_there_is_instead(robot: Path) -> None:
     gone = ("office:GlassBoard-6", "office:Whiteboard-6"), (", office:GlassBoard", "")
     asked = "doing Wipe(Board: GlassBoard)"
     (found,) = in_scene(robot, f"{asked} or {asked}", *gone)[:1]
@@ -100,7 +100,9 @@ def test_a_class_without_a_thing_is_told_once_and_what_there_is_instead(robot: P
     assert in_scene(robot, "doing Wipe(Board: Whiteboard)", *gone) == []
 
 
-def test_skills_with_nothing_to_take_are_told_together_and_no_rule_with_them(robot: Path) -> None:
+def test_skills_with_nothing_to_take_are_reported_together_and_no_rule_with_them(
+    robot: Path,
+) -> None:
     no_sponge = (
         "office:Sponge-4 a owl:NamedIndividual , office:Sponge",
         "skiros:Product-4 a skiros:Product",
@@ -111,7 +113,7 @@ def test_skills_with_nothing_to_take_are_told_together_and_no_rule_with_them(rob
     assert found.title.startswith("`Erase` and `Wipe` cannot start")
 
 
-def test_what_is_wrong_with_a_scene_by_itself_is_told_as_well(robot: Path) -> None:
+def test_what_is_wrong_with_a_scene_by_itself_is_reported_as_well(robot: Path) -> None:
     scene = robot / "wrong.turtle"
     scene.write_text(SCENE.read_text().replace(", office:Sponge", ", office:Spunge"))
     done = command_line.run("crosscheck", "check", "--scene", scene, RULES, "--format", "sarif")

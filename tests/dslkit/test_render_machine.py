@@ -34,7 +34,8 @@ TOOL = Tool(
 
 
 def test_json_is_as_it_was_when_somebody_looked(bless: bool) -> None:
-    assert_golden(GOLDEN / "findings.json", render_json(FOUND, file_count=2), bless=bless)
+    text = render_json(FOUND, command="rossmarie check", file_count=2)
+    assert_golden(GOLDEN / "findings.json", text, bless=bless)
 
 
 def test_sarif_is_as_it_was_when_somebody_looked(bless: bool) -> None:
@@ -43,7 +44,7 @@ def test_sarif_is_as_it_was_when_somebody_looked(bless: bool) -> None:
 
 @given(any_finding())
 def test_json_says_everything_that_a_finding_says(found: Diagnostic) -> None:
-    document = json.loads(render_json([found], file_count=1))
+    document = json.loads(render_json([found], command="rossmarie check", file_count=1))
     (said,) = document["diagnostics"]
     assert (said["title"], said["help"]) == (found.title, found.help)
     assert tuple(said["notes"]) == found.notes

@@ -22,7 +22,7 @@ from rossmarie.driver.build import build_files
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
 from rossmarie.driver.robots import ROBOTS, Robot, robots
-from rossmarie.driver.testing import Outcome, run_test_file
+from rossmarie.driver.testing import RanTests, run_test_file
 from rossmarie.ir import Change, Verdict
 from rossmarie.recordings import open_recording
 from rossmarie.testing.goals import Aspect
@@ -82,7 +82,7 @@ def test_they_pass_and_reach_all_of_mc_dc(robot: Robot) -> None:
 
 
 @cache
-def outcome(robot: Robot) -> Outcome:
+def outcome(robot: Robot) -> RanTests:
     return run_test_file(robot.rules)
 
 
@@ -98,15 +98,15 @@ def test_a_node_comes_of_the_rules(robot: Robot, target: str, tmp_path: Path) ->
 
 @of_each_robot
 def test_the_recording_is_what_the_simulation_says(robot: Robot, bless: bool) -> None:
-    store, told = simulated(robot.name)
-    expected = list(told)
+    store, reported = simulated(robot.name)
+    expected = list(reported)
     if bless:
         write(robot.recording, store, expected)
     assert robot.recording.stat().st_size < MOST_BYTES
     different = 0
-    for found, (*told_where, kind, message) in zip(recorded(robot), expected, strict=True):
+    for found, (*reported_where, kind, message) in zip(recorded(robot), expected, strict=True):
         *where, content = found
-        assert where == [*told_where, kind]
+        assert where == [*reported_where, kind]
         if content != bytes(store.serialize_cdr(message, kind)):
             different += 1
             assert is_near(store.deserialize_cdr(content, kind), message), where
@@ -137,9 +137,9 @@ def is_near(found: Any, wanted: Any) -> bool:
 def test_topics_are_those_of_the_system_model(robot: Robot) -> None:
     declared = dict(DECLARED.findall((robot.folder / "system.ross").read_text(encoding="utf-8")))
     with open_recording(robot.recording) as opened:
-        told = {topic.name: topic.message_type for topic in opened.topics.values()}
+        reported = {topic.name: topic.message_type for topic in opened.topics.values()}
     transforms = {"/tf": "tf2_msgs/TFMessage", "/tf_static": "tf2_msgs/TFMessage"}
-    assert told.items() <= {**declared, **transforms}.items()
+    assert reported.items() <= {**declared, **transforms}.items()
 
 
 @of_each_robot

@@ -105,7 +105,7 @@ def _written(content: bytes, folder: Path, name: str) -> Path:
 def _say(found: Sequence[Diagnostic], tool: Tool) -> None:
     """Print findings in all forms, to nowhere."""
     render_text(found).plain.encode()
-    render_json(found, file_count=1)
+    render_json(found, command="rossmarie check", file_count=1)
     render_sarif(found, tool)
 
 

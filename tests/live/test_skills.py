@@ -130,12 +130,12 @@ def test_silence_ends_an_exemption_within_the_timeout(begin: Begin) -> None:
         robot.set(is_talking=False)
         becomes(robot, STALE)
         passes(robot, 0.0)
-        told = robot.ask(heard="/skillful_safety/verdicts")
-        changes = {verdict["rule"]: verdict["change"] for _, verdict in told}
+        reported = robot.ask(heard="/skillful_safety/verdicts")
+        changes = {verdict["rule"]: verdict["change"] for _, verdict in reported}
         stale = dict.fromkeys(STALE, ACTIVATED_WITHOUT_INPUT)
         assert changes == {"contact_doing_Push": CLEARED, **stale}
         last, _ = robot.ask(last="context")
-        return float(max(at for at, _ in told) - last)
+        return float(max(at for at, _ in reported) - last)
 
     shortest = [silence()]
 

@@ -90,7 +90,7 @@ def ahead_of_others() -> Iterator[None]:
 
 def heard(ears: Ears) -> list[Change]:
     """What the node has said so far, but for losses: they come once the talker is silent."""
-    changes = [(told["rule"], told["change"]) for told in ears.heard(VERDICTS)]
+    changes = [(reported["rule"], reported["change"]) for reported in ears.heard(VERDICTS)]
     return [each for each in changes if each[1] != ir.Change.ACTIVATED_STALE]
 
 

@@ -160,8 +160,8 @@ def becomes(robot: Ears, rules: list[str]) -> None:
     topic = f"/robot1/{NODE}/state"
 
     def is_so() -> bool:
-        told = robot.last(topic) or {}
-        return bool(told.get("open")) and told["active"] == rules
+        reported = robot.last(topic) or {}
+        return bool(reported.get("open")) and reported["active"] == rules
 
     until(is_so, f"{rules} are active, not {robot.last(topic)}")
 

@@ -179,7 +179,7 @@ _INPUTS = (
     ),
 )
 
-_TRUTH_VALUES = (
+_CONDITIONS = (
     Fault(
         "`and` is false only if both are",
         "if (a == FALSE || b == FALSE)",
@@ -307,7 +307,7 @@ _OSCILLATION = (
         "m->gap_end_ns[k] >= recent_windows[k]",
         "m->gap_end_ns[k] > recent_windows[k]",
     ),
-    Fault("a gap is never told", "        m->gap[k] = source;", ""),
+    Fault("a gap is never reported", "        m->gap[k] = source;", ""),
 )
 
 _EDGES = (
@@ -349,7 +349,7 @@ MONITOR = (
     *_DURATIONS,
     *_TIME,
     *_INPUTS,
-    *_TRUTH_VALUES,
+    *_CONDITIONS,
     *_RULES,
     *_NUMBERS,
     *_OSCILLATION,

@@ -159,7 +159,7 @@ INTERPRETER: Mapping[str, Sequence[Damage]] = {
             "before=TruthValue.FALSE",
         ),
         Damage("an edge is never over", "        self.before = value\n", ""),
-        Damage("a gap is never told", "return self.gap if is_near else", "return"),
+        Damage("a gap is never reported", "return self.gap if is_near else", "return"),
         Damage(
             "edges are kept over a jump",
             "        self.instants.clear()\n        self.gap, ",

@@ -118,10 +118,8 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "ir.AgeReaches(self._inputs.input(used), timeout_ns)",
             "ir.AgeReaches(self._inputs.input(used), 2 * timeout_ns)",
         ),
-        Damage(
-            "a question without its limits", "found.skills, found.arguments", "found.skills, ()"
-        ),
-        Damage("a question of another file", "self._skills.file.digest", '"0" * 64'),
+        Damage("a query without its limits", "found.skills, found.arguments", "found.skills, ()"),
+        Damage("a query of another file", "self._skills.file.digest", '"0" * 64'),
     ),
     "lowering/contracts.py": (
         Damage(
@@ -167,7 +165,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
         ),
         Damage("an exemption has the contract", "        contracts=(),\n", ""),
         Damage(
-            "the use of an exemption is not told",
+            "the use of an exemption is not reported",
             'yield _made(rule, exemption, f"{name}_doing_{suffix}", rule.condition, ())',
             "pass",
         ),
@@ -201,8 +199,8 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
         ),
         Damage(
             "skills run as they are declared",
-            "    own = _told_apart(",
-            "    return [(thing.type,)]\n    own = _told_apart(",
+            "    own = _distinguished(",
+            "    return [(thing.type,)]\n    own = _distinguished(",
         ),
         Damage(
             "calls of one skill are left out",

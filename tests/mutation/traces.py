@@ -38,7 +38,7 @@ Make = Callable[[ir.Machine, Random, int], ChannelValues]
 
 
 class _Recorder:
-    """An engine that notes what it is told."""
+    """An engine that notes what it is reported."""
 
     def __init__(self) -> None:
         self.steps: list[Step] = []

@@ -22,7 +22,7 @@ from rossmarie.analysis.implied import needs
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.latches import LATCHED, RESETTING, Release
 from rossmarie.analysis.rates import never_at_rate
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
@@ -99,15 +99,15 @@ def test_every_evaluation_is_a_state(case: Case) -> None:
         inquiry = Inquiry(machine)
         for settled in (False, True) if is_settled(machine, values) else (False,):
             state = ArbitraryState(inquiry.asked, settled=settled)
-            claim = z3.And(
+            predicate = z3.And(
                 [
                     state.proposition(proposition).is_value(values[proposition])
                     for proposition in values
                 ]
             )
             orders = list(inquiry.orders(state))
-            answer = ask([*state.facts, *orders], claim)
-            assert answer.outcome is not Outcome.IMPOSSIBLE, (values, state.facts)
+            answer = ask([*state.facts, *orders], predicate)
+            assert answer.outcome is not Satisfiability.IMPOSSIBLE, (values, state.facts)
 
 
 @unhurried
@@ -288,10 +288,10 @@ def test_a_limit_that_holds_its_rule_does(data: st.DataObject) -> None:
     machine = replace(draft.machine(), reactions=COMMANDED)
     kept = [Kept(0, 0, 0, low, high)]
 
-    def claim(state: ArbitraryState) -> z3.BoolRef:
+    def predicate(state: ArbitraryState) -> z3.BoolRef:
         return z3.And(is_ended(state, 0), is_within(state, kept))
 
-    assume(Inquiry(machine).is_impossible(claim, settled=True))
+    assume(Inquiry(machine).is_impossible(predicate, settled=True))
     monitor = watching(machine)
     was_active = False
     inside = st.one_of(st.sampled_from((low, high)), st.floats(low, high))

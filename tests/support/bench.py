@@ -56,7 +56,7 @@ def ns(seconds: float) -> int:
     return round(seconds * SECOND)
 
 
-def told(events: Sequence[Event]) -> list[tuple[int, float, Change]]:
+def reported(events: Sequence[Event]) -> list[tuple[int, float, Change]]:
     """Rule, instant in seconds and change of the verdicts."""
     return [
         (event.rule, event.at_ns / SECOND, event.change)

@@ -58,8 +58,8 @@ class Draft:
         self.slots.append(ir.Slot(used, path, kind, scale, offset, "", limits))
         return len(self.slots) - 1
 
-    def question(self, used: int, step: ir.SkillStep) -> int:
-        """A slot that is a question to the skills that run."""
+    def query(self, used: int, step: ir.SkillStep) -> int:
+        """A slot that is a query to the skills that run."""
         is_flag = isinstance(step, ir.Doing) or step.is_boolean
         kind = ir.Kind.FLAG if is_flag else ir.Kind.REAL
         self.slots.append(ir.Slot(used, (step,), kind, 1.0, 0.0, ""))

@@ -20,7 +20,7 @@ from rossmarie.core import (
     sampling_row,
 )
 from support.drafts import SECOND, Draft
-from support.skill_contexts import QUESTIONS, calls_told
+from support.skill_contexts import QUERIES, calls_reported
 
 TICK = SECOND // 10
 
@@ -73,7 +73,7 @@ class Growing:
         self.element_numbers: dict[int, list[int]] = {}
         self.element_texts: dict[int, list[int]] = {}
         self.propositions: list[int] = []
-        self.questions: list[int] = []
+        self.queries: list[int] = []
 
     def one_of(self, choices: Sequence[int]) -> int:
         # Later nodes are preferred a little, so that machines grow deep as well as wide.
@@ -96,14 +96,14 @@ class Growing:
         channel = self.draft.skill_channel()
         for _ in range(self.draw(st.integers(1, 2))):
             used = self.draft.input(channel, self.draw(timeouts))
-            for step in self.draw(st.lists(st.sampled_from(QUESTIONS), max_size=3, unique=True)):
-                slot = self.draft.question(used, step)
+            for step in self.draw(st.lists(st.sampled_from(QUERIES), max_size=3, unique=True)):
+                slot = self.draft.query(used, step)
                 if isinstance(step, ir.Doing):
-                    self.questions.append(slot)
+                    self.queries.append(slot)
                 elif not step.is_boolean:
                     self.numbers.append(self.draft.signal(ir.Read(slot)))
         steps = [slot.path[0] for slot in self.draft.slots if isinstance(slot.path[0], ir.Doing)]
-        self.draft.calls = calls_told(steps) if self.draw(st.booleans()) else ()
+        self.draft.calls = calls_reported(steps) if self.draw(st.booleans()) else ()
 
     def _fields(self, used: int) -> None:
         # Of an input without fields only the age is read.
@@ -274,7 +274,7 @@ class Growing:
             grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
             grow += [self._since]
             grow += [self._recurs, self._recurs]
-        if self.questions:
+        if self.queries:
             grow += [self._doing, self._kept]
         self.propositions.append(self.draw(st.sampled_from(grow))())
 
@@ -325,12 +325,12 @@ class Growing:
         return self._add(ir.Flag(self._of_region(Measure.INSIDE)))
 
     def _doing(self) -> int:
-        slot = self.draw(st.sampled_from(self.questions))
+        slot = self.draw(st.sampled_from(self.queries))
         return self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
 
     def _kept(self) -> int:
-        """An exemption rests on this: a skill runs, as told in time (S59)."""
-        slot = self.draw(st.sampled_from(self.questions))
+        """An exemption rests on this: a skill runs, as reported in time (S59)."""
+        slot = self.draw(st.sampled_from(self.queries))
         flag = self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
         late = self._add(ir.AgeReaches(self.draft.slots[slot].input, self.draw(durations)))
         return self._add(ir.And((flag, self._add(ir.Not(late)))))
@@ -359,7 +359,7 @@ class Growing:
         return self._add(ir.Since(self.one_of(self.propositions), self.one_of(self.propositions)))
 
     def rule(self) -> None:
-        if bool(self.questions) and self.draw(st.booleans()):
+        if bool(self.queries) and self.draw(st.booleans()):
             self._exempted()
             return
         condition = self.one_of(self.propositions)

@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from support.drafts import SECOND
 from support.growing import EXTREMES, NUMBERS, TICK, Growing
-from support.skill_contexts import CONTEXTS, told
+from support.skill_contexts import CONTEXTS, reported
 
 NAN = float("nan")
 INFINITY = float("inf")
@@ -152,7 +152,7 @@ def _answers(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.ChannelVa
     """Answers of skills that run; some are of another export, some too large."""
     number = draw(st.integers(0, len(CONTEXTS) - 1))
     slots = {
-        index: told(slot.path[0], number)
+        index: reported(slot.path[0], number)
         for index, slot in enumerate(machine.slots)
         if machine.inputs[slot.input].channel == channel
         and isinstance(slot.path[0], ir.Doing | ir.Quantity)

@@ -75,6 +75,10 @@ def _python() -> str | None:
     return f"this is Python {version}" if sys.version_info < (3, 11) else None
 
 
+def _generator() -> str | None:
+    return None if find_spec("material") else _python() or "mkdocs-material is not installed"
+
+
 def _mujoco() -> str | None:
     return None if find_spec("mujoco") else _python() or "not installed"
 
@@ -248,12 +252,15 @@ NAV2_MONITOR = Part(
     "apt-get install ros-$ROS_DISTRO-nav2-collision-monitor",
 )
 SROS2 = Part("SROS2", _sros2, "apt-get install ros-$ROS_DISTRO-sros2")
+ZSH = Part("zsh", partial(_program, "zsh"), "install the package zsh")
+FISH = Part("fish", partial(_program, "fish"), "install the package fish")
 CHROMIUM = Part("Chromium", _browser, "make browser")
 DISPLAY = Part("a display", partial(_program, "Xvfb"), "make display")
 EGL = Part("EGL", _egl, "make drawing")
 PYTHON_3_11 = Part("Python 3.11", _python, _NEWER_PYTHON)
 MUJOCO = Part("MuJoCo", _mujoco, _NEWER_PYTHON)
 LEARNERS = Part("learners", _learners, "make .venv/.ready")
+SITE = Part("the generator of the site", _generator, _NEWER_PYTHON)
 RAY = Part("Ray", _ray, "EXTRAS=ray tools/setup.sh")
 PYRIGHT = Part("pyright", _pyright, "apt-get install nodejs")
 SKIROS2 = Part(
@@ -292,9 +299,9 @@ PARTS = (
         NAV2_MONITOR,
         SROS2,
     ),
-    *(CHROMIUM, DISPLAY, EGL),
+    *(ZSH, FISH, CHROMIUM, DISPLAY, EGL, SITE),
     *(PYTHON_3_11, MUJOCO, RAY, PYRIGHT, SKIROS2, BEHAVIOR_TREE_CPP),
     *(PEERS, RTLOLA_IN_RUST),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),
 )
-"""All of them, in the order in which they are told."""
+"""All of them, in the order in which they are reported."""

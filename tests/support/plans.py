@@ -1,6 +1,6 @@
 """Reactions written down by hand: a draft grows task by task, and a bench drives its reactor.
 
-Times are in seconds, and orders are told in words: `start 0`, `stop 1`, `overruled 2 by 0`.
+Times are in seconds, and orders are reported in words: `start 0`, `stop 1`, `overruled 2 by 0`.
 """
 
 from __future__ import annotations
@@ -92,7 +92,7 @@ class Plans:
 
     fields: int = 1
     tasks: list[reactions.Task] = field(default_factory=list)
-    plans: list[reactions.Plan] = field(default_factory=list)
+    plans: list[reactions.RecoveryPlan] = field(default_factory=list)
 
     def task(
         self, effect: reactions.Effect, *, otherwise: Sequence[int] = (), resource: int = 0
@@ -107,7 +107,9 @@ class Plans:
         tasks = [task for stage in stages for task in stage]
         for task in tasks:
             tasks.extend(self.tasks[task].otherwise)
-        plan = reactions.Plan(tuple(map(tuple, stages)), tuple(sorted(tasks)), tuple(unless))
+        plan = reactions.RecoveryPlan(
+            tuple(map(tuple, stages)), tuple(sorted(tasks)), tuple(unless)
+        )
         self.plans.append(plan)
         return len(self.plans) - 1
 
@@ -175,13 +177,13 @@ class ReactorBench:
     def react(self, seconds: float, *engaged: int) -> list[str]:
         """The orders, if these rules are engaged and no others."""
         which = [rule in engaged for rule in range(self._rules)]
-        return told(self.reactor.react(ns(seconds), which, self.watches))
+        return reported(self.reactor.react(ns(seconds), which, self.watches))
 
     def succeed(self, seconds: float, task: int) -> list[str]:
-        return told(self.reactor.report(ns(seconds), task, True, self.watches))
+        return reported(self.reactor.report(ns(seconds), task, True, self.watches))
 
     def fail(self, seconds: float, task: int) -> list[str]:
-        return told(self.reactor.report(ns(seconds), task, False, self.watches))
+        return reported(self.reactor.report(ns(seconds), task, False, self.watches))
 
     def state(self, task: int) -> State:
         return self.reactor.states[task]
@@ -196,7 +198,7 @@ class ReactorBench:
         return (found.factor, found.low, found.high)
 
 
-def told(orders: Sequence[ir.Order]) -> list[str]:
+def reported(orders: Sequence[ir.Order]) -> list[str]:
     """Orders in words."""
     return [
         f"{order.kind.value} {order.task}" + ("" if order.by is None else f" by {order.by}")

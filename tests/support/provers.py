@@ -1,4 +1,4 @@
-"""Provers for tests: the real one, and one that answers as it is told."""
+"""Provers for tests: the real one, and one that answers as it is reported."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from pathlib import Path
 
 from dslkit.writing import write_texts
 from rossmarie import ir
-from rossmarie.driver.verifying import Questions, prove
+from rossmarie.driver.verifying import Queries, prove
 from rossmarie.report.proofs import Proofs
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, harness
 from rossmarie.verification.prover import (
-    Outcome,
+    ProofOutcome,
     Prover,
     ProverError,
     Verdict,
@@ -27,7 +27,7 @@ from support.damage import damaged
 from support.parts import PROVER, require
 
 SECONDS = 120
-"""No solver is given more of a processor for one question."""
+"""No solver is given more of a processor for one query."""
 
 NO_CHANGE = ("", "")
 
@@ -38,15 +38,13 @@ def real_prover() -> Prover:
     return Prover()
 
 
-def proofs_of_reactor(
-    prover: Prover, questions: Questions, old: str, new: str, *names: str
-) -> Proofs:
-    """Ask the questions about a reactor whose names begin so, after a change of its C."""
-    files = questions.files if not old else damaged(questions.files, "reactor", old, new)
-    program = questions.programs[1]
+def proofs_of_reactor(prover: Prover, queries: Queries, old: str, new: str, *names: str) -> Proofs:
+    """Ask the queries about a reactor whose names begin so, after a change of its C."""
+    files = queries.files if not old else damaged(queries.files, "reactor", old, new)
+    program = queries.programs[1]
     checks = tuple(check for check in program.checks if check.name.startswith(names))
     assert checks
-    changed = replace(questions, files=files, programs=(replace(program, checks=checks),))
+    changed = replace(queries, files=files, programs=(replace(program, checks=checks),))
     return prove(changed, prover, seconds=SECONDS)
 
 
@@ -56,7 +54,7 @@ def asked(
     change: tuple[str, str],
     names: Sequence[str],
     seconds: int = SECONDS,
-) -> Iterator[Outcome]:
+) -> Iterator[ProofOutcome]:
     """The outcomes of the checks of a monitor whose names begin so, after a change of its C."""
     program = harness(machine)
     with prover.workshop() as folder:
@@ -97,7 +95,7 @@ class StandIn(Prover):
         if self.refuses:
             raise ProverError(self.refuses)
 
-    def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> Outcome:
+    def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> ProofOutcome:
         del harness, folder, seconds
         if check.name == self.fails:
             raise ProverError("Usage:\nunknown option\n")
@@ -111,8 +109,8 @@ class StandIn(Prover):
         ):
             reasons = tuple(reason for name, reason in those if name == check.name)
             if reasons:
-                return Outcome(check, verdict, reasons)
-        return Outcome(check, Verdict.PROVED)
+                return ProofOutcome(check, verdict, reasons)
+        return ProofOutcome(check, Verdict.PROVED)
 
     def _hang(self) -> None:
         with subprocess.Popen(["sleep", "120"], start_new_session=True) as beside:

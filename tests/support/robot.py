@@ -1,5 +1,5 @@
 # mypy: ignore-errors
-"""A robot and its planner for live tests: a ROS node that is told what to do by lines of JSON.
+"""A robot and its planner for live tests: a ROS node that is reported what to do by lines of JSON.
 
 What differs between the generations of ROS stands in `ros1_robot.py` and `ros2_robot.py`.
 """
@@ -24,10 +24,10 @@ RECOVERY = 99  # the goal of the rules
 
 
 class Robot(Ears):
-    """Publishes what it is told, and remembers what it hears.
+    """Publishes what it is reported, and remembers what it hears.
 
     `ACTION` is the type of its goals; `SWITCHED` are the fields in which a controller manager
-    is told what to start and what to stop.
+    is reported what to start and what to stop.
     """
 
     def __init__(self, *arguments):

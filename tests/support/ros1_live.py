@@ -137,7 +137,7 @@ class Ros1:
         """The next master, which knows nobody who was killed; it has started meanwhile.
 
         The one before would go on asking the ports of the dead. Whoever listens there next may
-        wait for the rest of a question that it does not understand, and meanwhile accept nobody
+        wait for the rest of a query that it does not understand, and meanwhile accept nobody
         else: so does a node of rospy.
         """
         self._master.end()
@@ -211,9 +211,12 @@ class Ros1:
         command = [str(PYTHON), str(_HERE / "ros1_play.py"), str(recording), *map(str, part)]
         return Process(command, self.variables, self._folder / "play.log")
 
-    def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
-        """Publish a message at a rate, in a process of its own."""
-        command = ["/usr/bin/rostopic", "pub", "-r", str(rate), topic, ros_type, message]
+    def publish(
+        self, rate: int, topic: str, ros_type: str, message: str, *, is_kept: bool = False
+    ) -> Process:
+        """Publish a message at a rate, in a process of its own. A kept one comes late, too."""
+        kept = ["-l"] if is_kept else ["-r", str(rate)]
+        command = ["/usr/bin/rostopic", "pub", *kept, topic, ros_type, message]
         return Process(*self._script("publish.log", *command))
 
     def ros_type(self, name: str) -> str:

@@ -159,9 +159,12 @@ class Ros2:
         command = [str(shutil.which("python3")), str(_HERE / "ros2_play.py"), str(messages)]
         return Process(command, self.variables, self._folder / "play.log")
 
-    def publish(self, rate: int, topic: str, ros_type: str, message: str) -> Process:
-        """Publish a message at a rate, in a process of its own."""
-        command = ["ros2", "topic", "pub", "--print", "0", "--rate", str(rate), topic]
+    def publish(
+        self, rate: int, topic: str, ros_type: str, message: str, *, is_kept: bool = False
+    ) -> Process:
+        """Publish a message at a rate, in a process of its own. A kept one comes late, too."""
+        kept = ["--qos-durability", "transient_local"] if is_kept else []
+        command = ["ros2", "topic", "pub", "--print", "0", *kept, "--rate", str(rate), topic]
         return Process(
             [*command, self.ros_type(ros_type), message],
             self.variables,

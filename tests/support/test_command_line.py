@@ -171,7 +171,7 @@ def test_it_ends_as_a_process_of_its_own(script: Path, code: str) -> None:
 
 
 @pytest.mark.parametrize("code", ["raise ValueError('oh')", "raise KeyboardInterrupt"])
-def test_an_error_is_told_with_its_place(script: Path, code: str) -> None:
+def test_an_error_is_reported_with_its_place(script: Path, code: str) -> None:
     script.write_text(f"def fail():\n    {code}\n\nprint('before')\nfail()\n")
     found, asked = run(script), alone(sys.executable, script)
     assert (found.returncode, found.stdout) == (asked.returncode, asked.stdout)
@@ -250,8 +250,8 @@ COMMANDS = {
         "check robot.ross",
         "explain CHK102",
         "impact Wipe robot.ross",
-        "live robot.ross --seconds 1",
-        "show robot.ross --svg robot.svg",
+        "live robot.ross --duration 1",
+        "show robot.ross --format svg --out robot.svg",
         "weave robot.ross --out guards.json",
     ],
     "heron": ["run nav --ros1 --arm none"],
@@ -265,7 +265,7 @@ COMMANDS = {
         "owl --ontology ontology --out owl",
         "plan skills --scene lab.turtle --goal '(skiros:contain shelf starter)'",
         "run pick skills --scene lab.turtle --simulate Object=cable Gripper=gripper",
-        "show pick_and_place skills --svg a.svg --btcpp a.xml",
+        "show pick_and_place skills --format btcpp --out a.xml",
         "stubs --ontology ontology --out world.pyi",
     ],
     "rossmarie": [
@@ -279,6 +279,7 @@ COMMANDS = {
         "failures drive.ross",
         "fmt drive.ross",
         "graph drive.ross --format svg",
+        "init drive.csv",
         "model drive.csv",
         "replay drive.ross drive.csv --out seen",
         "report drive.ross --date 2026-03-04",

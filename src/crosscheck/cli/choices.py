@@ -1,17 +1,25 @@
-"""Arguments and options of `crosscheck live`."""
+"""Arguments and options of the commands."""
 
 from __future__ import annotations
 
 import enum
 import re
+from typing import Annotated
 
 import typer
 
+from dslkit.command_line import ReportFormat
 
-class LiveFormat(str, enum.Enum):
-    """The format in which a robot that runs is told of."""
+Answers = Annotated[
+    ReportFormat, typer.Option("--format", help="The format of findings and result.")
+]
+
+
+class ShowFormat(str, enum.Enum):
+    """The formats in which `show` draws."""
 
     TEXT = "text"
+    SVG = "svg"
     JSON = "json"
 
 

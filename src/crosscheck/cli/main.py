@@ -11,18 +11,18 @@ from typing import Annotated
 
 import typer
 
-from crosscheck.cli.choices import LiveFormat, ros_namespace
+from crosscheck.cli.choices import Answers, ShowFormat, ros_namespace
 from crosscheck.cli.output import output
-from dslkit.command_line import Format, StudyFile
+from dslkit.command_line import Format, ReportFormat, StudyFile
+from dslkit.completion import codes
 from dslkit.parameters import Group
 from dslkit.writing import reason
-from rossmarie.cli.options import MessageFolders, Rules, Systems, written
+from rossmarie.cli.options import MessageFolders, OptionalOutFile, Rules, Systems
 
 app = typer.Typer(
     help="Rules and skills of one robot, looked at together.",
     cls=Group,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -51,49 +51,51 @@ def check(
     study: StudyFile = None,
 ) -> None:
     """Find what only rules and skills together can tell."""
-    from crosscheck.check import check_robot
+    with output.answering(form, "check", files=1):
+        from crosscheck.check import check_robot
 
-    output.try_study(study)
-    try:
-        found = check_robot(
-            rules, systems=system or [], message_folders=messages or [], scene=scene
-        )
-    except OSError as problem:
-        if scene is None:
-            raise
-        output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
-    output.log_study(study, "check", [rules], found)
-    output.print_diagnostics(found, form, file_count=1)
-    raise typer.Exit(output.exit_code(found))
+        output.try_study(study)
+        try:
+            found = check_robot(
+                rules, systems=system or [], message_folders=messages or [], scene=scene
+            )
+        except OSError as problem:
+            if scene is None:
+                raise
+            output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
+        output.log_study(study, "check", [rules], found)
+        output.print_diagnostics(found, form, file_count=1)
+        raise typer.Exit(output.exit_code(found))
 
 
 @app.command()
 def show(
     rules: Rules,
-    svg: Annotated[
-        Path | None,
-        typer.Option("--svg", metavar="FILE", help="Write a picture.", parser=written),
-    ] = None,
+    form: Annotated[
+        ShowFormat, typer.Option("--format", help="The format of the picture.")
+    ] = ShowFormat.TEXT,
+    out: OptionalOutFile = None,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Show which skill uses what, which rules guard it, and which interrupt it."""
     from crosscheck.cli.showing import run_show
 
-    run_show(rules, svg, system or [], messages or [])
+    run_show(rules, form, out, system or [], messages or [])
 
 
 @app.command()
 def impact(
     skill: Annotated[str, typer.Argument(metavar="SKILL", help="The name of a description.")],
     rules: Rules,
+    form: Answers = ReportFormat.TEXT,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """List what a change of one description can break: trees and rules."""
     from crosscheck.cli.showing import run_impact
 
-    run_impact(skill, rules, system or [], messages or [])
+    run_impact(skill, rules, form, system or [], messages or [])
 
 
 @app.command()
@@ -120,24 +122,25 @@ def live(
             metavar="NS", help="That of the robot, such as /robot1.", parser=ros_namespace
         ),
     ] = "",
-    seconds: Annotated[
+    duration: Annotated[
         float | None, typer.Option(metavar="SECONDS", min=0.0, help="End after this time.")
     ] = None,
-    form: Annotated[
-        LiveFormat, typer.Option("--format", help="How changes and findings are printed.")
-    ] = LiveFormat.TEXT,
+    form: Answers = ReportFormat.TEXT,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Watch a robot over ROS: which skills run, which rules act on them, and what is amiss."""
     from crosscheck.cli.watching import run_live
 
-    run_live(rules, namespace, seconds, form, system or [], messages or [])
+    run_live(rules, namespace, duration, form, system or [], messages or [])
 
 
 @app.command()
 def explain(
-    code: Annotated[str, typer.Argument(metavar="CODE", help="Such as CHK102.")],
+    code: Annotated[
+        str,
+        typer.Argument(metavar="CODE", help="Such as CHK102.", autocompletion=codes("crosscheck")),
+    ],
 ) -> None:
     """Explain a diagnostic."""
     output.explain(code)

@@ -3,49 +3,102 @@
 from __future__ import annotations
 
 import difflib
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
 import typer
 
+from crosscheck.cli.choices import ShowFormat
 from crosscheck.cli.loading import loaded
 from crosscheck.cli.output import output
 from crosscheck.impact import dependents
 from crosscheck.picture import Pictured, pictured
 from crosscheck.svg import svg_of
+from dslkit.command_line import ReportFormat
+from dslkit.diagnostics.render_json import Json, place
+
+_ENDINGS = {ShowFormat.TEXT: ".txt", ShowFormat.SVG: ".svg", ShowFormat.JSON: ".json"}
 
 
 def run_show(
-    rules: Path, svg: Path | None, systems: Sequence[Path], message_folders: Sequence[Path]
+    rules: Path,
+    form: ShowFormat,
+    out: Path | None,
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
 ) -> None:
-    """Print the skills with what rules have to do with them, or write a picture of that."""
-    if svg is not None:
-        if svg.suffix != ".svg":
-            output.fail(f"{svg} does not end in .svg; choose another --svg", exit_code=2)
-        output.try_file(svg)
-    skills = list(pictured(loaded(rules, systems, message_folders)))
-    if svg is None:
-        typer.echo("\n\n".join(map(_told, skills)))
-        return
-    output.save(svg, svg_of(skills))
-    typer.echo(f"wrote {svg}")
+    """Print the skills with what rules have to do with them, or write them to `out`."""
+    with output.answering(form, "show", files=1) as answer:
+        if out is not None:
+            if out.suffix != _ENDINGS[form]:
+                wanted = _ENDINGS[form]
+                output.fail(f"{out} does not end in {wanted}; choose another --out", exit_code=2)
+            output.try_file(out)
+        skills = list(pictured(loaded(rules, systems, message_folders)))
+        answer.result = {"skills": [_skill(each) for each in skills]}
+        text = _drawn(skills, form)
+        if out is not None:
+            output.save(out, text)
+            output.tell(f"wrote {out}")
+        elif not answer.is_printed:
+            typer.echo(text, nl=False)
+
+
+def _drawn(skills: Sequence[Pictured], form: ShowFormat) -> str:
+    match form:
+        case ShowFormat.TEXT:
+            return "\n\n".join(map(_reported, skills)) + "\n"
+        case ShowFormat.SVG:
+            return svg_of(skills)
+        case ShowFormat.JSON:
+            return json.dumps({"skills": [_skill(each) for each in skills]}, indent=2) + "\n"
+
+
+def _skill(skill: Pictured) -> Json:
+    return {
+        "name": skill.name,
+        "children": skill.children,
+        "uses": skill.uses,
+        "permits": skill.permits,
+        "guards": [
+            {"rule": each.rule, "uses": each.thing, "interrupts": each.is_taken}
+            for each in skill.guards
+        ],
+        "exempt_from": skill.exempt_from,
+        "asked_for_by": skill.asked_by,
+    }
 
 
 def run_impact(
-    skill: str, rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
+    skill: str,
+    rules: Path,
+    form: ReportFormat,
+    systems: Sequence[Path],
+    message_folders: Sequence[Path],
 ) -> None:
     """Print what depends on a skill."""
-    robot = loaded(rules, systems, message_folders)
-    found = robot.skills.skills.get(skill)
-    if found is None:
-        near = difflib.get_close_matches(skill, robot.skills.skills, n=1)
-        meant = f"; did you mean `{near[0]}`?" if near else ""
-        output.fail(f"there is no skill `{skill}`{meant}", exit_code=2)
-    lines = [f"{each.what} {each.how} ({each.span})" for each in dependents(robot, found)]
-    typer.echo("\n".join(lines) if lines else f"nothing depends on {skill}")
+    with output.answering(form, "impact", files=1) as answer:
+        robot = loaded(rules, systems, message_folders)
+        found = robot.skills.skills.get(skill)
+        if found is None:
+            near = difflib.get_close_matches(skill, robot.skills.skills, n=1)
+            meant = f"; did you mean `{near[0]}`?" if near else ""
+            output.fail(f"there is no skill `{skill}`{meant}", exit_code=2)
+        dependent = list(dependents(robot, found))
+        answer.result = {
+            "dependents": [
+                {"name": each.what, "reason": each.how, "place": place(each.span)}
+                for each in dependent
+            ]
+        }
+        if answer.is_printed:
+            return
+        lines = [f"{each.what} {each.how} ({each.span})" for each in dependent]
+        typer.echo("\n".join(lines) if lines else f"nothing depends on {skill}")
 
 
-def _told(skill: Pictured) -> str:
+def _reported(skill: Pictured) -> str:
     parts = (
         ("has in its tree", skill.children),
         ("uses", skill.uses),

@@ -12,13 +12,25 @@ from dslkit.source import Position, Span
 
 FORMAT_VERSION = 1
 
-Json: TypeAlias = "bool | int | str | Sequence[Json] | Mapping[str, Json] | None"
+Json: TypeAlias = "bool | int | float | str | Sequence[Json] | Mapping[str, Json] | None"
 
 
-def render_json(diagnostics: Sequence[Diagnostic], *, file_count: int) -> str:
-    """One JSON object, in ASCII, ending in a line end."""
+def render_json(
+    diagnostics: Sequence[Diagnostic],
+    *,
+    command: str,
+    file_count: int,
+    result: Json = None,
+    error: str | None = None,
+) -> str:
+    """One JSON object, in ASCII, ending in a line end.
+
+    `command` is the program with the name of the command, `result` the output of that, and `error`
+    the reason why there is no result.
+    """
     document: Json = {
         "version": FORMAT_VERSION,
+        "command": command,
         "summary": {
             "errors": count(diagnostics, Severity.ERROR),
             "warnings": count(diagnostics, Severity.WARNING),
@@ -26,6 +38,8 @@ def render_json(diagnostics: Sequence[Diagnostic], *, file_count: int) -> str:
             "files": file_count,
         },
         "diagnostics": [finding(found) for found in diagnostics],
+        "result": result,
+        "error": error,
     }
     return json.dumps(document, indent=2) + "\n"
 
@@ -46,15 +60,16 @@ def finding(found: Diagnostic) -> Json:
 
 
 def _label(label: Label) -> Json:
-    return {**_span(label.span), "text": label.text}
+    return {**place(label.span), "text": label.text}
 
 
 def _fix(fix: Fix) -> Json:
-    edits = [{**_span(edit.span), "replacement": edit.replacement} for edit in fix.edits]
+    edits = [{**place(edit.span), "replacement": edit.replacement} for edit in fix.edits]
     return {"title": fix.title, "edits": edits}
 
 
-def _span(span: Span) -> Mapping[str, Json]:
+def place(span: Span) -> Mapping[str, Json]:
+    """A place in a file, as an object."""
     return {
         "file": span.file.path,
         "start": _position(span.begin, span.start),

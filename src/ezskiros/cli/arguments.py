@@ -33,6 +33,9 @@ Knowledge = Annotated[
     Path | None,
     typer.Option("--knowledge", metavar="FILE", help="What `ezskiros learn` wrote."),
 ]
+OutFile = Annotated[
+    Path | None, typer.Option("--out", "-o", metavar="FILE", help="Write this file.")
+]
 
 
 def name_ontology(paths: list[Path] | None) -> None:

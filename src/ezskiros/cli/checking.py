@@ -100,20 +100,21 @@ def print_check(
     skills together can tell is found as well; with `knowledge`, what runs say of the skills. With
     `study`, a study log gets the findings.
     """
-    together = None if rules is None else _looking_at_both()
-    lessons, wrong = lessons_of(knowledge)
-    report = checked(paths, values, lessons)
-    found = (
-        *report.diagnostics,
-        *(together(rules) if together is not None else ()),
-        *wrong,
-    )
-    if study is not None:
-        from ezskiros.skills.load import module_files
+    with output.answering(form, "check", files=len(paths)):
+        together = None if rules is None else _looking_at_both()
+        lessons, wrong = lessons_of(knowledge)
+        report = checked(paths, values, lessons)
+        found = (
+            *report.diagnostics,
+            *(together(rules) if together is not None else ()),
+            *wrong,
+        )
+        if study is not None:
+            from ezskiros.skills.load import module_files
 
-        output.log_study(study, "check", module_files(paths), found)
-    output.print_diagnostics(found, form, file_count=file_count(report, paths))
-    return output.exit_code(found)
+            output.log_study(study, "check", module_files(paths), found)
+        output.print_diagnostics(found, form, file_count=file_count(report, paths))
+        return output.exit_code(found)
 
 
 def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:

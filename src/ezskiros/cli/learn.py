@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import enum
+import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from dslkit.command_line import ReportFormat
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
@@ -16,13 +17,6 @@ from ezskiros.cli.output import output
 if TYPE_CHECKING:  # every command waits for what is imported here
     from ezskiros.learning.runs import Run
     from ezskiros.learning.scene import Map
-
-
-class ReportFormat(str, enum.Enum):
-    """The format of a report."""
-
-    TEXT = "text"
-    JSON = "json"
 
 
 def learn(
@@ -43,37 +37,37 @@ def learn(
         typer.Option("--out", "-o", metavar="FILE", help="Write it, such as knowledge.json."),
     ] = None,
     form: Annotated[
-        ReportFormat, typer.Option("--format", help="How it is printed.")
+        ReportFormat, typer.Option("--format", help="The format of findings and result.")
     ] = ReportFormat.TEXT,
     ontology: Folders = None,
 ) -> None:
     """Learn from runs: which skills tripped which rules, where, and what it cost."""
-    if out is not None:
-        if out.suffix != ".json":  # none of the records may be lost
-            output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
-        output.try_file(out)
-    name_ontology(ontology)
-    from ezskiros.learning.knowledge import known, text_of
-    from ezskiros.learning.learn import learn as lessons_of
+    with output.answering(form, "learn", files=len(files)) as answer:
+        if out is not None:
+            if out.suffix != ".json":  # none of the records may be lost
+                output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
+            output.try_file(out)
+        name_ontology(ontology)
+        from ezskiros.learning.knowledge import known, text_of
+        from ezskiros.learning.learn import learn as lessons_of
 
-    places = _places(scene)
-    runs = _runs(files)
-    lessons = lessons_of(runs, places.locations.keys())
-    text = text_of(known(lessons, runs, out.parent if out is not None else Path()))
-    if form is ReportFormat.JSON:
-        typer.echo(text, nl=False)
-    else:
-        from rich.console import Console
+        places = _places(scene)
+        runs = _runs(files)
+        lessons = lessons_of(runs, places.locations.keys())
+        text = text_of(known(lessons, runs, out.parent if out is not None else Path()))
+        answer.result = json.loads(text)
+        if not answer.is_printed:
+            from rich.console import Console
 
-        from ezskiros.learning.proposals import proposals
-        from ezskiros.learning.report import print_report
+            from ezskiros.learning.proposals import proposals
+            from ezskiros.learning.report import print_report
 
-        print_report(lessons, Console(highlight=False), places.short)
-        for number, text_to_paste in enumerate(proposals(lessons, places)):
-            typer.echo("\n" if number else "\nProposals\n\n", nl=False)
-            typer.echo(text_to_paste)
-    if out is not None:
-        output.save(out, text)
+            print_report(lessons, Console(highlight=False), places.short)
+            for number, text_to_paste in enumerate(proposals(lessons, places)):
+                typer.echo("\n" if number else "\nProposals\n\n", nl=False)
+                typer.echo(text_to_paste)
+        if out is not None:
+            output.save(out, text)
 
 
 def _places(scene: Path | None) -> Map:

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import Format, StudyFile
+from dslkit.command_line import Format, ReportFormat, StudyFile
+from dslkit.completion import codes
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
@@ -33,7 +34,6 @@ app = typer.Typer(
     help="Skills for SkiROS2, checked against the ontology before the robot is launched.",
     cls=Group,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -80,22 +80,29 @@ def check(
 ) -> None:
     """Check the skills of Python files: all that is wrong with them, without ROS."""
     name_ontology(ontology)
-    output.try_study(study)
-    if fixed:
-        from ezskiros.cli.fix import fix
-
-        if watched:
-            output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
-        fix(paths)
     if watched:
+        if fixed:
+            output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
+        output.try_study(study)
         _check_again_and_again(paths, ontology or [], values, form, rules, knowledge, study)
         return
-    raise typer.Exit(print_check(paths, values, form, rules, knowledge, study))
+    with output.answering(form, "check", files=len(paths)):
+        output.try_study(study)
+        if fixed:
+            from ezskiros.cli.fix import fix
+
+            fix(paths)
+        raise typer.Exit(print_check(paths, values, form, rules, knowledge, study))
 
 
 @app.command()
 def explain(
-    what: Annotated[str, typer.Argument(metavar="CODE|SKILL", help="Such as EZS401, or Pick.")],
+    what: Annotated[
+        str,
+        typer.Argument(
+            metavar="CODE|SKILL", help="Such as EZS401, or Pick.", autocompletion=codes("ezskiros")
+        ),
+    ],
     paths: Annotated[
         list[Path] | None, typer.Argument(metavar="PATHS...", help="Where the skill is.")
     ] = None,
@@ -124,6 +131,9 @@ def migrate(
     paths: Paths,
     write: Annotated[bool, typer.Option("--write", help="Change the files.")] = False,
     diff: Annotated[bool, typer.Option("--diff", help="Print the changes instead.")] = False,
+    form: Annotated[
+        ReportFormat, typer.Option("--format", help="The format of findings and result.")
+    ] = ReportFormat.TEXT,
     world: Annotated[
         str, typer.Option(metavar="MODULE", help="The module that has the ontology.")
     ] = "world",
@@ -138,24 +148,30 @@ def migrate(
     ] = None,
 ) -> None:
     """Translate skills of SkiROS2: descriptions, behavior trees and primitives."""
-    from ezskiros.migrate.files import migrate_paths
-    from ezskiros.migrate.imports import is_module
+    with output.answering(form, "migrate", files=len(paths)) as answer:
+        from ezskiros.migrate.files import migrate_paths
+        from ezskiros.migrate.imports import is_module
 
-    if write and diff:
-        output.fail("`--write` changes files and `--diff` does not: name one of them", exit_code=2)
-    if not is_module(world):
-        output.fail(f"`{world}` is no module of Python, such as `.world`", exit_code=2)
-    found = migrate_paths(paths, world, _ambiguous(ontology))
-    if write:
-        _write([file for file in found.files if file.is_changed])
-    if diff:
-        for file in found.files:
-            typer.echo(file.diff(), nl=False)
-        typer.echo(found.summary(is_written=False), err=True)
-    else:
-        output.print_findings(found.diagnostics)
-        typer.echo(found.summary(is_written=write))
-    raise typer.Exit(output.exit_code(found.diagnostics))
+        if write and diff:
+            output.fail(
+                "`--write` changes files and `--diff` does not: name one of them", exit_code=2
+            )
+        if not is_module(world):
+            output.fail(f"`{world}` is no module of Python, such as `.world`", exit_code=2)
+        found = migrate_paths(paths, world, _ambiguous(ontology))
+        if write:
+            _write([file for file in found.files if file.is_changed])
+        if answer.is_printed:
+            output.print_findings(found.diagnostics)
+            answer.result = found.result(is_written=write)
+        elif diff:
+            for file in found.files:
+                typer.echo(file.diff(), nl=False)
+            typer.echo(found.summary(is_written=False), err=True)
+        else:
+            output.print_findings(found.diagnostics)
+            typer.echo(found.summary(is_written=write))
+        raise typer.Exit(output.exit_code(found.diagnostics))
 
 
 def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
@@ -186,7 +202,8 @@ def _write(files: Sequence[MigratedFile]) -> None:
 @app.command()
 def stubs(
     out: Annotated[
-        Path, typer.Option(metavar="FILE", help="The stub, beside the module that loads.")
+        Path,
+        typer.Option("--out", "-o", metavar="FILE", help="The stub, beside the module that loads."),
     ],
     ontology: Folders = None,
     is_check: Annotated[

@@ -16,8 +16,13 @@ def console_for_outlines() -> Console:
     """Lines are broken only where a terminal says how wide it is."""
     console = Console(highlight=False)
     if not console.is_terminal:
-        return Console(highlight=False, width=_WIDE)
+        return plain_console()
     return Console(highlight=False, width=console.width, force_terminal=True)
+
+
+def plain_console() -> Console:
+    """The console for text in a file, where no line is broken."""
+    return Console(highlight=False, width=_WIDE)
 
 
 def outlines_text(outlines: Sequence[Outline], console: Console) -> str:

@@ -16,7 +16,10 @@ _HEAD = 4096
 
 def owl(
     out: Annotated[
-        Path, typer.Option(metavar="FOLDER", help="SkiROS2's `workspace_dir`, or one inside it.")
+        Path,
+        typer.Option(
+            "--out", "-o", metavar="DIR", help="SkiROS2's `workspace_dir`, or one inside it."
+        ),
     ],
     ontology: Folders = None,
 ) -> None:

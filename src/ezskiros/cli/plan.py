@@ -33,18 +33,23 @@ def plan(
         Path, typer.Option(metavar="FILE", help="The world that it starts in (.turtle).")
     ],
     paths: OptionalSkills = None,
-    write: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write it as a compound skill, too.")
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "--out", "-o", metavar="FILE", help="Write the plan as a compound skill, too."
+        ),
     ] = None,
-    seconds: Annotated[float, typer.Option(min=0.1, help="How long it may take.")] = 60.0,
+    timeout: Annotated[
+        float, typer.Option(metavar="SECONDS", min=0.1, help="Stop the search after this time.")
+    ] = 60.0,
     knowledge: Knowledge = None,
     ontology: Folders = None,
 ) -> None:
     """Find skills that lead from a scene to a goal: a behavior tree, checked and tried out."""
-    if write is not None and (write.suffix != ".py" or not write.stem.isidentifier()):
-        output.fail(f"`{write}` is no file for a module of Python, such as plan.py", exit_code=2)
-    if write is not None:
-        output.try_file(write)
+    if out is not None and (out.suffix != ".py" or not out.stem.isidentifier()):
+        output.fail(f"`{out}` is no file for a module of Python, such as plan.py", exit_code=2)
+    if out is not None:
+        output.try_file(out)
     lessons, wrong = lessons_of(knowledge)
     if wrong:
         output.reject(wrong)
@@ -57,18 +62,18 @@ def plan(
 
     console = console_for_outlines()
     # The search for what is out of reach, and that for a plan, may take this long each.
-    search = _Search(paths, scene, goal, seconds, write, console, lessons)
-    found, report = asked(search.run, 2 * seconds, may_act=True)
+    search = _Search(paths, scene, goal, timeout, out, console, lessons)
+    found, report = asked(search.run, 2 * timeout, may_act=True)
     output.print_findings(report.diagnostics)
     if not found["has_plan"]:
         raise typer.Exit(output.exit_code(report.diagnostics) or 1)
     typer.echo(found["text"], nl=False, color=console.is_terminal)
-    if write is None or not found["text"]:
+    if out is None or not found["text"]:
         return
     if found["folder"]:
         folder = found["folder"]
-        output.fail(f"from {write} the skills cannot be imported: write to {folder}", exit_code=2)
-    _write(write, found["source"], paths)
+        output.fail(f"from {out} the skills cannot be imported: write to {folder}", exit_code=2)
+    _write(out, found["source"], paths)
 
 
 @dataclass(frozen=True)
@@ -78,7 +83,7 @@ class _Search:
     paths: list[Path]
     scene: Path
     goal: str
-    seconds: float
+    timeout_s: float
     write: Path | None
     console: Console
     lessons: Lessons | None
@@ -96,7 +101,7 @@ class _Search:
         library = check_paths(self.paths).library
         try:
             costs = self.lessons.costs if self.lessons is not None else ()
-            plan, said = find_plan(library, self.scene, self.goal, self.seconds, costs)
+            plan, said = find_plan(library, self.scene, self.goal, self.timeout_s, costs)
         except NoPlannerError as problem:
             raise RefusedError(str(problem)) from None
         collector.extend(said)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dslkit.diagnostics import Collector, Diagnostic
-from ezskiros.cli.arguments import Folders, OptionalSkills, name_ontology
+from ezskiros.cli.arguments import Folders, OptionalSkills, OutFile, name_ontology
 from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
 
@@ -18,20 +19,23 @@ if TYPE_CHECKING:  # every command waits for what is imported here
     from rich.console import Console
 
 
+class PictureFormat(str, enum.Enum):
+    """The formats in which `show` draws."""
+
+    TEXT = "text"
+    SVG = "svg"
+    BTCPP = "btcpp"
+
+
 def show(
     skill: Annotated[
         str, typer.Argument(metavar="SKILL", help="A skill, or one of its implementations.")
     ],
     paths: OptionalSkills = None,
-    svg: Annotated[
-        Path | None, typer.Option("--svg", metavar="FILE", help="Write a picture instead.")
-    ] = None,
-    btcpp: Annotated[
-        Path | None,
-        typer.Option(
-            "--btcpp", metavar="FILE", help="Write XML for BehaviorTree.CPP 4 and Groot2 instead."
-        ),
-    ] = None,
+    form: Annotated[
+        PictureFormat, typer.Option("--format", help="The format; btcpp is BehaviorTree.CPP 4.")
+    ] = PictureFormat.TEXT,
+    out: OutFile = None,
     depth: Annotated[
         int, typer.Option(min=0, help="How many levels of compound skills inside it are drawn.")
     ] = 0,
@@ -39,21 +43,20 @@ def show(
     ontology: Folders = None,
 ) -> None:
     """Draw the behavior trees of a compound skill: several if `expandBT` branches."""
-    from ezskiros.cli.outlines import console_for_outlines
+    from ezskiros.cli.outlines import console_for_outlines, plain_console
 
-    for path in (svg, btcpp):
-        if path is not None:
-            output.try_file(path)
+    if out is not None:
+        output.try_file(out)
     name_ontology(ontology)
-    console = console_for_outlines() if svg is None and btcpp is None else None
-    picture = _Picture(skill, paths or [Path()], depth, conditions, console, btcpp is not None)
+    console = console_for_outlines() if out is None else plain_console()
+    picture = _Picture(skill, paths or [Path()], depth, conditions, console, form)
     drawn, report = asked(picture.drawn)
-    if btcpp is not None:
-        _export(drawn["btcpp"], report.diagnostics, btcpp)
-    if svg is not None:
-        output.save(svg, drawn["svg"])
-    if console is not None:
-        typer.echo(drawn["text"], nl=False, color=console.is_terminal)
+    if form is PictureFormat.BTCPP:
+        _end_without_export(drawn, report.diagnostics)
+    if out is not None:
+        output.save(out, drawn)
+    else:
+        typer.echo(drawn, nl=False, color=console.is_terminal)
     if output.exit_code(report.diagnostics):
         output.complain("there are errors in these files: run `ezskiros check`, then look again")
     raise typer.Exit(output.exit_code(report.diagnostics))
@@ -61,17 +64,17 @@ def show(
 
 @dataclass(frozen=True)
 class _Picture:
-    """The drawing: as text if there is a console, and for BehaviorTree.CPP if exported."""
+    """The drawing in one format; text is laid out for a console."""
 
     skill: str
     paths: list[Path]
     depth: int
     has_conditions: bool
-    console: Console | None
-    is_exported: bool
+    console: Console
+    form: PictureFormat
 
-    def drawn(self, collector: Collector) -> dict[str, str]:
-        """The texts of it; of what has errors there is none for BehaviorTree.CPP."""
+    def drawn(self, collector: Collector) -> str:
+        """The text of the drawing; empty if errors keep the trees from BehaviorTree.CPP."""
         from ezskiros.cli.outlines import outlines_text
         from ezskiros.drawing.btcpp import export
         from ezskiros.drawing.outline import outline
@@ -81,28 +84,32 @@ class _Picture:
         checked = check_paths(self.paths, collector=collector)
         trees = trees_of(self.skill, checked)
         depth, library = self.depth, checked.library
+        if self.form is PictureFormat.BTCPP:
+            if output.exit_code(checked.diagnostics):
+                return ""
+            text, wrong = export(trees, checked.trees, library, depth=depth)
+            collector.extend(wrong)
+            return text
         outlines = [
             outline(tree, checked.trees, library, depth=depth, has_conditions=self.has_conditions)
             for tree in trees
         ]
-        found = {"svg": svg(outlines), "btcpp": ""}
-        if self.console is not None:
-            found["text"] = outlines_text(outlines, self.console)
-        if self.is_exported and not output.exit_code(checked.diagnostics):
-            found["btcpp"], wrong = export(trees, checked.trees, library, depth=depth)
-            collector.extend(wrong)
-        return found
+        if self.form is PictureFormat.SVG:
+            return svg(outlines)
+        return outlines_text(outlines, self.console)
 
 
-def _export(text: str, found: Sequence[Diagnostic], path: Path) -> None:
-    """Write XML for BehaviorTree.CPP; ends the run if that cannot be."""
+def _end_without_export(text: str, found: Sequence[Diagnostic]) -> None:
+    """Print the findings on XML for BehaviorTree.CPP; an error ends the run."""
+    from rich.console import Console
+
     from ezskiros.drawing import errors
 
     if not text:
         output.reject(found)
     own = {each.code for each in errors.ALL}
     wrong = [each for each in found if each.code in own]
-    output.print_findings(wrong)
     if output.exit_code(wrong):
+        output.print_findings(wrong)
         raise typer.Exit(output.exit_code(wrong))
-    output.save(path, text)
+    output.print_findings(wrong, Console(stderr=True, highlight=False))

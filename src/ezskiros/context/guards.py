@@ -144,7 +144,7 @@ class ActiveRules:
         self._sign = self.clock()
 
     def lose(self, at: float) -> None:
-        """The node was not there at a time: what it has told before is worth nothing."""
+        """The node was not there at a time: what it has reported before is worth nothing."""
         self._stale = at
 
     def reason_to_wait(self, skill: str) -> str | None:

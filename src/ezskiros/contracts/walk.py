@@ -23,7 +23,7 @@ MOST_TICKS = 10
 
 
 @dataclass(frozen=True)
-class Outcome:
+class NodeOutcome:
     """The knowledge when a node has succeeded, on all ways and on each, and when it has failed."""
 
     success: Known
@@ -33,21 +33,21 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a node is: whether the compound fails with it, and whether findings are told.
+    """Where a node is: whether the compound fails with it, and whether findings are reported.
 
     `tick` is what becomes of what is known when a tick begins while a child runs there: what comes
     before it in a serial or a selector is started again, what is beside it goes on; findings of
-    that are told, or not. `again` says why the node is started again, if it is.
+    that are reported, or not. `again` says why the node is started again, if it is.
     """
 
     is_fatal: bool = True
-    is_told: bool = True
+    is_reported: bool = True
     tick: Callable[[Known, bool], Known] | None = None
     again: str | None = None
 
-    def at_next_tick(self, known: Known, *, is_told: bool) -> Known:
+    def at_next_tick(self, known: Known, *, is_reported: bool) -> Known:
         """The knowledge when the next tick gets there."""
-        return self.tick(known, is_told) if self.tick else known
+        return self.tick(known, is_reported) if self.tick else known
 
 
 @dataclass
@@ -60,10 +60,10 @@ class Walk:
     held: Sequence[Asked]
     _started: dict[int, list[Asked]] = field(default_factory=dict)
     """By calls: what was known to hold when they started first."""
-    _steps: dict[tuple[object, ...], Outcome] = field(default_factory=dict)
+    _steps: dict[tuple[object, ...], NodeOutcome] = field(default_factory=dict)
     """By calls and what is known, what becomes of it: most later ticks find what others did."""
 
-    def through(self, node: Node, known: Known, place: Place = Place()) -> Outcome:
+    def through(self, node: Node, known: Known, place: Place = Place()) -> NodeOutcome:
         """Follow what is known through a node."""
         match node:
             case SkillCall():
@@ -80,7 +80,7 @@ class Walk:
             case Processor(flow=Flow.NO_FAIL, children=below):
                 inner = self._sequence(below, known, replace(place, is_fatal=False))
                 ways = (*inner.endings, *inner.failures)
-                return Outcome(join(ways, self.judge), ways, ())
+                return NodeOutcome(join(ways, self.judge), ways, ())
             case Processor(flow=Flow.PARALLEL_FF | Flow.PARALLEL_FS as flow, children=below):
                 return self._parallel(below, known, place, is_race=flow is Flow.PARALLEL_FS)
             case Processor():
@@ -88,7 +88,7 @@ class Walk:
 
     # --- skills -----------------------------------------------------------------------------------
 
-    def _skill(self, call: SkillCall, known: Known, place: Place) -> Outcome:
+    def _skill(self, call: SkillCall, known: Known, place: Place) -> NodeOutcome:
         child = self.children.of(call, known)
         self._hold(child, known, place)
         wrong = self._judged(child, known, place)
@@ -102,11 +102,11 @@ class Walk:
             self._steps[key] = self._step(child, bare, wrong, place)
         step = self._steps[key]
         success = step.success.after(known)
-        return Outcome(success, (success,), tuple(each.after(known) for each in step.failures))
+        return NodeOutcome(success, (success,), tuple(each.after(known) for each in step.failures))
 
     def _step(
         self, child: Child, known: Known, wrong: Mapping[Asked, bool], place: Place
-    ) -> Outcome:
+    ) -> NodeOutcome:
         """Follow what is known through a child of which some conditions need not hold."""
         asked, free = child.asked(known), child.inferred(known)
         ready = known.binding(child.bound())
@@ -118,14 +118,16 @@ class Walk:
         after = changed(running, again.changes(How.DONE), self.judge)
         after = after.binding(again.outputs())
         if any(is_false for is_false in wrong.values()):
-            return Outcome(replace(after, is_dead=True), (replace(after, is_dead=True),), (known,))
+            return NodeOutcome(
+                replace(after, is_dead=True), (replace(after, is_dead=True),), (known,)
+            )
         before = self._assuming(ready, about_free, child) if is_found else known
         before = self.judge.merged(before).perhaps_binding(free)
         if place.tick is not None:
             before = join((before, running), self.judge)
         again = self.children.of(child.call, before)
         failure = failed(before, again.changes(How.FAILED), self.judge)
-        return Outcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
+        return NodeOutcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
 
     def _judged(self, child: Child, known: Known, place: Place) -> dict[Asked, bool]:
         """The conditions of a child that need not hold; whether they are certain not to."""
@@ -140,7 +142,7 @@ class Walk:
                 continue
             clash = self.judge.clash(known, each.statement)
             wrong[each] = clash is not None
-            if not place.is_told:
+            if not place.is_reported:
                 continue
             if place.again is not None:
                 if place.is_fatal and each in self._started.get(id(child.call), ()):
@@ -168,7 +170,7 @@ class Walk:
         return known
 
     def _hold(self, child: Child, known: Known, place: Place) -> None:
-        for each in self.held if place.is_told else ():
+        for each in self.held if place.is_reported else ():
             if not self.judge.entails(known, each.statement):
                 is_certain = place.again is None
                 clash = self.judge.clash(known, each.statement) if is_certain else None
@@ -178,7 +180,7 @@ class Walk:
 
     def _sequence(
         self, below: Sequence[Node], known: Known, place: Place, *, is_restarting: bool = False
-    ) -> Outcome:
+    ) -> NodeOutcome:
         failures: list[Known] = []
         endings: tuple[Known, ...] = (known,)
         for index, node in enumerate(below):
@@ -189,22 +191,22 @@ class Walk:
             outcome = self.through(node, known, inner)
             known, endings = outcome.success, outcome.endings
             failures += outcome.failures
-        return Outcome(known, endings, tuple(failures))
+        return NodeOutcome(known, endings, tuple(failures))
 
     def _with_serial(self, before: Sequence[Node], place: Place) -> Place:
         """Where each tick starts children of a serial again that are before."""
         why = "a serial starts it again in each tick"
 
-        def tick(known: Known, is_told: bool) -> Known:
-            known = place.at_next_tick(known, is_told=is_told)
-            again = Place(place.is_fatal, place.is_told and is_told, again=why)
+        def tick(known: Known, is_reported: bool) -> Known:
+            known = place.at_next_tick(known, is_reported=is_reported)
+            again = Place(place.is_fatal, place.is_reported and is_reported, again=why)
             return self._sequence(before, known, again).success
 
         return replace(place, tick=tick)
 
     def _selector(
         self, below: Sequence[Node], known: Known, place: Place, *, is_restarting: bool = False
-    ) -> Outcome:
+    ) -> NodeOutcome:
         inner = place if len(below) == 1 else replace(place, is_fatal=False)
         endings: list[Known] = []
         failures: tuple[Known, ...] = (known,)
@@ -218,7 +220,7 @@ class Walk:
             endings += [each.by(f"{names} succeeded") for each in outcome.endings]
             endings += [self._partly([node], each, place) for each in stopped]
             failures = outcome.failures
-        return Outcome(join(endings, self.judge), tuple(endings), failures)
+        return NodeOutcome(join(endings, self.judge), tuple(endings), failures)
 
     def _with_selector(self, before: Sequence[Node], place: Place, stopped: list[Known]) -> Place:
         """Where each tick tries children of a selector again that are before; what is known when
@@ -226,9 +228,9 @@ class Walk:
         """
         why = "a selector tries it again in each tick"
 
-        def tick(known: Known, is_told: bool) -> Known:
-            known = place.at_next_tick(known, is_told=is_told)
-            again = Place(False, place.is_told and is_told, again=why)
+        def tick(known: Known, is_reported: bool) -> Known:
+            known = place.at_next_tick(known, is_reported=is_reported)
+            again = Place(False, place.is_reported and is_reported, again=why)
             outcome = self._selector(before, known, again)
             stopped[:] = [join([*stopped, *outcome.endings], self.judge)]
             failures = outcome.failures or (replace(known, is_dead=True),)
@@ -238,7 +240,7 @@ class Walk:
 
     def _parallel(
         self, below: Sequence[Node], known: Known, place: Place, *, is_race: bool
-    ) -> Outcome:
+    ) -> NodeOutcome:
         outcomes = []
         for index, node in enumerate(below):
             others = (*below[:index], *below[index + 1 :])
@@ -249,7 +251,7 @@ class Walk:
             own_place = replace(own_place, is_fatal=place.is_fatal and is_certain)
             # All begin in the tick in which the parallel does: nothing is started again before.
             outcome = self.through(node, beside(known), own_place)
-            if len(below) > 1 and not is_race and place.is_told:
+            if len(below) > 1 and not is_race and place.is_reported:
                 again = "SkiROS2 starts it again in each tick until the others are done"
                 self._restart([node], outcome.success, again)
             kept = self._partly(others, outcome.success, place, How.BESIDE)
@@ -257,7 +259,7 @@ class Walk:
         stopped = self._partly(below, known, place).by("a child of the parallel has failed")
         endings = tuple(each.success for each in outcomes)
         if is_race:
-            return Outcome(join(endings, self.judge), endings, (stopped,))
+            return NodeOutcome(join(endings, self.judge), endings, (stopped,))
         merged = endings[0] if endings else known
         for each in endings[1:]:
             merged = replace(
@@ -266,7 +268,7 @@ class Walk:
                 changes={**merged.changes, **each.changes},
                 is_dead=merged.is_dead or each.is_dead,
             )
-        return Outcome(merged, (merged,), (stopped,))
+        return NodeOutcome(merged, (merged,), (stopped,))
 
     def _beside(self, others: Sequence[Node], known: Known) -> Callable[[Known], Known]:
         """The effect on what is known of others that run at the same time."""
@@ -277,8 +279,8 @@ class Walk:
     def _with_others(self, beside: Callable[[Known], Known], place: Place) -> Place:
         """Where others run at the same time."""
 
-        def tick(known: Known, is_told: bool) -> Known:
-            return beside(place.at_next_tick(known, is_told=is_told))
+        def tick(known: Known, is_reported: bool) -> Known:
+            return beside(place.at_next_tick(known, is_reported=is_reported))
 
         return replace(place, tick=tick)
 
@@ -293,8 +295,8 @@ class Walk:
         return self._running(known.perhaps_binding(names), place, changes)
 
     def _running(self, known: Known, place: Place, changes: Sequence[Change] = ()) -> Known:
-        """The knowledge while a skill runs, in any number of ticks; or, with nothing told, while
-        changes may be made.
+        """The knowledge while a skill runs, in any number of ticks; or, with nothing reported,
+        while changes may be made.
         """
         known = failed(known, changes, self.judge)
         if place.tick is None:
@@ -321,38 +323,40 @@ class Walk:
 
     def _decorated(
         self, decoration: Decoration, child: Node, tries: int, known: Known, place: Place
-    ) -> Outcome:
+    ) -> NodeOutcome:
         if decoration is Decoration.INVERTER:
             inner = self.through(child, known, replace(place, is_fatal=False))
             failures = inner.failures or (replace(inner.success, is_dead=True),)
-            return Outcome(join(failures, self.judge), failures, (inner.success,))
+            return NodeOutcome(join(failures, self.judge), failures, (inner.success,))
         outcome = self.through(child, known, place)
         if decoration is Decoration.TIMEOUT:
             late = self._partly([child], known, place).by("the time was over")
             return replace(outcome, failures=(*outcome.failures, late))
         return self._retried(child, tries, outcome, place)
 
-    def _retried(self, child: Node, tries: int, outcome: Outcome, place: Place) -> Outcome:
+    def _retried(self, child: Node, tries: int, outcome: NodeOutcome, place: Place) -> NodeOutcome:
         """Further tries start where one has failed; they may fail in turn."""
         endings, failures = outcome.endings, outcome.failures
-        if tries > 1 and place.is_told:
+        if tries > 1 and place.is_reported:
             for each in failures:
                 self._restart([child], each, "the retry starts it again", is_certain=True)
         for _ in range(min(tries - 1, MOST_TRIES) if failures else 0):
             before = self._running(join(failures, self.judge), place)
-            again = self.through(child, before, replace(place, is_told=False, is_fatal=False))
+            again = self.through(child, before, replace(place, is_reported=False, is_fatal=False))
             endings = (*endings, *again.endings)
             failures = again.failures
             if join(failures, self.judge).facts.keys() == before.facts.keys():
                 break
-        return Outcome(join(endings, self.judge), endings, failures)
+        return NodeOutcome(join(endings, self.judge), endings, failures)
 
     # --- children that are started again ----------------------------------------------------------
 
     def _restart(
         self, below: Sequence[Node], known: Known, again: str, *, is_certain: bool = False
     ) -> None:
-        """Check that children can start again; with `is_certain` only that they cannot is told."""
+        """Check that children can start again; with `is_certain` only that they cannot is
+        reported.
+        """
         for call in (first for node in below for first in _first_calls(node)):
             for each in self._started.get(id(call), ()):
                 if self.judge.entails(known, each.statement):

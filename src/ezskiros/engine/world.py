@@ -61,7 +61,7 @@ class World:
         )
         write_whole(path, text or b"")
 
-    # --- questions --------------------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
         """All things of a class or one of its subclasses, by their names."""

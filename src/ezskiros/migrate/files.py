@@ -6,6 +6,7 @@ import difflib
 from collections.abc import Callable, Collection, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from dslkit.diagnostics import Diagnostic
 from dslkit.source import SourceFile, Span, is_file, is_folder
@@ -81,6 +82,16 @@ class Migration:
             said += f"; {_become(implementing, 'implementation')}"
         return f"{said}; {_counted(changed, 'file')} {done}{rest}"
 
+    def result(self, *, is_written: bool) -> dict[str, Any]:
+        """The files as JSON: the path of each, with the change as `patch` takes it."""
+        return {
+            "is_written": is_written,
+            "files": [
+                {"path": str(each.path), "diff": each.diff() if each.is_changed else None}
+                for each in self.files
+            ],
+        }
+
 
 def migrate_paths(
     paths: Iterable[Path], world: str = "world", ambiguous: Collection[str] = ()
@@ -98,7 +109,7 @@ def migrate_paths(
     for path in skill_files(paths):
         try:
             sources.append(_Source(path, *read_python(path)))
-        except (SyntaxError, UnicodeDecodeError) as problem:  # noqa: PERF203 - each is told
+        except (SyntaxError, UnicodeDecodeError) as problem:  # noqa: PERF203 - each is reported
             found = errors.UnreadableSource(said=str(problem).partition("\n")[0])
             wrong.append(found.at(Span(SourceFile(str(path), ""), 0, 0)))
     migrated = _Migrations(sources, world, ambiguous).all()

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from dslkit.parameters import Group
 from heron.cli.choices import (
     TRAINING_LIMIT_S,
     algorithms_of,
@@ -34,7 +35,23 @@ from heron.cli.choices import (
     workers_of,
 )
 from heron.cli.operating import insertion, policy
-from heron.cli.options import Filming, Guarding, Jobs, Ray, Seed, View
+from heron.cli.options import (
+    Algorithms,
+    Begin,
+    Experiment,
+    Experiments,
+    Filming,
+    Guarding,
+    Jobs,
+    PageFile,
+    Ray,
+    RecordingFile,
+    RunsFolder,
+    Seed,
+    TraceFile,
+    Variant,
+    View,
+)
 from heron.variants import (
     VARIANTS,
     Arm,
@@ -54,17 +71,15 @@ if TYPE_CHECKING:  # needs MuJoCo
 
 _SHOWN_SEED = 1
 """The seed of the demo and the gallery. Its episodes end as most do; a test holds that."""
-_LATEST_S = 4_000_000_000
-"""Stamps of ROS have 32 bits for seconds."""
 app = typer.Typer(
     help="The experiments of the thesis, in physics.",
+    cls=Group,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-runs = typer.Typer(help="Run one episode of an experiment.", no_args_is_help=True)
+runs = typer.Typer(help="Run one episode of an experiment.", cls=Group, no_args_is_help=True)
 app.add_typer(runs, name="run")
 
 
@@ -76,7 +91,9 @@ def heron(version: Annotated[bool, output.version_option()] = False) -> None:
 @runs.command()
 def nav(
     arm: Guarding = Arm.ROSSMARIE,
-    terrain: Annotated[Terrain, typer.Option(help="What is in its way.")] = Terrain.GENTLE,
+    variant: Annotated[
+        Terrain, typer.Option(help="The terrain: what is in the way.")
+    ] = Terrain.GENTLE,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
@@ -86,7 +103,7 @@ def nav(
 ) -> None:
     """Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
     if not ros1:
-        _run("nav", arm, terrain, seed, view, film)
+        _run("nav", arm, variant, seed, view, film)
         return
     if arm in (Arm.NONE, Arm.COLLISION_MONITOR):
         output.fail(
@@ -98,13 +115,15 @@ def nav(
     from heron.cli.live import run_live
 
     with _observers("nav", is_viewed=view) as observers:
-        run_live(output, arm, terrain, seed, observers)
+        run_live(output, arm, variant, seed, observers)
 
 
 @runs.command()
 def place(
     arm: Guarding = Arm.ROSSMARIE,
-    table: Annotated[Table, typer.Option(help="Where it is, and in what haste.")] = Table.HIGH,
+    variant: Annotated[
+        Table, typer.Option(help="The table: where it is, and the haste.")
+    ] = Table.HIGH,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
@@ -112,26 +131,29 @@ def place(
     """Experiment II: place a block on a table that is higher than the arm believes, or carry it
     there in too much haste.
     """
-    _run("place", arm, table, seed, view, film)
+    _run("place", arm, variant, seed, view, film)
 
 
 @runs.command()
 def human(
     arm: Guarding = Arm.ROSSMARIE,
-    person: Annotated[Person, typer.Option(help="Where somebody walks.")] = Person.INSIDE,
+    variant: Annotated[
+        Person, typer.Option(help="The person: where somebody walks.")
+    ] = Person.INSIDE,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
 ) -> None:
     """Experiment III: carry a block to and fro while somebody comes into the room."""
-    _run("human", arm, person, seed, view, film)
+    _run("human", arm, variant, seed, view, film)
 
 
 @runs.command()
 def contact(
     arm: Guarding = Arm.SKILL_AWARE,
-    encounter: Annotated[
-        Encounter, typer.Option(help="What it touches, apart from box and board.")
+    variant: Annotated[
+        Encounter,
+        typer.Option(help="The encounter: what the arm touches apart from box and board."),
     ] = Encounter.COLLISION,
     seed: Seed = 0,
     view: View = False,
@@ -140,13 +162,15 @@ def contact(
     """Experiment IV: push a box to a mark and wipe a board, while somebody reaches over the table
     or the box gets jammed.
     """
-    _run("contact", arm, encounter, seed, view, film)
+    _run("contact", arm, variant, seed, view, film)
 
 
 @runs.command()
 def corridor(
     arm: Guarding = Arm.PROACTIVE,
-    passage: Annotated[Passage, typer.Option(help="Who is in it.")] = Passage.CHILD,
+    variant: Annotated[
+        Passage, typer.Option(help="The passage: who is in the corridor.")
+    ] = Passage.CHILD,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
@@ -154,33 +178,35 @@ def corridor(
     """Experiment V: drive along a corridor, of which a part belongs to a school, while a child runs
     out of a door.
     """
-    _run("corridor", arm, passage, seed, view, film)
+    _run("corridor", arm, variant, seed, view, film)
 
 
 @runs.command()
 def blocked(
     arm: Guarding = Arm.TREES,
-    blockage: Annotated[Blockage, typer.Option(help="What stands in the way.")] = Blockage.PALLET,
+    variant: Annotated[
+        Blockage, typer.Option(help="The blockage: what stands in the way.")
+    ] = Blockage.PALLET,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
 ) -> None:
     """Experiment VI: drive to a hall, while something stands across the short way."""
-    _run("blocked", arm, blockage, seed, view, film)
+    _run("blocked", arm, variant, seed, view, film)
 
 
 @runs.command()
 def second(
     arm: Guarding = Arm.LEARNED,
-    trouble: Annotated[
-        Trouble, typer.Option(help="What stands in the way in most runs.")
+    variant: Annotated[
+        Trouble, typer.Option(help="The trouble: what stands in the way in most runs.")
     ] = Trouble.LASTING,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
 ) -> None:
     """Experiment VII: drive to a hall as the planner says, with what earlier runs have taught."""
-    _run("second", arm, trouble, seed, view, film)
+    _run("second", arm, variant, seed, view, film)
 
 
 runs.command()(insertion)
@@ -241,24 +267,13 @@ def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
 
 @app.command()
 def record(
-    experiment: Annotated[
-        str,
-        typer.Argument(help="Which one: nav, place, human, contact, corridor, blocked or second."),
-    ],
-    out: Annotated[Path, typer.Option(help="The file, such as drive.mcap.")],
+    experiment: Experiment,
+    out: RecordingFile,
     arm: Guarding = Arm.ROSSMARIE,
-    variant: Annotated[
-        str | None,
-        typer.Option(help="Which terrain, table, person or encounter; the first one if not given."),
-    ] = None,
+    variant: Variant = None,
     seed: Seed = 0,
-    trace: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Write which skills ran, too, for `ezskiros learn`."),
-    ] = None,
-    begin: Annotated[
-        int, typer.Option(min=0, max=_LATEST_S, help="The stamp of its begin, in seconds.")
-    ] = 0,
+    trace: TraceFile = None,
+    begin: Begin = 0,
 ) -> None:
     """Run one episode, and write all its topics into an MCAP file."""
     chosen = variant_of(known(experiment), variant)
@@ -280,12 +295,8 @@ def record(
 @app.command()
 def evaluate(
     seeds: Annotated[int, typer.Option(min=1, help="How many, from 0 on.")] = 30,
-    experiment: Annotated[
-        list[str] | None, typer.Option(help="Only this one; may be given several times.")
-    ] = None,
-    out: Annotated[
-        Path, typer.Option(help="Folder of the page; what is done already is there, too.")
-    ] = Path("build"),
+    experiment: Experiments = None,
+    out: RunsFolder = Path("build"),
     jobs: Jobs = None,
     ray: Ray = None,
 ) -> None:
@@ -308,10 +319,7 @@ def learn(
         Formulation,
         typer.Argument(help="Which numbers are learned: of each step, which move, or of a tree."),
     ],
-    algorithm: Annotated[
-        list[str] | None,
-        typer.Option(help="Only this one; may be given several times. The usual one if not given."),
-    ] = None,
+    algorithm: Algorithms = None,
     arm: Annotated[
         list[LearningArm] | None,
         typer.Option(help="Only this one; may be given several times. All if not given."),
@@ -321,17 +329,8 @@ def learn(
         int | None,
         typer.Option(min=1, help="Steps of a training; as docs/learning.md has them if not given."),
     ] = None,
-    out: Annotated[
-        Path, typer.Option(help="Folder of the page; what is done already is there, too.")
-    ] = Path("build"),
-    film: Annotated[
-        Path | None,
-        typer.Option(
-            "--film",
-            metavar="FILE",
-            help="Write a film of what the arms have learned, side by side: .mp4 or .gif.",
-        ),
-    ] = None,
+    out: RunsFolder = Path("build"),
+    film: Filming = None,
     jobs: Jobs = None,
     ray: Ray = None,
 ) -> None:
@@ -362,7 +361,7 @@ app.command()(policy)
 @app.command()
 def demo(
     seed: Seed = _SHOWN_SEED,
-    out: Annotated[Path, typer.Option(help="The page.")] = Path("build/heron.html"),
+    out: PageFile = Path("build/heron.html"),
 ) -> None:
     """Show one episode of each experiment with all guards, side by side on one page."""
     output.try_folder(out.parent)
@@ -378,7 +377,9 @@ def demo(
 @app.command()
 def gallery(
     seed: Seed = _SHOWN_SEED,
-    out: Annotated[Path, typer.Option(help="Folder of the page and its films.")] = Path("build"),
+    out: Annotated[
+        Path, typer.Option("--out", "-o", metavar="DIR", help="Folder of the page and its films.")
+    ] = Path("build"),
 ) -> None:
     """Write films of the experiments, without a monitor and with one, and a page of them."""
     output.try_folder(out)

@@ -7,8 +7,60 @@ from typing import Annotated
 
 import typer
 
-from heron.variants import Arm
+from heron.variants import ALGORITHMS, VARIANTS, Arm
 
+_LATEST_S = 4_000_000_000
+"""Stamps of ROS have 32 bits for seconds."""
+
+
+def _variants(ctx: typer.Context) -> list[str]:
+    """The variants of the experiments that the command line names."""
+    return [each.value for name in _typed(ctx) for each in VARIANTS.get(name, ())]
+
+
+def _algorithms(ctx: typer.Context) -> list[str]:
+    """The algorithms of the formulations that the command line names."""
+    return [
+        each for known in ALGORITHMS if known.value in _typed(ctx) for each in ALGORITHMS[known]
+    ]
+
+
+def _typed(ctx: typer.Context) -> list[str]:
+    """The words before the word to complete: parsed, or left over if an option has no value."""
+    return [*map(str, ctx.args), *(str(each) for each in ctx.params.values() if each)]
+
+
+Experiment = Annotated[
+    str,
+    typer.Argument(
+        help="Which one: nav, place, human, contact, corridor, blocked or second.",
+        autocompletion=lambda: list(VARIANTS),
+    ),
+]
+Experiments = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--experiment",
+        help="Only this one; may be given several times.",
+        autocompletion=lambda: list(VARIANTS),
+    ),
+]
+Variant = Annotated[
+    str | None,
+    typer.Option(
+        "--variant",
+        help="Which terrain, table, person or encounter; the first one if not given.",
+        autocompletion=_variants,
+    ),
+]
+Algorithms = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--algorithm",
+        help="Only this one; may be given several times. The usual one if not given.",
+        autocompletion=_algorithms,
+    ),
+]
 Guarding = Annotated[Arm, typer.Option("--arm", help="What guards the robot.")]
 View = Annotated[bool, typer.Option("--view", help="Show it in a window, in real time.")]
 Filming = Annotated[
@@ -22,4 +74,26 @@ Jobs = Annotated[
 Ray = Annotated[
     str | None,
     typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port instead."),
+]
+Begin = Annotated[
+    int, typer.Option("--begin", min=0, max=_LATEST_S, help="The stamp of its begin, in seconds.")
+]
+RecordingFile = Annotated[
+    Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as drive.mcap.")
+]
+TraceFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--trace", metavar="FILE", help="Write which skills ran, too, for `ezskiros learn`."
+    ),
+]
+PageFile = Annotated[Path, typer.Option("--out", "-o", metavar="FILE", help="The page.")]
+RunsFolder = Annotated[
+    Path,
+    typer.Option(
+        "--out",
+        "-o",
+        metavar="DIR",
+        help="Folder of the page; what is done already is there, too.",
+    ),
 ]

@@ -14,7 +14,7 @@ from ezskiros.engine.events import Event
 from ezskiros.learning.lessons import Cost
 from heron.experiments.arms import BLOCKED_RULES, machine_of
 from heron.experiments.clearing_operator import ClearingOperator
-from heron.experiments.episode import seeded, told_by
+from heron.experiments.episode import reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.moving_base import SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
@@ -29,10 +29,10 @@ from heron.tasks import (
     LookOut,
     LookOutParameters,
     NavigationParameters,
-    Outcome,
     PlaceNavigation,
     SkillContext,
     SkillTask,
+    TaskStatus,
     TreeSkill,
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
@@ -88,9 +88,9 @@ class BlockedEpisode:
     variant: Blockage | Trouble
     seed: int
     obstacles: tuple[Obstacle, ...]
-    outcome: Outcome
+    outcome: TaskStatus
     measures: BlockedMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -140,7 +140,7 @@ def delivered(
         robot.physics,
         robot.nodes,
         round(LONGEST_S * 1e9),
-        lambda: robot.task.outcome is not Outcome.RUNNING,
+        lambda: robot.task.outcome is not TaskStatus.RUNNING,
     )
     trace = robot.witness.trace()
     return BlockedEpisode(
@@ -150,7 +150,7 @@ def delivered(
         obstacles=delivery.obstacles,
         outcome=robot.task.outcome,
         measures=_measured(robot, trace),
-        told=told_by(robot.guard),
+        reported=reported_by(robot.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=robot.task.tree,
         events=robot.task.events,
@@ -213,7 +213,7 @@ def _measured(robot: _Robot, trace: Trace) -> BlockedMeasures:
     distance = trace.columns["distance"]
     present = hazards(trace)
     return BlockedMeasures(
-        is_completed=robot.task.outcome is Outcome.COMPLETED,
+        is_completed=robot.task.outcome is TaskStatus.COMPLETED,
         duration=robot.physics.now_ns * 1e-9,
         interventions=robot.operator.visits,
         activations=_activations(robot.guard),

@@ -15,7 +15,7 @@ from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arms import CONTACT_RULES, machine_of
 from heron.experiments.bystander import Bystander, varied
 from heron.experiments.contact_witness import ContactWitness
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
@@ -36,7 +36,7 @@ from heron.robot import (
 from heron.robot.physics import Floats
 from heron.robot.pressing import Pressing, Push, PushParameters, Wipe, WipeParameters
 from heron.scene import ArmParameters, CellParameters, PersonParameters, build_cell
-from heron.tasks import Outcome, SkillContext, SkillTask, TreeSkill
+from heron.tasks import SkillContext, SkillTask, TaskStatus, TreeSkill
 from heron.topics import Carrier, InProcess, Remapped
 from heron.variants import Arm, Encounter
 from rossmarie.ir import Change, OrderKind
@@ -94,9 +94,9 @@ class ContactEpisode:
     encounter: Encounter
     seed: int
     cell: CellParameters
-    outcome: Outcome
+    outcome: TaskStatus
     measures: ContactMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -131,7 +131,7 @@ def run_contact(
         cell=found,
         outcome=cell.task.outcome,
         measures=_measured(cell, found, trace),
-        told=told_by(cell.guard),
+        reported=reported_by(cell.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=cell.task.tree,
         events=cell.task.events,
@@ -235,7 +235,7 @@ def _measured(cell: _Cell, found: CellParameters, trace: Trace) -> ContactMeasur
     wiped = float(trace.columns["wiped"][-1])
     is_pushed = math.dist(cell.witness.box, found.mark) < _NEAR_MARK
     return ContactMeasures(
-        is_completed=cell.task.outcome is Outcome.COMPLETED and is_pushed and wiped == 1.0,
+        is_completed=cell.task.outcome is TaskStatus.COMPLETED and is_pushed and wiped == 1.0,
         duration=cell.arm.now_ns * 1e-9,
         interventions=cell.visits,
         pushed=float(trace.columns["pushed"][-1]),

@@ -12,7 +12,7 @@ import numpy as np
 from ezskiros.engine.events import Event
 from heron.experiments.arms import CORRIDOR_RULES, machine_of
 from heron.experiments.child import Child, Dash, varied
-from heron.experiments.episode import seeded, told_by
+from heron.experiments.episode import reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.moving_base import FAR, SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
@@ -26,9 +26,9 @@ from heron.scene.person import LEGS, PERSON
 from heron.tasks import (
     Navigation,
     NavigationParameters,
-    Outcome,
     SkillContext,
     SkillTask,
+    TaskStatus,
     TreeSkill,
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
@@ -72,9 +72,9 @@ class CorridorEpisode:
     passage: Passage
     seed: int
     dash: Dash | None
-    outcome: Outcome
+    outcome: TaskStatus
     measures: CorridorMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -107,7 +107,7 @@ def run_corridor(
         robot.physics,
         robot.nodes,
         round(LONGEST_S * 1e9),
-        lambda: robot.task.outcome is not Outcome.RUNNING,
+        lambda: robot.task.outcome is not TaskStatus.RUNNING,
     )
     trace = robot.witness.trace()
     return CorridorEpisode(
@@ -117,7 +117,7 @@ def run_corridor(
         dash=dash,
         outcome=robot.task.outcome,
         measures=_measured(robot, dash, trace),
-        told=told_by(robot.guard),
+        reported=reported_by(robot.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=robot.task.tree,
         events=robot.task.events,
@@ -174,7 +174,7 @@ def _measured(robot: _Robot, dash: Dash | None, trace: Trace) -> CorridorMeasure
         return None if dash is None else float(speed[near].max(initial=0.0))
 
     return CorridorMeasures(
-        is_completed=robot.task.outcome is Outcome.COMPLETED,
+        is_completed=robot.task.outcome is TaskStatus.COMPLETED,
         duration=robot.physics.now_ns * 1e-9,
         interventions=0,
         nearest=None if dash is None else float(distance.min()),

@@ -13,7 +13,7 @@ from heron.appearance import Camera
 from heron.experiments.observer import Observer
 from heron.experiments.settings import Settings
 from heron.experiments.trace import Trace
-from heron.tasks import Outcome, TreeSkill
+from heron.tasks import TaskStatus, TreeSkill
 from heron.variants import ARMS, VARIANTS, Arm
 
 
@@ -57,7 +57,7 @@ class Episode(Protocol):
         """The seed of all that was left to chance."""
 
     @property
-    def outcome(self) -> Outcome:
+    def outcome(self) -> TaskStatus:
         """The outcome of the task."""
 
     @property
@@ -65,7 +65,7 @@ class Episode(Protocol):
         """The measures that were taken."""
 
     @property
-    def told(self) -> tuple[tuple[float, str], ...]:
+    def reported(self) -> tuple[tuple[float, str], ...]:
         """The messages of the guard, with their instants (s)."""
 
     @property
@@ -122,7 +122,7 @@ class Measure:
 @dataclass(frozen=True)
 class Signal:
     """A column of the trace as it is shown: times `factor`, with a line at `limit`. In films it is
-    told by its `short` name, if it has one.
+    reported by its `short` name, if it has one.
     """
 
     column: str

@@ -11,7 +11,7 @@ from ezskiros.engine.events import Event
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import HUMAN_RULES, machine_of
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, prolonged, reactions, time_of, without_need
 from heron.experiments.observer import Observer, attended
 from heron.experiments.proximity import ProximityWitness
@@ -32,7 +32,7 @@ from heron.robot import (
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, PersonParameters, RoomParameters, build_room
 from heron.scene.scene import STEP_NS
-from heron.tasks import Outcome, SkillTask, TreeSkill
+from heron.tasks import SkillTask, TaskStatus, TreeSkill
 from heron.topics import InProcess
 from heron.variants import Arm, Person
 
@@ -79,9 +79,9 @@ class HumanEpisode:
     person: Person
     seed: int
     walk: Walk
-    outcome: Outcome
+    outcome: TaskStatus
     measures: HumanMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -115,7 +115,7 @@ def run_human(
         walk=walk,
         outcome=cell.task.outcome,
         measures=_measured(cell, trace),
-        told=told_by(cell.guard),
+        reported=reported_by(cell.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=cell.task.tree,
         events=cell.task.events,
@@ -183,7 +183,7 @@ def _measured(cell: _Cell, trace: Trace) -> HumanMeasures:
     present = hazards(trace)
     led = trace.columns["speed"][is_led & (trace.columns["is_restricted"] > 0)]
     return HumanMeasures(
-        is_completed=cell.task.outcome is Outcome.COMPLETED,
+        is_completed=cell.task.outcome is TaskStatus.COMPLETED,
         duration=cell.arm.now_ns * 1e-9,
         interventions=cell.visits,
         nearest=float(distance.min()),

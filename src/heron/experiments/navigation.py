@@ -10,7 +10,7 @@ import numpy as np
 from ezskiros.engine.events import Event
 from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.experiments.base_operator import BaseOperator, BaseOperatorParameters
-from heron.experiments.episode import seeded, told_by
+from heron.experiments.episode import reported_by, seeded
 from heron.experiments.measures import (
     NavigationMeasures,
     hazards,
@@ -29,7 +29,7 @@ from heron.experiments.trace import BaseWitness, Trace
 from heron.guard import BaseCollisionMonitor, Guard, InProcessLink, Link, unfiltered
 from heron.robot import Base, Imu, ImuParameters
 from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
-from heron.tasks import Navigation, NavigationParameters, Outcome, SkillTask, TreeSkill
+from heron.tasks import Navigation, NavigationParameters, SkillTask, TaskStatus, TreeSkill
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
 from heron.variants import Arm, Terrain
 
@@ -47,9 +47,9 @@ class NavigationEpisode:
     terrain: Terrain
     seed: int
     course: Course
-    outcome: Outcome
+    outcome: TaskStatus
     measures: NavigationMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -92,7 +92,7 @@ def run_navigation(
     robot = _assembled(arm, built, settings, generators, link or InProcessLink())
     _drive(robot, observers)
     measures = _measured(robot, built)
-    if robot.navigation.outcome is Outcome.COMPLETED:
+    if robot.navigation.outcome is TaskStatus.COMPLETED:
         picked = pick_up(robot.standing(), built, robot.task, generators, observers)
         duration = measures.duration + picked.seconds
         measures = replace(measures, is_completed=picked.is_held, duration=duration)
@@ -104,7 +104,7 @@ def run_navigation(
         course=built,
         outcome=robot.navigation.outcome,
         measures=measures,
-        told=told_by(robot.guard),
+        reported=reported_by(robot.guard),
         onsets=onsets(trace, hazards(trace, built, BaseParameters())),
         tree=robot.task.tree,
         events=robot.task.events,
@@ -169,7 +169,8 @@ def _drive(robot: _Robot, observers: Sequence[Observer]) -> None:
         [*robot.nodes, *looking_on],
         round(LONGEST_S * 1e9),
         lambda: (
-            robot.navigation.outcome is Outcome.COMPLETED or robot.task.outcome is Outcome.GIVEN_UP
+            robot.navigation.outcome is TaskStatus.COMPLETED
+            or robot.task.outcome is TaskStatus.GIVEN_UP
         ),
     )
 

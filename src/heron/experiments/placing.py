@@ -14,7 +14,7 @@ from ezskiros.engine.events import Event
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import PLACING_RULES, machine_of
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, reactions, time_of
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
@@ -36,7 +36,7 @@ from heron.robot import (
 from heron.robot.arm_controller import PLACE
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, TableParameters, build_placing
-from heron.tasks import Outcome, SkillTask, TreeSkill
+from heron.tasks import SkillTask, TaskStatus, TreeSkill
 from heron.topics import Carrier, InProcess, Remapped
 from heron.variants import Arm, Table
 
@@ -79,9 +79,9 @@ class PlacingEpisode:
     seed: int
     parameters: TableParameters
     skill: tuple[str, ...]
-    outcome: Outcome
+    outcome: TaskStatus
     measures: PlacingMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -118,7 +118,7 @@ def run_placing(
         skill=skill,
         outcome=cell.task.outcome,
         measures=_measured(cell, trace, table, parameters),
-        told=told_by(cell.guard),
+        reported=reported_by(cell.guard),
         onsets=onsets(trace, _hazards(trace, parameters)),
         tree=cell.task.tree,
         events=cell.task.events,
@@ -210,7 +210,7 @@ def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters)
     is_acting = trace.columns["is_restricted"] > 0
     present = _hazards(trace, table)
     return PlacingMeasures(
-        is_completed=cell.task.outcome is Outcome.COMPLETED and _is_placed(cell, table),
+        is_completed=cell.task.outcome is TaskStatus.COMPLETED and _is_placed(cell, table),
         duration=cell.arm.now_ns * 1e-9,
         interventions=cell.visits,
         attempts=cell.controller.attempts,

@@ -27,7 +27,6 @@ class Exhibit:
 
     experiment: str
     variant: enum.Enum
-    option: str
     words: str
 
     @property
@@ -40,7 +39,6 @@ EXHIBITS = (
     Exhibit(
         "nav",
         Terrain.GENTLE,
-        "terrain",
         "A bump, and a ramp that needs more torque than the base usually gives. Without a monitor "
         "the base hits the bump at full speed and stalls on the ramp. The rules slow it down on "
         "the bump and let it push on the ramp, until the ground is level again.",
@@ -48,21 +46,18 @@ EXHIBITS = (
     Exhibit(
         "nav",
         Terrain.STEEP,
-        "terrain",
         "The same corridor with a ramp of 25 degrees. Without a monitor the base stalls at its "
         "toe. The rules let it back off, and take the other way into the room.",
     ),
     Exhibit(
         "place",
         Table.HIGH,
-        "table",
         "A table that is higher than the arm believes. Without a monitor the arm hammers on it "
         "until it lets go. The rules let it retract, soften, and place the block once more.",
     ),
     Exhibit(
         "human",
         Person.INSIDE,
-        "person",
         "Somebody comes into the room where the arm works. Without a monitor it goes on at full "
         "speed beside them. With rules it is slower as soon as they are in the room, stands still "
         "before they are within its reach, gives way when they push it, and goes on when they "
@@ -71,7 +66,6 @@ EXHIBITS = (
     Exhibit(
         "contact",
         Encounter.COLLISION,
-        "encounter",
         "The arm pushes a box and wipes a board. In between it hits a forearm. Without a monitor "
         "it presses on until the forearm is drawn back. The rules know that pushing and wiping "
         "need contact, and let it be; on the forearm they let the arm back off at once.",
@@ -79,7 +73,6 @@ EXHIBITS = (
     Exhibit(
         "corridor",
         Passage.CHILD,
-        "passage",
         "The base drives along a corridor, and a child runs out of a door. Without a monitor the "
         "base hits the child at full speed. The rules know which part of the corridor belongs to a "
         "school: the base is slow there before any sensor sees a child, and stands in time.",
@@ -87,7 +80,6 @@ EXHIBITS = (
     Exhibit(
         "blocked",
         Blockage.PALLET,
-        "blockage",
         "A pallet stands across the short way to a hall. Without a monitor the base stands before "
         "it until an operator takes it away. The rules let the base run a behavior tree: it waits, "
         "turns back to the junction, and marks the way as blocked. Then the planner finds the "
@@ -96,7 +88,6 @@ EXHIBITS = (
     Exhibit(
         "second",
         Trouble.LASTING,
-        "trouble",
         "The same scene, where a pallet stands across the short way in most runs. Without "
         "knowledge of earlier runs the planner takes the short way, and the base loses time there. "
         "With what `ezskiros learn` has counted in other runs, it takes the way by the yard.",
@@ -151,7 +142,7 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
             "",
             "For a film of your own, of one episode, as MP4 or GIF:",
             "",
-            f"    heron run {exhibit.experiment} --{exhibit.option} {exhibit.variant.value} "
+            f"    heron run {exhibit.experiment} --variant {exhibit.variant.value} "
             f"--seed {seed} --film {exhibit.name}.mp4",
             "",
         ]

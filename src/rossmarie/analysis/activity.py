@@ -1,12 +1,12 @@
-"""When rules are active, as claims over one state, over a course, and over what is seen."""
+"""When rules are active, as predicates over one state, over a trace, and over what is seen."""
 
 from __future__ import annotations
 
 import z3
 
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.terms import NO
+from rossmarie.analysis.trace import Trace
 from rossmarie.ir import Machine
 
 
@@ -45,11 +45,11 @@ def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:
     )
 
 
-def seen_together(course: Course, one: int, other: int) -> z3.BoolRef:
-    """Say whether two rules are active at one moment of a course."""
+def seen_together(trace: Trace, one: int, other: int) -> z3.BoolRef:
+    """Say whether two rules are active at one moment of a trace."""
     return z3.Or(
         [
-            z3.And(course.is_active(one, moment), course.is_active(other, moment))
-            for moment in range(len(course.moments))
+            z3.And(trace.is_active(one, moment), trace.is_active(other, moment))
+            for moment in range(len(trace.moments))
         ]
     )

@@ -8,10 +8,10 @@ from functools import partial
 import z3
 
 from rossmarie.analysis.activity import propositions_of
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import Chattering
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Machine
 from rossmarie.ir.duration_text import duration_text
@@ -36,9 +36,9 @@ def find_chattering(inquiry: Inquiry, within_ns: int) -> Iterator[Finding]:
         ):
             continue
         alone = inquiry.about(index)
-        claim = partial(_toggles, rule=0, within_ns=within_ns)
+        predicate = partial(_toggles, rule=0, within_ns=within_ns)
         witness = alone.quick_witness(
-            propositions_of(alone.machine, (0,)), _LEGS, partial(_alternates, rule=0), claim
+            propositions_of(alone.machine, (0,)), _LEGS, partial(_alternates, rule=0), predicate
         )
         if witness is not None:
             condition = alone.machine.rules[0].condition
@@ -55,10 +55,10 @@ def _is_simple(machine: Machine, release: int) -> bool:
     return machine.propositions[release].text == "true"
 
 
-def _alternates(course: Course, rule: int) -> z3.BoolRef:
+def _alternates(trace: Trace, rule: int) -> z3.BoolRef:
     """The condition at the first message of each leg: true, false, true, false or the opposite."""
-    condition = course.asked.machine.rules[rule].condition
-    firsts = [moment.proposition(condition) for moment in course.moments[::2]]
+    condition = trace.asked.machine.rules[rule].condition
+    firsts = [moment.proposition(condition) for moment in trace.moments[::2]]
     return z3.And(
         [fact.false if number % 2 == 0 else fact.true for number, fact in enumerate(firsts)]
     )

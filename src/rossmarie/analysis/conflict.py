@@ -17,7 +17,7 @@ from rossmarie.analysis.errors import (
 )
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, both_active
-from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Machine, overruled
 
 Needs = Mapping[int, frozenset[int]]
@@ -27,23 +27,23 @@ Needs = Mapping[int, frozenset[int]]
 def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
     """A warning of each rule that an earlier one is in conflict with, once for each resource.
 
-    With `thorough` all pairs are asked about, and proofs and orders are told as well.
+    With `thorough` all pairs are asked about, and proofs and orders are reported as well.
     """
     machine = inquiry.machine
     needs = [_needs(machine, rule) for rule in range(len(machine.rules))]
     ordered = ordered_pairs(machine)
-    told: set[tuple[int, int]] = set()
+    reported: set[tuple[int, int]] = set()
     for second, needed in enumerate(needs):
         for resource, actions in needed.items():
             for first in range(second):
-                if needs[first].get(resource, actions) == actions or (first, second) in told:
+                if needs[first].get(resource, actions) == actions or (first, second) in reported:
                     continue
                 if _do_the_same(machine, first, second, resource):
                     continue
                 is_ordered = (first, second) in ordered or (second, first) in ordered
                 if is_ordered and not thorough:
                     continue
-                told.add((first, second))
+                reported.add((first, second))
                 found = _judged(inquiry, first, second, resource, ordered)
                 is_conflict = isinstance(found, Finding) and found.diagnostic.code == "ROSS700"
                 if thorough or found.diagnostic.code in ("ROSS700", "ROSS729"):
@@ -95,7 +95,7 @@ def _judged(
     names = (rules[0].name, rules[1].name)
     place = NeedsItToo().at(rules[0].head)
     span = rules[1].head
-    if result.outcome is Outcome.IMPOSSIBLE:
+    if result.outcome is Satisfiability.IMPOSSIBLE:
         never = NeverTogether(first=names[0], second=names[1], resource=needed)
         return Finding(never.at(span, place))
     notes: tuple[Remark, ...] = ()
@@ -108,8 +108,8 @@ def _judged(
         order = ConflictOrdered(first=upper[0], second=upper[1], resource=needed, together=known)
         return Finding(order.at(span, place, notes=notes), result.witness)
     if result.witness is None:
-        question = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
-        open_one = Undecided(question=f"{question} together?", reason="no order between them")
+        query = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
+        open_one = Undecided(query=f"{query} together?", reason="no order between them")
         return Finding(open_one.at(span, place, help=_advice(machine, first, second)))
     finding = RulesConflict(first=names[0], second=names[1], resource=needed)
     help = _advice(machine, first, second)

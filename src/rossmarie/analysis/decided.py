@@ -56,7 +56,7 @@ from rossmarie.ir import (
     kleene,
     proposition_operands,
     reachable_propositions,
-    told_propositions,
+    reported_propositions,
 )
 from rossmarie.ir.carried import si_ends
 
@@ -79,7 +79,7 @@ def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
             cause = next(((each, constant[each]) for each in below if each in constant), None)
             yield Finding(_rule_finding(inquiry, index, lacking, cause))
         elif thorough:
-            yield from _open_questions(inquiry, index)
+            yield from _open_queries(inquiry, index)
     for proposition, lacking in constant.items():
         if proposition not in explained:
             yield Finding(_part_finding(machine, proposition, lacking))
@@ -124,10 +124,10 @@ def _can_be(inquiry: Inquiry, proposition: int, value: bool) -> bool:
     """Say whether the solver finds that a leaf can have a value; if so, it never refutes it."""
     alone = inquiry.below(proposition)
     last = len(alone.machine.propositions) - 1
-    claim = partial(
+    predicate = partial(
         is_value, proposition=last, value=TruthValue.TRUE if value else TruthValue.FALSE
     )
-    return alone.is_possible(claim, settled=not value)
+    return alone.is_possible(predicate, settled=not value)
 
 
 # --- parts -----------------------------------------------------------------------------------
@@ -168,18 +168,18 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
 
 def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, TruthValue]:
     """Constant parts that users wrote: an `after` that never asks for an answer is always true."""
-    told = {
+    reported = {
         proposition
         for rule in machine.rules
         for root in rule.roots
-        for proposition in told_propositions(machine, root)
+        for proposition in reported_propositions(machine, root)
     }
-    wholes = {proposition: defined(machine, proposition) for proposition in told}
+    wholes = {proposition: defined(machine, proposition) for proposition in reported}
     written = {
-        proposition: lacking for proposition, lacking in found.items() if proposition in told
+        proposition: lacking for proposition, lacking in found.items() if proposition in reported
     }
     for proposition, whole in wholes.items():
-        inside = set(reachable_propositions(machine, proposition)) - told
+        inside = set(reachable_propositions(machine, proposition)) - reported
         if isinstance(whole, Response) and NEVER in map(found.get, inside):
             written[proposition] = ALWAYS
     return dict(sorted(written.items()))
@@ -284,15 +284,15 @@ def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
 # --- what stays open -------------------------------------------------------------------------
 
 
-def _open_questions(inquiry: Inquiry, index: int) -> Iterator[Finding]:
+def _open_queries(inquiry: Inquiry, index: int) -> Iterator[Finding]:
     """That it is not known whether a rule can be active, and inactive."""
     machine = inquiry.machine
     rule = machine.rules[index]
     for value, word in ((TruthValue.TRUE, "true"), (TruthValue.FALSE, "false")):
-        question = has_value(rule.condition, value)
-        if inquiry.witness(question) is None:
+        query = has_value(rule.condition, value)
+        if inquiry.witness(query) is None:
             finding = Undecided(
-                question=f"can the condition of rule `{rule.name}` be {word}?",
-                reason="no short course of events makes it so, and no proof excludes it",
+                query=f"can the condition of rule `{rule.name}` be {word}?",
+                reason="no short trace of events makes it so, and no proof excludes it",
             )
             yield Finding(finding.at(rule.head))

@@ -2,8 +2,8 @@
 
 Signals and propositions become terms node by node, as the interpreter evaluates them. What lies
 outside of one evaluation is left to the two kinds of encoding: `state.ArbitraryState`, where
-memories hold anything that a trace could have left there, and `course.Moment`, which is part of a
-course of events. `testing.solve.World` is none of them, and says why; what they have in common lies
+memories hold anything that a trace could have left there, and `trace.Moment`, which is part of a
+trace of events. `testing.solve.World` is none of them, and says why; what they have in common lies
 in `terms`, `formulas` and `fields`.
 """
 
@@ -43,7 +43,7 @@ class Cell:
 
 
 class Questioned:
-    """A machine, with what every question about it asks over and over."""
+    """A machine, with what every query about it asks over and over."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.machine = machine
@@ -349,7 +349,7 @@ class Encoding(ABC):
 
     def _beside(self, array: int, signal: int) -> Number:
         """A number beside elements (S74): any that it may have been when they arrived. A proposed
-        course of events has its value of now.
+        trace of events has its value of now.
         """
         if not self.rounded or isinstance(self.machine.signals[signal].node, ir.Constant):
             return self.signal(signal)

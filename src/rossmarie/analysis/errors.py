@@ -47,15 +47,15 @@ class NeedsItToo(Remark):
 class Shown(Remark):
     """The note that tells a witness."""
 
-    says = "shown by this: {course}"
-    course: str
+    says = "shown by this: {trace}"
+    trace: str
 
 
 class ShownWithLoss(Remark):
     """The note that tells a witness in which an input is missing."""
 
-    says = "shown by this, where an input is missing: {course}"
-    course: str
+    says = "shown by this, where an input is missing: {trace}"
+    trace: str
 
 
 class NameRules(Remark):
@@ -337,12 +337,12 @@ class NotProved(Error, code="ROSS723", name="not-proved-in-time"):
 
 
 class Undecided(Note, code="ROSS729", name="undecided"):
-    """A question to which neither a proof nor a witness was found."""
+    """A query to which neither a proof nor a witness was found."""
 
-    title = "undecided: {question}"
+    title = "undecided: {query}"
     label = "{reason}"
     note = "this is neither proved nor shown; do not take it for an answer"
-    question: str
+    query: str
     reason: str
 
 

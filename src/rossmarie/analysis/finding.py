@@ -1,4 +1,4 @@
-"""A finding of a question, and the words that all questions share."""
+"""A finding of a query, and the words that all queries share."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.analysis.errors import Shown, ShownWithLoss
-from rossmarie.analysis.witness import Witness, told
+from rossmarie.analysis.witness import Witness, reported
 from rossmarie.ir import Constant, Machine, compared_signals, reachable_propositions
 
 
@@ -29,4 +29,4 @@ def witness_note(machine: Machine, witness: Witness, propositions: Sequence[int]
         if not isinstance(machine.signals[signal].node, Constant)
     }
     kind = Shown if witness.is_calm else ShownWithLoss
-    return kind(course=told(machine, witness, sorted(signals)))
+    return kind(trace=reported(machine, witness, sorted(signals)))

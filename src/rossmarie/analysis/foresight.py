@@ -1,7 +1,7 @@
 """Requirements of rules: a rule is active before it is too late to brake, or a counterexample shows
 when it is not.
 
-The question is about one instant: the condition of the rule is false by the last messages, though
+The query is about one instant: the condition of the rule is false by the last messages, though
 the motion, as they tell of it, could not slow down before the places any more if the next message
 came as late as its timeout allows, and the brakes held as late and as weakly as declared.
 """
@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from rossmarie.analysis.errors import InTime, NotInTime, NotProved
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, has_value
-from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Requirement, TruthValue
 
 
@@ -24,7 +24,7 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
     below = inquiry.below(required.proposition)
     last = len(below.machine.propositions) - 1
     result = below.decide(has_value(last, TruthValue.TRUE))
-    if result.outcome is Outcome.IMPOSSIBLE:
+    if result.outcome is Satisfiability.IMPOSSIBLE:
         proved = InTime(rule=required.rule, text=required.text)
         yield Finding(proved.at(required.span))
     elif result.witness is None:

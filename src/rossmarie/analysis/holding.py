@@ -166,7 +166,7 @@ def _is_on(machine: Machine, source: Slot | Array, kept: Kept) -> bool:
     return topic == machine.reactions.commands[kept.command].topic
 
 
-# --- claims ----------------------------------------------------------------------------------
+# --- predicates ----------------------------------------------------------------------------------
 
 
 def is_ended(state: ArbitraryState, rule: int) -> z3.BoolRef:
@@ -211,9 +211,9 @@ def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | N
     or have a true condition.
     """
 
-    def never(claim: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
+    def never(predicate: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
         return inquiry.is_impossible(
-            lambda state: z3.And(claim(state), is_within(state, kept)), settled=True
+            lambda state: z3.And(predicate(state), is_within(state, kept)), settled=True
         )
 
     machine = inquiry.machine

@@ -23,7 +23,7 @@ from rossmarie.analysis.state import ArbitraryState
 from rossmarie.ir import Machine
 
 _AT_ONCE = 4
-"""Candidates that one question is about."""
+"""Candidates that one query is about."""
 
 
 def find_implied(inquiry: Inquiry) -> Iterator[Finding]:
@@ -40,7 +40,7 @@ def find_implied(inquiry: Inquiry) -> Iterator[Finding]:
         for start in range(0, len(candidates), _AT_ONCE):
             needed = _needed(inquiry, rule, candidates[start : start + _AT_ONCE])
             if needed is not None:
-                yield from _told(inquiry, rule, needed)
+                yield from _reported(inquiry, rule, needed)
                 break
 
 
@@ -108,7 +108,7 @@ def _shared(machine: Machine, rule: int, other: int) -> str | None:
     return None
 
 
-def _told(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
+def _reported(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
     machine = inquiry.machine
     one, two = machine.rules[rule], machine.rules[other]
     is_same = _has_same_actions(machine, rule, other)

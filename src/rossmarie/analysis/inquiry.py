@@ -1,4 +1,4 @@
-"""Questions and their answers: proved impossible, shown by a witness, or undecided."""
+"""Queries and their answers: proved impossible, shown by a witness, or undecided."""
 
 from __future__ import annotations
 
@@ -10,52 +10,52 @@ from functools import partial
 import z3
 
 from rossmarie.analysis.activity import propositions_of, seen_together, together
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.draft import drafted
 from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.hints import hints
 from rossmarie.analysis.part import part_below, part_of
 from rossmarie.analysis.shrink import Replays, shortened
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.witness import Claim, Witness
+from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.witness import Predicate, Witness
 from rossmarie.ir import Machine, TruthValue
 
 _MOST_AWAITED = 16
-"""Conditions of `for` in one question that are compared with each other."""
+"""Conditions of `for` in one query that are compared with each other."""
 
-StateClaim = Callable[[ArbitraryState], z3.BoolRef]
-CourseClaim = Callable[[Course], z3.BoolRef]
+StatePredicate = Callable[[ArbitraryState], z3.BoolRef]
+TracePredicate = Callable[[Trace], z3.BoolRef]
 
 
 class OutOfTimeError(Exception):
-    """The questions of a run took longer than they may."""
+    """The queries of a run took longer than they may."""
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A question: the claim as terms over one state, and over a course, and as the interpreter sees
+    """A query: the predicate as terms over one state, and over a trace, and as the interpreter sees
     it. `propositions` are those that it rests on, by index.
     """
 
     propositions: tuple[int, ...]
-    in_state: StateClaim
-    in_course: CourseClaim
-    in_view: Claim
+    in_state: StatePredicate
+    in_trace: TracePredicate
+    in_view: Predicate
 
 
 @dataclass(frozen=True)
 class Result:
     """The answer, with the witness of what is POSSIBLE."""
 
-    outcome: Outcome
+    outcome: Satisfiability
     witness: Witness | None = None
 
 
 @dataclass
 class Inquiry:
     """Asks about one machine. After `deadline_s`, on the clock of `time.process_time`, every
-    further question raises `OutOfTimeError`; None: no question does.
+    further query raises `OutOfTimeError`; None: no query does.
     """
 
     machine: Machine
@@ -73,43 +73,45 @@ class Inquiry:
         """An inquiry about a proposition, which is the last of its machine."""
         return Inquiry(part_below(self.machine, proposition), self.deadline_s)
 
-    def decide(self, question: Asked) -> Result:
+    def decide(self, query: Asked) -> Result:
         """All that can be found out, by what costs least."""
         self.check_time()
         state = ArbitraryState(self.asked)
-        term = question.in_state(state)
-        if ask(state.facts, term).outcome is Outcome.IMPOSSIBLE:
-            return Result(Outcome.IMPOSSIBLE)
-        witness = self.witness(question, _ATTEMPTS[:1])
+        term = query.in_state(state)
+        if ask(state.facts, term).outcome is Satisfiability.IMPOSSIBLE:
+            return Result(Satisfiability.IMPOSSIBLE)
+        witness = self.witness(query, _ATTEMPTS[:1])
         if witness is None and self._is_refuted(state, term):
-            return Result(Outcome.IMPOSSIBLE)
-        witness = witness or self.witness(question, _ATTEMPTS[1:])
-        return Result(Outcome.UNDECIDED if witness is None else Outcome.POSSIBLE, witness)
+            return Result(Satisfiability.IMPOSSIBLE)
+        witness = witness or self.witness(query, _ATTEMPTS[1:])
+        return Result(
+            Satisfiability.UNDECIDED if witness is None else Satisfiability.POSSIBLE, witness
+        )
 
     # --- proofs ------------------------------------------------------------------------------
 
-    def is_impossible(self, claim: StateClaim, *, settled: bool = False) -> bool:
-        """Say whether a claim is proved to hold in no state that any trace leads to."""
+    def is_impossible(self, predicate: StatePredicate, *, settled: bool = False) -> bool:
+        """Say whether a predicate is proved to hold in no state that any trace leads to."""
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
-        term = claim(state)
+        term = predicate(state)
         return self._is_refuted(state, term)
 
-    def is_possible(self, claim: StateClaim, *, settled: bool = False) -> bool:
-        """Say whether the solver finds a state in which a claim holds that rests on no `for`; no
-        trace need lead there.
+    def is_possible(self, predicate: StatePredicate, *, settled: bool = False) -> bool:
+        """Say whether the solver finds a state in which a predicate holds that rests on no `for`;
+        no trace need lead there.
         """
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
-        term = claim(state)
-        return not state.awaited and ask(state.facts, term).outcome is Outcome.POSSIBLE
+        term = predicate(state)
+        return not state.awaited and ask(state.facts, term).outcome is Satisfiability.POSSIBLE
 
     def _is_refuted(self, state: ArbitraryState, term: z3.BoolRef) -> bool:
         outcome = ask(state.facts, term).outcome
-        if outcome is Outcome.POSSIBLE and 1 < len(state.awaited) <= _MOST_AWAITED:
+        if outcome is Satisfiability.POSSIBLE and 1 < len(state.awaited) <= _MOST_AWAITED:
             orders = list(self.orders(state))
             outcome = ask([*state.facts, *orders], term).outcome
-        return outcome is Outcome.IMPOSSIBLE
+        return outcome is Satisfiability.IMPOSSIBLE
 
     def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
         """The propositions that are true only while another is, and have not been true for
@@ -144,43 +146,43 @@ class Inquiry:
     # --- witnesses ---------------------------------------------------------------------------
 
     def witness(
-        self, question: Asked, attempts: Sequence[tuple[int, bool]] | None = None
+        self, query: Asked, attempts: Sequence[tuple[int, bool]] | None = None
     ) -> Witness | None:
         """A witness that the interpreter bears out: one in which all sensors work, if there is."""
         for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
             self.check_time()
-            course = Course(self.asked, question.propositions, legs)
-            witness = self._borne_out(course, question, is_calm)
+            trace = Trace(self.asked, query.propositions, legs)
+            witness = self._borne_out(trace, query, is_calm)
             if witness is not None:
                 return witness
         return None
 
-    def _borne_out(self, course: Course, question: Asked, is_calm: bool) -> Witness | None:
-        """A witness on a course, the easiest to read that is found."""
-        claim = question.in_course(course)
-        wishes: Sequence[z3.BoolRef] = course.calm if is_calm else ()
-        for preferred in hints(course):
-            answer = ask(course.facts, claim, *wishes, *preferred)
+    def _borne_out(self, trace: Trace, query: Asked, is_calm: bool) -> Witness | None:
+        """A witness on a trace, the easiest to read that is found."""
+        predicate = query.in_trace(trace)
+        wishes: Sequence[z3.BoolRef] = trace.calm if is_calm else ()
+        for preferred in hints(trace):
+            answer = ask(trace.facts, predicate, *wishes, *preferred)
             if answer.model is None:
                 continue
-            draft = drafted(course, answer.model, is_calm=is_calm)
-            replays = Replays(self.machine, question.in_view, question.propositions)
+            draft = drafted(trace, answer.model, is_calm=is_calm)
+            replays = Replays(self.machine, query.in_view, query.propositions)
             witness = shortened(self.machine, draft, replays)
             if witness is not None:
                 return witness
         return None
 
     def quick_witness(
-        self, propositions: tuple[int, ...], legs: int, in_course: CourseClaim, in_view: Claim
+        self, propositions: tuple[int, ...], legs: int, in_trace: TracePredicate, in_view: Predicate
     ) -> Witness | None:
         """A witness of single messages, one after the other, while all sensors work."""
         self.check_time()
-        course = Course(self.asked, propositions, legs, is_brief=True)
-        claim = in_course(course)
-        for preferred in hints(course):
-            answer = ask(course.facts, claim, *course.calm, *preferred)
+        trace = Trace(self.asked, propositions, legs, is_brief=True)
+        predicate = in_trace(trace)
+        for preferred in hints(trace):
+            answer = ask(trace.facts, predicate, *trace.calm, *preferred)
             if answer.model is not None:
-                draft = drafted(course, answer.model, is_calm=True)
+                draft = drafted(trace, answer.model, is_calm=True)
                 replays = Replays(self.machine, in_view, propositions)
                 return shortened(self.machine, draft, replays)
         return None
@@ -192,8 +194,8 @@ class Inquiry:
 
 
 _ATTEMPTS = ((1, True), (2, True), (1, False), (2, False), (3, True), (3, False))
-"""The legs of each attempt, and whether all sensors work in it: the simplest first. A claim that
-needs more changes than three legs allow stays undecided.
+"""The legs of each attempt, and whether all sensors work in it: the simplest first. A predicate
+that needs more changes than three legs allow stays undecided.
 """
 
 
@@ -222,5 +224,5 @@ def is_value(state: ArbitraryState, proposition: int, value: TruthValue) -> z3.B
     return state.proposition(proposition).is_value(value)
 
 
-def _comes_to(course: Course, proposition: int, value: TruthValue) -> z3.BoolRef:
-    return z3.Or([moment.proposition(proposition).is_value(value) for moment in course.moments])
+def _comes_to(trace: Trace, proposition: int, value: TruthValue) -> z3.BoolRef:
+    return z3.Or([moment.proposition(proposition).is_value(value) for moment in trace.moments])

@@ -1,7 +1,7 @@
 """Results over lists of messages, as terms of the solver: elements are not looked into.
 
 Where everything that can be has to be covered (`rounded`), a result is anything that the list may
-give. In a proposed course of events every list that arrives has no elements, and results are those
+give. In a proposed trace of events every list that arrives has no elements, and results are those
 of S53; whether they are borne out, the interpreter says.
 """
 

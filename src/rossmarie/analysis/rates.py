@@ -1,6 +1,6 @@
 """Durations that do not fit the rates at which a system model says that messages come.
 
-No other question relies on these rates: a monitor is there for when they are not kept.
+No other query relies on these rates: a monitor is there for when they are not kept.
 """
 
 from __future__ import annotations
@@ -12,7 +12,6 @@ import z3
 
 from dslkit.diagnostics import Remark
 from rossmarie.analysis.activity import propositions_of
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.rate_errors import (
@@ -22,6 +21,7 @@ from rossmarie.analysis.rate_errors import (
     UnfitWindow,
 )
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import Sending, View, Witness, views
 from rossmarie.core import MOST_SAMPLES, sampling_row
 from rossmarie.core import View as Found
@@ -45,8 +45,8 @@ from rossmarie.ir import (
     TruthValue,
     compared_signals,
     reachable_propositions,
+    reported_propositions,
     signal_operands,
-    told_propositions,
 )
 from rossmarie.ir.duration_text import duration_text
 
@@ -62,7 +62,7 @@ def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
         root for rule in range(len(machine.rules)) for root in propositions_of(machine, (rule,))
     }
     used = sorted(
-        {proposition for root in roots for proposition in told_propositions(machine, root)}
+        {proposition for root in roots for proposition in reported_propositions(machine, root)}
     )
     rests_on = inquiry.asked.supports.propositions
     in_rules = {each for root in roots for each in rests_on[root].inputs}
@@ -133,15 +133,15 @@ def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness 
     return Witness((*witness.events, Sending(next_ns, messages)), next_ns, is_calm=True)
 
 
-def _comes_to_loss(course: Course, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
+def _comes_to_loss(trace: Trace, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
     found = []
-    for number, moment in enumerate(course.moments):
+    for number, moment in enumerate(trace.moments):
         age = moment.age(declared.channel)
         found.append(
             z3.And(
-                course.is_active(rule, number),
-                z3.Not(course.is_active(rule, number - 1)),
-                moment.proposition(course.asked.machine.rules[rule].condition).stale,
+                trace.is_active(rule, number),
+                z3.Not(trace.is_active(rule, number - 1)),
+                moment.proposition(trace.asked.machine.rules[rule].condition).stale,
                 moment.has_arrived(declared.channel),
                 age >= (declared.timeout_ns or 0),
                 age < gap_ns,
@@ -303,9 +303,7 @@ def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
         Asked(
             (proposition,),
             lambda state: state.proposition(proposition).true,
-            lambda course: z3.Or(
-                [moment.proposition(proposition).true for moment in course.moments]
-            ),
+            lambda trace: z3.Or([moment.proposition(proposition).true for moment in trace.moments]),
             lambda seen: seen[-1].truth_values[proposition] is TruthValue.TRUE,
         )
     )

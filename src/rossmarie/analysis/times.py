@@ -1,4 +1,4 @@
-"""The times of a course of events, from the durations in the rules."""
+"""The times of a trace of events, from the durations in the rules."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _LONGEST_PERIOD_NS = SECOND // 10
 
 
 class Times:
-    """The times of a course, from those in a part of a machine: of channels, and below
+    """The times of a trace, from those in a part of a machine: of channels, and below
     propositions.
     """
 

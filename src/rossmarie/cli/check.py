@@ -12,7 +12,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.extensions import extension
 from dslkit.writing import write_whole
 from rossmarie.cli.output import each_once, output
-from rossmarie.cli.progress import told_steps
+from rossmarie.cli.progress import reported_steps
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
 from rossmarie.ir import Category
 
@@ -31,41 +31,42 @@ def run_check(
     study: Path | None,
 ) -> None:
     """Print the findings, write the witnesses, and end with the exit code."""
-    output.try_study(study)
-    is_tests = witnesses is not None and witnesses.suffix == ".ross"
-    if is_tests and len(files) > 1:
-        output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
-    together = _looking_at_both() if skills else None
-    if witnesses is not None:
-        (output.try_file if is_tests else output.try_folder)(witnesses)
-    with told_steps("reading the rules") as on_step:
-        analyses = [
-            analyze_file(
-                path,
-                thorough=thorough,
-                toggle_ns=round(toggle_s * 1e9),
-                systems=systems,
-                message_folders=message_folders,
-                only=only,
-                on_step=on_step,
-            )
-            for path in files
-        ]
-    found: list[Diagnostic] = []
-    for path, analysis in zip(files, analyses, strict=True):
-        found += analysis.diagnostics
-        if target is not None:
-            found += _for_target(path, target, systems, message_folders, only)
-        if together is not None:
-            found += together(path, systems=systems, message_folders=message_folders)
-    told = each_once(found)
-    output.log_study(study, "check", files, told)
-    output.print_diagnostics(told, form, file_count=len(files))
-    if witnesses is not None and is_tests:
-        _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
-    elif witnesses is not None:
-        _write(analyses, witnesses, form)
-    raise typer.Exit(output.exit_code(told))
+    with output.answering(form, "check", files=len(files)):
+        output.try_study(study)
+        is_tests = witnesses is not None and witnesses.suffix == ".ross"
+        if is_tests and len(files) > 1:
+            output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
+        together = _looking_at_both() if skills else None
+        if witnesses is not None:
+            (output.try_file if is_tests else output.try_folder)(witnesses)
+        with reported_steps("reading the rules") as on_step:
+            analyses = [
+                analyze_file(
+                    path,
+                    thorough=thorough,
+                    toggle_ns=round(toggle_s * 1e9),
+                    systems=systems,
+                    message_folders=message_folders,
+                    only=only,
+                    on_step=on_step,
+                )
+                for path in files
+            ]
+        found: list[Diagnostic] = []
+        for path, analysis in zip(files, analyses, strict=True):
+            found += analysis.diagnostics
+            if target is not None:
+                found += _for_target(path, target, systems, message_folders, only)
+            if together is not None:
+                found += together(path, systems=systems, message_folders=message_folders)
+        reported = each_once(found)
+        output.log_study(study, "check", files, reported)
+        output.print_diagnostics(reported, form, file_count=len(files))
+        if witnesses is not None and is_tests:
+            _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
+        elif witnesses is not None:
+            _write(analyses, witnesses, form)
+        raise typer.Exit(output.exit_code(reported))
 
 
 def _looking_at_both() -> Callable[..., Sequence[Diagnostic]]:
@@ -116,4 +117,4 @@ def _write_tests(
     tests = "1 test" if found.count == 1 else f"{found.count} tests"
     typer.echo(f"wrote {tests} to {path}", err=form is not Format.TEXT)
     for name in found.left_out:
-        typer.echo(f"cannot be told as a test: {name}", err=True)
+        typer.echo(f"cannot be reported as a test: {name}", err=True)

@@ -29,6 +29,7 @@ class GraphFormat(str, enum.Enum):
     TEXT = "text"
     SVG = "svg"
     DOT = "dot"
+    JSON = "json"
 
 
 class DumpFormat(str, enum.Enum):

@@ -12,10 +12,13 @@ from typing import Annotated
 
 import typer
 
-from dslkit.command_line import Format, StudyFile
+from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
+from rossmarie.cli.beginnings import example, init, model
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
+    AnswerFormat,
+    Code,
     CoverageFile,
     CoverageReport,
     Licenses,
@@ -27,10 +30,11 @@ from rossmarie.cli.options import (
     OutFile,
     ProofsFile,
     ProofsReport,
+    ProverFolder,
+    ProverTimeout,
     Recordings,
+    ReportFolder,
     ReviewPage,
-    RobotFolder,
-    RobotName,
     Rules,
     RulesFiles,
     Systems,
@@ -46,7 +50,6 @@ app = typer.Typer(
     help="Safety rules for robots: check them, build their monitor, replay a recording.",
     cls=Group,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
@@ -68,7 +71,7 @@ def check(
         TargetName | None, choice(TargetName, "Also report what this target cannot do.")
     ] = None,
     thorough: Annotated[
-        bool, typer.Option("--thorough", help="Ask all questions, and tell proofs as well.")
+        bool, typer.Option("--thorough", help="Ask all queries, and tell proofs as well.")
     ] = False,
     toggle: Annotated[
         float,
@@ -111,7 +114,7 @@ def check(
 
 @app.command()
 def explain(
-    code: Annotated[str, typer.Argument(metavar="CODE", help="Such as ROSS301.")],
+    code: Code,
 ) -> None:
     """Explain a diagnostic: what it means, an example, what to write instead."""
     output.explain(code)
@@ -235,11 +238,16 @@ def export(
 
 
 @app.command()
-def failures(rules: Rules, system: Systems = None, messages: MessageFolders = None) -> None:
+def failures(
+    rules: Rules,
+    format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
+    system: Systems = None,
+    messages: MessageFolders = None,
+) -> None:
     """Tell for each input which rules become active when it is stale."""
     from rossmarie.cli.failures import run_failures
 
-    run_failures(rules, system or [], messages or [])
+    run_failures(rules, format, system or [], messages or [])
 
 
 @app.command()
@@ -253,7 +261,7 @@ def report(
         typer.Option(metavar="YYYY-MM-DD", help="The day that the file bears; else today, in UTC."),
     ] = None,
     thorough: Annotated[
-        bool, typer.Option("--thorough", help="Ask all questions about the rules, as `check`.")
+        bool, typer.Option("--thorough", help="Ask all queries about the rules, as `check`.")
     ] = False,
     system: Systems = None,
     messages: MessageFolders = None,
@@ -272,31 +280,23 @@ def replay(
     rules: Rules,
     recordings: Recordings,
     topic_map: TopicMap = None,
-    out: Annotated[
-        Path | None,
-        typer.Option(
-            "--out",
-            "-o",
-            metavar="DIR",
-            help="Write timeline.html and verdicts.jsonl here; of several recordings, each into a"
-            " folder of its name.",
-            parser=written,
-        ),
-    ] = None,
+    out: ReportFolder = None,
+    format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
 ) -> None:
     """Run the monitor of a rules file over a recording, or over many at the same time."""
-    chosen = list(dict.fromkeys(recordings))
+    chosen, pairs = list(dict.fromkeys(recordings)), topic_map or []
+    rest = (pairs, out, format, system or [], messages or [], only or [])
     if len(chosen) == 1:
         from rossmarie.cli.replay import run_replay
 
-        run_replay(rules, chosen[0], topic_map or [], out, system or [], messages or [], only or [])
+        run_replay(rules, chosen[0], *rest)
     else:
         from rossmarie.cli.replays import run_replays
 
-        run_replays(rules, chosen, topic_map or [], out, system or [], messages or [], only or [])
+        run_replays(rules, chosen, *rest)
 
 
 @app.command("test")
@@ -314,6 +314,7 @@ def run_tests(
         Path | None,
         typer.Option("--junit", metavar="FILE", help="Also write JUnit's XML.", parser=written),
     ] = None,
+    format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
@@ -323,6 +324,7 @@ def run_tests(
     run_test(
         rules,
         tests or [],
+        format,
         write=write,
         junit=junit,
         systems=system or (),
@@ -335,34 +337,24 @@ def coverage(
     rules: Rules,
     recordings: Recordings,
     topic_map: TopicMap = None,
-    report: CoverageReport = None,
+    out: CoverageReport = None,
+    format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
     """Say what recordings exercise of the rules, and how far each threshold could be moved."""
     from rossmarie.cli.testing import run_coverage
 
-    run_coverage(rules, recordings, topic_map or [], report, system or [], messages or [])
+    run_coverage(rules, recordings, topic_map or [], format, out, system or [], messages or [])
 
 
 @app.command()
 def verify(
     rules: Rules,
-    seconds: Annotated[
-        int,
-        typer.Option(
-            metavar="SECONDS",
-            min=1,
-            help="How long a processor may work for each solver on one question.",
-        ),
-    ] = 120,
-    report: ProofsReport = None,
-    keep: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="DIR", help="Write what the prover gets here, to ask again.", parser=written
-        ),
-    ] = None,
+    timeout: ProverTimeout = 120,
+    out: ProofsReport = None,
+    format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
+    keep: ProverFolder = None,
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
@@ -372,8 +364,9 @@ def verify(
 
     run_verify(
         rules,
-        seconds=seconds,
-        report=report,
+        format,
+        timeout_s=timeout,
+        report=out,
         kept=keep,
         systems=system or (),
         message_folders=messages or (),
@@ -381,25 +374,8 @@ def verify(
     )
 
 
-@app.command()
-def model(
-    recording: Annotated[
-        Path, typer.Argument(metavar="RECORDING", help="Any recording.", readable=False)
-    ],
-    out: OptionalOutFile = None,
-) -> None:
-    """Write the system model of a recording: its topics and their types."""
-    from rossmarie.cli.replay import write_model_of
-
-    write_model_of(recording, out)
-
-
-@app.command()
-def example(robot: RobotName = None, folder: RobotFolder = None) -> None:
-    """Copy the rules of a robot in the box, with a recording; without ROBOT, list the robots."""
-    from rossmarie.cli.example import run_example
-
-    run_example(robot, folder)
+for _command in (model, init, example):
+    app.command()(_command)
 
 
 def main() -> None:

@@ -9,6 +9,8 @@ from typing import Annotated, Any
 
 import typer
 
+from dslkit.command_line import ReportFormat
+from dslkit.completion import codes, folders
 from rossmarie.ir.filing import Category
 from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
 
@@ -60,7 +62,9 @@ def choice(kind: type[enum.Enum], text: str) -> Any:
             raise typer.BadParameter(f"`{word}` is none of {', '.join(values)}")
         return kind(word.lower())
 
-    return typer.Option(help=text, parser=parse, metavar="|".join(values))
+    return typer.Option(
+        help=text, parser=parse, metavar="|".join(values), autocompletion=lambda: values
+    )
 
 
 # Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
@@ -127,14 +131,15 @@ CoverageFile = Annotated[
 ]
 
 
-def _json_for(option: str) -> Any:
-    """The option that writes what another command reads as `option`."""
-    help = f"Also write JSON for `rossmarie report {option}`."
-    return typer.Option("--json", metavar="FILE", help=help, parser=written)
+def _report_for(option: str) -> Any:
+    """The option that writes a file for `option` of `rossmarie report`."""
+    help = f"Write a file for `rossmarie report {option}`."
+    return typer.Option("--out", "-o", metavar="FILE", help=help, parser=written)
 
 
-CoverageReport = Annotated[Path | None, _json_for("--coverage")]
-ProofsReport = Annotated[Path | None, _json_for("--verification")]
+CoverageReport = Annotated[Path | None, _report_for("--coverage")]
+ProofsReport = Annotated[Path | None, _report_for("--verification")]
+AnswerFormat = Annotated[ReportFormat, choice(ReportFormat, "The format of findings and result.")]
 ReviewPage = Annotated[
     Path | None,
     typer.Option(
@@ -145,7 +150,45 @@ ReviewPage = Annotated[
     ),
 ]
 
-RobotName = Annotated[str | None, typer.Argument(metavar="ROBOT", help="Such as turtlebot4.")]
+ReportFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        "-o",
+        metavar="DIR",
+        help="Write timeline.html and verdicts.jsonl here; of several recordings, each into a"
+        " folder of its name.",
+        parser=written,
+    ),
+]
+ProverTimeout = Annotated[
+    int,
+    typer.Option(
+        metavar="SECONDS",
+        min=1,
+        help="The processor time of each solver for one query.",
+    ),
+]
+ProverFolder = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="DIR", help="Write what the prover gets here, to ask again.", parser=written
+    ),
+]
+
+Code = Annotated[
+    str,
+    typer.Argument(metavar="CODE", help="Such as ROSS301.", autocompletion=codes("rossmarie")),
+]
+
+RobotName = Annotated[
+    str | None,
+    typer.Argument(
+        metavar="ROBOT",
+        help="Such as turtlebot4.",
+        autocompletion=folders("rossmarie", "robots", "system.ross"),
+    ),
+]
 RobotFolder = Annotated[
     Path | None,
     typer.Argument(metavar="DIR", help="The folder to write to; else ./ROBOT.", parser=written),

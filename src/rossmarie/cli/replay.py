@@ -9,9 +9,11 @@ from pathlib import Path
 
 import typer
 
+from dslkit.command_line import ReportFormat
+from dslkit.diagnostics.render_json import Json
 from dslkit.writing import write_whole
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
@@ -19,6 +21,8 @@ from rossmarie.engines import NATIVE
 from rossmarie.ir import Category
 from rossmarie.recordings import RecordingError, definition_path, open_recording, write_model
 from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
+from rossmarie.report.rehearsal import summarize_tasks
+from rossmarie.report.spans import summarize
 
 TIMELINE = "timeline.html"
 VERDICTS = "verdicts.jsonl"
@@ -29,30 +33,37 @@ def run_replay(
     recording: Path,
     topic_map: Sequence[str],
     out: Path | None,
+    form: ReportFormat,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
     only: Sequence[Category],
 ) -> None:
     """Replay, print the findings and the table, and write the reports into `out`."""
-    pairs = topic_pairs(topic_map)
-    if out is not None:
-        output.try_folder(out)
-    with refusing(), told_progress("replaying") as on_progress:
-        replay, found = replay_file(
-            rules,
-            recording,
-            topic_map=pairs,
-            systems=systems,
-            message_folders=message_folders,
-            only=only,
-            on_progress=on_progress,
-        )
-    output.print_findings(found)
-    if replay.monitor != NATIVE:
-        typer.echo(replay.notes[0], err=True)
-    write_table(replay, sys.stdout)
-    if out is not None:
-        _save_reports(replay, out)
+    with output.answering(form, "replay", files=2) as answer:
+        pairs = topic_pairs(topic_map)
+        if out is not None:
+            output.try_folder(out)
+        with refusing(), reported_progress("replaying") as on_progress:
+            replay, found = replay_file(
+                rules,
+                recording,
+                topic_map=pairs,
+                systems=systems,
+                message_folders=message_folders,
+                only=only,
+                on_progress=on_progress,
+            )
+        output.print_findings(found)
+        if replay.monitor != NATIVE:
+            typer.echo(replay.notes[0], err=True)
+        if not answer.is_printed:
+            write_table(replay, sys.stdout)
+        written = () if out is None else _save_reports(replay, out)
+        if answer.is_printed:
+            result = replay_result(replay, written)
+            answer.result = {
+                "recordings": [{"recording": str(recording), "failure": None, **result}]
+            }
 
 
 @contextmanager
@@ -85,10 +96,11 @@ def _pair(text: str) -> tuple[str, str]:
     return wanted, recorded
 
 
-def _save_reports(replay: Replay, out: Path) -> None:
+def _save_reports(replay: Replay, out: Path) -> Sequence[Path]:
     with output.writing_to(out):
         timeline, verdicts = write_reports(replay, out)
-    typer.echo(f"wrote {timeline} and {verdicts}")
+    output.tell(f"wrote {timeline} and {verdicts}")
+    return timeline, verdicts
 
 
 def write_reports(replay: Replay, out: Path) -> tuple[Path, Path]:
@@ -134,3 +146,37 @@ def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:
             path.parent.mkdir(parents=True, exist_ok=True)
         output.save(path, text)
         typer.echo(f"wrote {path}")
+
+
+def replay_result(replay: Replay, written: Sequence[Path]) -> Mapping[str, Json]:
+    """The rules over a recording, and the paths of the reports that were written. Times are
+    nanoseconds.
+    """
+    return {
+        "length_ns": replay.end_ns - replay.start_ns,
+        "monitor": replay.monitor,
+        "rules": [
+            {
+                "rule": each.rule,
+                "activations": each.activations,
+                "stale_activations": each.stale_activations,
+                "total_ns": each.total_ns,
+                "longest_ns": each.longest_ns,
+                "first_ns": each.first_ns,
+                "first_cause": each.first_cause,
+                "active_at_end": each.active_at_end,
+            }
+            for each in summarize(replay)
+        ],
+        "tasks": [
+            {
+                "rule": each.rule,
+                "action": each.action,
+                "effect": each.effect,
+                "starts": each.starts,
+                "overruled": [{"rule": rule, "times": times} for rule, times in each.overruled],
+            }
+            for each in summarize_tasks(replay.machine, replay.rehearsed)
+        ],
+        "written": [str(path) for path in written],
+    }

@@ -5,6 +5,7 @@ own, and what cannot be read does not keep the others.
 from __future__ import annotations
 
 import io
+import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -15,10 +16,14 @@ import typer
 from rich.console import Console
 
 from campaign import Campaign, Journal, Processes, Result, Value, run
-from dslkit.command_line import INTERNAL_ERROR, INTERRUPTED
+from dslkit.answer import Answer
+from dslkit.command_line import INTERNAL_ERROR, INTERRUPTED, ReportFormat
+from dslkit.diagnostics import Diagnostic
+from dslkit.diagnostics.render_json import Json
+from dslkit.diagnostics.wire import Receiver, Sender
 from dslkit.writing import reason
 from rossmarie.cli.output import output
-from rossmarie.cli.replay import refusing, topic_pairs, write_reports
+from rossmarie.cli.replay import refusing, replay_result, topic_pairs, write_reports
 from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import start_monitor
@@ -32,7 +37,8 @@ from rossmarie.report.wording import format_length
 @dataclass(frozen=True)
 class Job:
     """The part of a job that is the same for all recordings. `warnings` are so many of the rules,
-    which were told already; `width` is that of the terminal, if there is one.
+    which were reported already; `width` is that of the terminal, if there is one. With `is_json`
+    the outcome is data for programs instead of text.
     """
 
     rules: Path
@@ -43,6 +49,7 @@ class Job:
     folders: Mapping[str, Path]
     warnings: int
     width: int | None
+    is_json: bool
 
 
 def run_replays(
@@ -50,6 +57,7 @@ def run_replays(
     recordings: Sequence[Path],
     topic_map: Sequence[str],
     out: Path | None,
+    form: ReportFormat,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
     only: Sequence[Category],
@@ -57,24 +65,40 @@ def run_replays(
     """Replay all, and print what came of each in their order; write reports into folders of `out`
     that are called as the recordings.
     """
-    pairs = topic_pairs(topic_map)
-    if out is not None:
-        output.try_folder(out)
-    with refusing():
-        compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
-    output.print_findings(compiled.warnings)
-    started = start_monitor(compiled.machine)  # built once, for all processes
-    if started.reason:
-        typer.echo(started.reason, err=True)
-    keys = list(map(str, recordings))
-    folders = {} if out is None else _folders(out, keys)
-    console = Console()
-    width = console.width if console.is_terminal else None
-    warnings = len(compiled.warnings)
-    job = Job(rules, pairs, systems, message_folders, only, folders, warnings, width)
-    found = _campaign(keys, job)
-    _tell(keys, found)
-    raise typer.Exit(_exit_code(found))
+    with output.answering(form, "replay", files=1 + len(recordings)) as answer:
+        pairs = topic_pairs(topic_map)
+        if out is not None:
+            output.try_folder(out)
+        with refusing():
+            compiled = compile_file(
+                rules, systems=systems, message_folders=message_folders, only=only
+            )
+        output.print_findings(compiled.warnings)
+        started = start_monitor(compiled.machine)  # built once, for all processes
+        if started.reason:
+            typer.echo(started.reason, err=True)
+        keys = list(map(str, recordings))
+        folders = {} if out is None else _folders(out, keys)
+        console = Console()
+        width = console.width if console.is_terminal else None
+        warnings = len(compiled.warnings)
+        job = Job(
+            rules,
+            pairs,
+            systems,
+            message_folders,
+            only,
+            folders,
+            warnings,
+            width,
+            answer.is_printed,
+        )
+        found = _campaign(keys, job)
+        if answer.is_printed:
+            answer.result = {"recordings": [_result(key, found, answer) for key in keys]}
+        else:
+            _tell(keys, found)
+        raise typer.Exit(_exit_code(found))
 
 
 def _folders(out: Path, keys: Sequence[str]) -> dict[str, Path]:
@@ -90,7 +114,7 @@ def _folders(out: Path, keys: Sequence[str]) -> dict[str, Path]:
     return folders
 
 
-class _Told:
+class _Reported:
     """A line on standard error for each recording that is done."""
 
     def __init__(self) -> None:
@@ -109,23 +133,19 @@ class _Told:
 
 def _campaign(keys: Sequence[str], job: Job) -> Campaign:
     workers = Processes(Processes.cores(), limit_s=None)
-    told = _Told()
+    reported = _Reported()
     try:
         with (
             TemporaryDirectory() as folder,
             Journal(Path(folder) / "journal.jsonl", "replays") as journal,
         ):
-            return run(keys, partial(replay_one, job), journal, workers, told)
+            return run(keys, partial(replay_one, job), journal, workers, reported)
     except KeyboardInterrupt:
         output.fail("interrupted", exit_code=INTERRUPTED)
 
 
 def replay_one(job: Job, key: str) -> Value:
-    """Replay a recording, and return what is to be said of it."""
-    text = io.StringIO()
-    console = Console(
-        file=text, width=job.width, force_terminal=job.width is not None, highlight=False
-    )
+    """Replay a recording, and return the outcome for the process that prints."""
     try:
         replay, found = replay_file(
             job.rules,
@@ -136,28 +156,67 @@ def replay_one(job: Job, key: str) -> Value:
             only=job.only,
         )
     except RecordingError as error:
-        output.print_findings([error.diagnostic], console)
-        code = output.exit_code([error.diagnostic])
-        return {"text": text.getvalue(), "summary": "cannot be used", "exit_code": code}
-    output.print_findings(found[job.warnings :], console)
-    write_table(replay, text, width=job.width)
-    code = _write(replay, job.folders[key], text) if key in job.folders else 0
+        outcome = _outcome(job, None, [error.diagnostic], [], "cannot be used")
+        return {**outcome, "exit_code": output.exit_code([error.diagnostic])}
+    trouble, code = "", 0
+    written: Sequence[Path] = ()
+    if key in job.folders:
+        trouble, written = _write(replay, job.folders[key])
+        code = 2 if trouble else 0
+    outcome = _outcome(job, replay, found[job.warnings :], written, trouble)
     activations = sum(summary.activations for summary in summarize(replay))
     length_ns = replay.end_ns - replay.start_ns
     summary = f"{format_length(length_ns)}, {_counted(activations, 'activation')}"
     counts: Value = {"length_ns": length_ns, "activations": activations}
-    return {"text": text.getvalue(), "summary": summary, "exit_code": code, **counts}
+    return {**outcome, "summary": summary, "exit_code": code, **counts}
 
 
-def _write(replay: Replay, folder: Path, text: io.StringIO) -> int:
-    """Write the reports; gives the exit code."""
+def _outcome(
+    job: Job,
+    replay: Replay | None,
+    found: Sequence[Diagnostic],
+    written: Sequence[Path],
+    trouble: str,
+) -> Value:
+    """The findings and the result of a recording: as text, or as JSON for `_result`."""
+    if job.is_json:
+        messages: list[object] = []
+        sender = Sender(messages.append)
+        for each in found:
+            sender.send(each)
+        result = {} if replay is None else replay_result(replay, written)
+        data = {"failure": trouble or None, **result}
+        return {"messages": json.dumps(messages), "data": json.dumps(data), "summary": trouble}
+    text = io.StringIO()
+    console = Console(
+        file=text, width=job.width, force_terminal=job.width is not None, highlight=False
+    )
+    output.print_findings(found, console)
+    if replay is not None:
+        write_table(replay, text, width=job.width)
+        text.write(f"{trouble}\n" if trouble else "")
+        text.write(f"wrote {' and '.join(map(str, written))}\n" if written else "")
+    return {"text": text.getvalue(), "summary": trouble}
+
+
+def _write(replay: Replay, folder: Path) -> tuple[str, Sequence[Path]]:
+    """Write the reports; gives the reason why that failed, and the paths."""
     try:
-        timeline, verdicts = write_reports(replay, folder)
+        return "", write_reports(replay, folder)
     except OSError as error:
-        text.write(f"cannot write to {folder}: {reason(error)}\n")
-        return 2
-    text.write(f"wrote {timeline} and {verdicts}\n")
-    return 0
+        return f"cannot write to {folder}: {reason(error)}", []
+
+
+def _result(key: str, found: Campaign, answer: Answer) -> Json:
+    """The result of a recording; the answer gets the findings."""
+    value = found.values.get(key)
+    if value is None:
+        reasons = {failure.key: failure.reason for failure in found.failures}
+        return {"recording": key, "failure": f"not finished: {reasons[key]}"}
+    receiver = Receiver()
+    received = map(receiver.receive, json.loads(str(value["messages"])))
+    answer.add([each for each in received if each is not None])
+    return {"recording": key, **json.loads(str(value["data"]))}
 
 
 def _tell(keys: Sequence[str], found: Campaign) -> None:

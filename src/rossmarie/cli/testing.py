@@ -2,30 +2,37 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Sequence
+from dataclasses import asdict
 from pathlib import Path
 
 import typer
 
+from dslkit.answer import Answer
+from dslkit.command_line import ReportFormat
+from dslkit.diagnostics.render_json import Json
 from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.cli.replay import refusing, topic_pairs
 from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
-from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
+from rossmarie.driver.testing import RanTests, UnknownTestError, run_test_file, tests_beside
 from rossmarie.ir import near_name
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins
+from rossmarie.report.safety.exercised import coverage_results
 
 
 def run_test(
     rules: Path,
     names: Sequence[str],
+    form: ReportFormat,
     *,
     write: bool,
     junit: Path | None,
@@ -33,22 +40,23 @@ def run_test(
     message_folders: Sequence[Path],
 ) -> None:
     """Run the tests and print what they found and cover; generate them before, to `write` them."""
-    if junit is not None:
-        output.try_file(junit)
-    try:
-        if write:
-            _write(rules, systems, message_folders)
-        tested = run_test_file(rules, names, systems=systems, message_folders=message_folders)
-    except RulesError as error:
-        output.reject(error.diagnostics)
-    except UnknownTestError as error:
-        near = near_name(error.wanted, error.known)
-        hint = f"; did you mean `{near}`?" if near else ""
-        output.fail(f"{error}{hint}", exit_code=2)
-    report(tested)
-    if junit is not None:
-        output.save(junit, junit_text(tested))
-    raise typer.Exit(0 if tested.ran and not any(ran.found for ran in tested.ran) else 1)
+    with output.answering(form, "test", files=1) as answer:
+        if junit is not None:
+            output.try_file(junit)
+        try:
+            if write:
+                _write(rules, systems, message_folders)
+            tested = run_test_file(rules, names, systems=systems, message_folders=message_folders)
+        except RulesError as error:
+            output.reject(error.diagnostics)
+        except UnknownTestError as error:
+            near = near_name(error.wanted, error.known)
+            hint = f"; did you mean `{near}`?" if near else ""
+            output.fail(f"{error}{hint}", exit_code=2)
+        report(tested, answer)
+        if junit is not None:
+            output.save(junit, junit_text(tested))
+        raise typer.Exit(0 if tested.ran and not any(ran.found for ran in tested.ran) else 1)
 
 
 def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> None:
@@ -58,16 +66,17 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
     output.try_file(tests_beside(rules))
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
     output.save(written.path, written.text)
-    typer.echo(f"wrote {_counted(written.count, 'test')} to {written.path}")
-    for told in written.left_out:
-        typer.echo(told)
+    output.tell(f"wrote {_counted(written.count, 'test')} to {written.path}")
+    for reported in written.left_out:
+        output.tell(reported)
 
 
-def report(tested: Outcome) -> None:
+def report(tested: RanTests, answer: Answer) -> None:
     """Print the findings, the counts and the coverage."""
     found = [finding for ran in tested.ran for finding in ran.found]
     output.print_findings([*tested.findings, *found])
-    if not tested.ran:
+    answer.result = tests_result(tested)
+    if not tested.ran or answer.is_printed:
         return
     failed = sum(bool(ran.found) for ran in tested.ran)
     where = "on the interpreter and in C" if tested.has_c else "on the interpreter only"
@@ -85,6 +94,7 @@ def run_coverage(
     rules: Path,
     recordings: Sequence[Path],
     topic_map: Sequence[str],
+    form: ReportFormat,
     report: Path | None,
     systems: Sequence[Path],
     message_folders: Sequence[Path],
@@ -92,26 +102,32 @@ def run_coverage(
     """Look at the recordings, and print what they cover and how far thresholds can go; write a
     `report` of the first as JSON.
     """
-    pairs = topic_pairs(topic_map)
-    if report is not None:
-        output.try_file(report)
-        refuse_report(report, (rules, *recordings))
-    with refusing(), told_progress("moving thresholds") as on_progress:
-        found = cover_recordings(
-            rules,
-            recordings,
-            topic_map=pairs,
-            systems=systems,
-            message_folders=message_folders,
-            on_progress=on_progress,
-        )
-    output.print_findings(found.findings)
-    write_coverage(found.coverage, sys.stdout, found.reasons)
-    typer.echo()
-    write_margins(found.coverage.machine, found.margins, sys.stdout)
-    if report is not None:
-        output.save(report, _report_text(found, rules, recordings))
-        typer.echo(f"wrote {report}")
+    with output.answering(form, "coverage", files=1 + len(recordings)) as answer:
+        pairs = topic_pairs(topic_map)
+        if report is not None:
+            output.try_file(report)
+            refuse_report(report, (rules, *recordings))
+        with refusing(), reported_progress("moving thresholds") as on_progress:
+            found = cover_recordings(
+                rules,
+                recordings,
+                topic_map=pairs,
+                systems=systems,
+                message_folders=message_folders,
+                on_progress=on_progress,
+            )
+        output.print_findings(found.findings)
+        if not answer.is_printed:
+            write_coverage(found.coverage, sys.stdout, found.reasons)
+            typer.echo()
+            write_margins(found.coverage.machine, found.margins, sys.stdout)
+        if report is None and not answer.is_printed:
+            return
+        text = _report_text(found, rules, recordings)
+        answer.result = json.loads(text)
+        if report is not None:
+            output.save(report, text)
+            output.tell(f"wrote {report}")
 
 
 def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> str:
@@ -119,3 +135,15 @@ def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> s
         return coverage_report(found, rules, recordings, version=output.own_version())
     except OSError as error:
         output.fail(f"cannot read a recording again: {reason(error)}", exit_code=2)
+
+
+def tests_result(tested: RanTests) -> Json:
+    """Each test, and what the tests cover together. Lengths are seconds."""
+    return {
+        "engines": ["interpreter", "c"] if tested.has_c else ["interpreter"],
+        "tests": [
+            {"name": ran.script.name, "passed": not ran.found, "seconds": round(ran.seconds, 3)}
+            for ran in tested.ran
+        ],
+        "coverage": [asdict(each) for each in coverage_results(tested.coverage, tested.reasons)],
+    }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -9,20 +10,21 @@ from typing import NoReturn
 
 import typer
 
+from dslkit.command_line import ReportFormat
 from dslkit.diagnostics import Template
 from dslkit.source import Span
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.cli.saving import refuse_report
 from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.verifying import (
-    Questions,
+    Queries,
     complaint,
     keep,
     prove,
-    questions_of,
+    queries_of,
     verification_report,
 )
 from rossmarie.ir import Category
@@ -34,8 +36,9 @@ from rossmarie.verification.prover import Prover, ProverError
 
 def run_verify(
     rules: Path,
+    form: ReportFormat,
     *,
-    seconds: int,
+    timeout_s: int,
     report: Path | None,
     kept: Path | None,
     systems: Sequence[Path],
@@ -45,46 +48,48 @@ def run_verify(
     """Prove, print what came of it, and end with 0 only if everything is proved; write a `report`
     as JSON, and what the prover gets into the folder `kept`.
     """
-    if report is not None:
-        output.try_file(report)
-    if kept is not None:
-        output.try_folder(kept)
-    try:
-        questions = questions_of(rules, systems=systems, message_folders=message_folders, only=only)
-    except RulesError as error:
-        output.reject(error.diagnostics)
-    output.print_findings(questions.compiled.warnings)
-    if report is not None:
-        refuse_report(report, [Path(each.path) for each in questions.compiled.sources])
-    if kept is not None:
-        _keep(questions, kept, rules)
-    proofs = _proofs(questions, seconds)
-    whole = Span(questions.compiled.sources[-1], 0, 0)
-    output.print_findings(tuple(refutations(proofs, whole)))
-    write_proofs(proofs, sys.stdout)
-    if report is not None:
-        output.save(
-            report, verification_report(questions, proofs, rules, version=output.own_version())
-        )
-        typer.echo(f"wrote {report}")
-    raise typer.Exit(0 if proofs.is_complete else 1)
+    with output.answering(form, "verify", files=1) as answer:
+        if report is not None:
+            output.try_file(report)
+        if kept is not None:
+            output.try_folder(kept)
+        try:
+            queries = queries_of(rules, systems=systems, message_folders=message_folders, only=only)
+        except RulesError as error:
+            output.reject(error.diagnostics)
+        output.print_findings(queries.compiled.warnings)
+        if report is not None:
+            refuse_report(report, [Path(each.path) for each in queries.compiled.sources])
+        if kept is not None:
+            _keep(queries, kept, rules)
+        proofs = _proofs(queries, timeout_s)
+        whole = Span(queries.compiled.sources[-1], 0, 0)
+        output.print_findings(tuple(refutations(proofs, whole)))
+        text = verification_report(queries, proofs, rules, version=output.own_version())
+        answer.result = json.loads(text)
+        if not answer.is_printed:
+            write_proofs(proofs, sys.stdout)
+        if report is not None:
+            output.save(report, text)
+            output.tell(f"wrote {report}")
+        raise typer.Exit(0 if proofs.is_complete else 1)
 
 
-def _keep(questions: Questions, folder: Path, rules: Path) -> None:
+def _keep(queries: Queries, folder: Path, rules: Path) -> None:
     try:
         with output.writing_to(folder):
-            paths = keep(questions, folder, rules)
+            paths = keep(queries, folder, rules)
     except ForeignFileError as error:
         output.fail(f"{error}; remove it, or choose another --keep", exit_code=2)
     for line in lines_of_written(paths):
-        typer.echo(line)
+        output.tell(line)
 
 
-def _proofs(questions: Questions, seconds: int) -> Proofs:
+def _proofs(queries: Queries, timeout_s: int) -> Proofs:
     found = prover()
     try:
-        with told_progress("proving") as on_progress:
-            return prove(questions, found, seconds=seconds, on_progress=on_progress)
+        with reported_progress("proving") as on_progress:
+            return prove(queries, found, seconds=timeout_s, on_progress=on_progress)
     except ProverError as error:
         _give_up(ProgramRefused(reason=complaint(error)))
 

@@ -1,4 +1,4 @@
-"""The monitor machine: its model, what it says, and the questions that every target asks of it."""
+"""The monitor machine: its model, what it says, and the queries that every target asks of it."""
 
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions
@@ -83,7 +83,7 @@ from rossmarie.ir.naming import (
     near_name,
     scan_names,
 )
-from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
+from rossmarie.ir.orders import FieldBounds, Order, OrderKind, Reported, State
 from rossmarie.ir.path import (
     AXES,
     EACH,
@@ -107,7 +107,7 @@ from rossmarie.ir.path import (
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
-from rossmarie.ir.settings import Setting, farthest, is_setting, setting_numbers, settings_of
+from rossmarie.ir.settings import NodeParameter, farthest, is_setting, setting_numbers, settings_of
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -128,7 +128,7 @@ from rossmarie.ir.support import (
     signal_operands,
     supports,
 )
-from rossmarie.ir.terms import rule_terms, told_propositions
+from rossmarie.ir.terms import reported_propositions, rule_terms
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
@@ -197,6 +197,7 @@ __all__ = [
     "Machine",
     "MalformedMachine",
     "Margin",
+    "NodeParameter",
     "Not",
     "Once",
     "Or",
@@ -217,6 +218,7 @@ __all__ = [
     "Read",
     "Reading",
     "Recurs",
+    "Reported",
     "Requirement",
     "Response",
     "Rule",
@@ -224,7 +226,6 @@ __all__ = [
     "Sampling",
     "ScanFields",
     "Sector",
-    "Setting",
     "Signal",
     "SignalNode",
     "Since",
@@ -238,7 +239,6 @@ __all__ = [
     "Supports",
     "Taken",
     "TimeJump",
-    "Told",
     "TruthValue",
     "UnreadableMachine",
     "Verdict",
@@ -282,6 +282,7 @@ __all__ = [
     "proposition_operands",
     "reachable_propositions",
     "reactions",
+    "reported_propositions",
     "require_instant",
     "rule_signals",
     "rule_terms",
@@ -292,7 +293,6 @@ __all__ = [
     "signal_operands",
     "stand_beside",
     "supports",
-    "told_propositions",
     "verify",
     "wakes",
     "without_margins",

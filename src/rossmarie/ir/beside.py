@@ -30,7 +30,7 @@ def stand_beside(machine: ir.Machine) -> tuple[bool, ...]:
 
 def beside(machine: ir.Machine) -> Mapping[int, tuple[int, ...]]:
     """The signals beside the elements of each array, constants left out, in index order. All
-    columns of a list are told by the first one; arrays without such signals are left out.
+    columns of a list are reported by the first one; arrays without such signals are left out.
     """
     arrays = element_arrays(machine)
     found: dict[int, set[int]] = {}

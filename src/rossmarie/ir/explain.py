@@ -250,8 +250,8 @@ class _Snapshot:
                 return ()
 
     def _is_unit(self, proposition: int) -> bool:
-        """Say whether a proposition is told as a whole: a leaf, a duration, a count of edges, or
-        the negation of one.
+        """Say whether a proposition is reported as a whole: a leaf, a duration, a count of edges,
+        or the negation of one.
         """
         node = self._machine.propositions[proposition].node
         while isinstance(node, ir.Not):
@@ -336,8 +336,8 @@ class _Snapshot:
                 return f"{value:.6g} {self._machine.signals[index].unit}".rstrip()
 
     def _value(self, proposition: int) -> TruthValue:
-        """The value of any proposition below the rule's condition: told, or computed from those
-        told.
+        """The value of any proposition below the rule's condition: reported, or computed from those
+        reported.
         """
         if proposition in self._propositions:
             return self._propositions[proposition]

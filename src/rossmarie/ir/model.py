@@ -362,7 +362,7 @@ class Machine:
     """A whole rules file. `watches` are the propositions that the confirmations in `reactions` ask.
     `left_out` are the rules that a selection does not hold, None if nobody selected.
     `readings` are the signals that memories of poses ask. `calls` are the calls of skills that the
-    questions to skills tell apart, none if that is not known.
+    queries to skills tell apart, none if that is not known.
     """
 
     name: str

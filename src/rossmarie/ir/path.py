@@ -146,14 +146,14 @@ class Quantity:
 
 
 SkillStep = Doing | Quantity
-"""A question to the skills that run. It stands at the message itself, alone on its path."""
+"""A query to the skills that run. It stands at the message itself, alone on its path."""
 
 AXES = ("x", "y", "z")
 """The fields that are the place of a point: what has no place is no point (S57)."""
 
 Step = str | int | ByName | Listed | Each | Points | Sector | Beams | Doing | Quantity
 """The name of a field, the place or the name of an element, every element, the points of a cloud,
-a sector or the beams of a scan, or a question to the skills that run.
+a sector or the beams of a scan, or a query to the skills that run.
 """
 
 Path = tuple[Step, ...]

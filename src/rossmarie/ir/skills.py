@@ -1,4 +1,4 @@
-"""Answers of the skills that run to the questions of a machine.
+"""Answers of the skills that run to the queries of a machine.
 
 A context is a `skill_context_msgs/SkillContext`, with attributes as rosbags, rospy and rclpy give
 them, or a `SkillContext` of this module. The nodes have the same in C++ (`runtime/ros/skills.h`).
@@ -101,7 +101,7 @@ class _UnreadableError(Exception):
 
 
 def answer(step: SkillStep, context: SkillMessage) -> float:
-    """The answer of a context to a question: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
+    """The answer of a context to a query: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
     the message has it; NaN if nobody knows, or if a boolean is neither 0 nor 1.
     """
     try:

@@ -1,4 +1,4 @@
-"""The support of a signal or a proposition: questions about a machine that every target asks.
+"""The support of a signal or a proposition: queries about a machine that every target asks.
 
 Takes a machine whose operands stand before their users; answers never depend on values.
 """
@@ -251,7 +251,7 @@ def is_of_list(machine: ir.Machine, support: Support) -> bool:
 @dataclass(frozen=True)
 class ElementArrays:
     """For every signal and proposition, by index: the array of which it takes one element, or None
-    if it has one value for the whole machine. All columns of a list are told by the first one.
+    if it has one value for the whole machine. All columns of a list are reported by the first one.
     """
 
     signals: tuple[int | None, ...]

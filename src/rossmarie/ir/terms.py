@@ -18,7 +18,7 @@ def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
 
 
 def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
-    for index in told_propositions(machine, condition):
+    for index in reported_propositions(machine, condition):
         proposition = machine.propositions[index]
         is_over_time = isinstance(proposition.node, ir.Held | ir.Since | ir.Recurs)
         is_telling = (
@@ -28,7 +28,7 @@ def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
             yield index
 
 
-def told_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
+def reported_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
     """The proposition and all below it that users wrote, in index order; no elementwise ones."""
     found: set[int] = set()
     waiting = [proposition]

@@ -171,8 +171,8 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     if rule.feedback != NO_FEEDBACK:
         once, lasting = rule.feedback.per_activation, rule.feedback.per_second
         margin = rule.feedback.margin
-        told = "" if margin is None else f", margin s{margin.signal}{_in_unit(margin.unit)}"
-        yield f"  feedback {once:g} per activation, {lasting:g} per s{told}"
+        reported = "" if margin is None else f", margin s{margin.signal}{_in_unit(margin.unit)}"
+        yield f"  feedback {once:g} per activation, {lasting:g} per s{reported}"
 
 
 def _hazards(machine: ir.Machine) -> Iterator[str]:

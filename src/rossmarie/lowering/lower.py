@@ -14,7 +14,7 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedFeedback, CheckedProgram
 from rossmarie.check.rules.rule_names import rule_names
 from rossmarie.check.scopes.exemptions import exempted_by
-from rossmarie.ir.calls import question_at
+from rossmarie.ir.calls import query_at
 from rossmarie.lowering.calls import calls_of
 from rossmarie.lowering.contracts import Contract, contract_of
 from rossmarie.lowering.inputs import Inputs
@@ -82,7 +82,7 @@ def lowered(program: CheckedProgram) -> Lowered:
 
 
 def _calls(program: CheckedProgram, inputs: Inputs) -> tuple[ir.SkillCall, ...]:
-    asked = (question_at(slot.path) for slot in inputs.slots)
+    asked = (query_at(slot.path) for slot in inputs.slots)
     steps = dict.fromkeys(step for step in asked if step is not None)
     return () if program.skills is None else calls_of(program.skills, tuple(steps))
 

@@ -130,7 +130,7 @@ class Propositions:
             case (ast.Held() | ast.Since() | ast.Once() | ast.Response()) as over_time:
                 return self._over_time(over_time, entity)
             case ast.Oscillates() | ast.Doing() | ast.Call() | ast.ListFold():
-                return self._question(node)
+                return self._query(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Member() | ast.Index() | ast.Sector() | ast.Edges() | ast.Broken()
@@ -320,7 +320,7 @@ class Propositions:
         )
         return self._nodes.leaf(oscillates, _shown(node))
 
-    def _question(self, node: ast.Oscillates | ast.Doing | ast.Call | ast.ListFold) -> int:
+    def _query(self, node: ast.Oscillates | ast.Doing | ast.Call | ast.ListFold) -> int:
         if isinstance(node, ast.Doing):
             return self.skills.asked(node)
         return self._oscillates(node) if isinstance(node, ast.Oscillates) else self._call(node)

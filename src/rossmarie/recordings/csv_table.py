@@ -64,7 +64,7 @@ from rossmarie.recordings.matching import (
     listed,
     with_reasons,
 )
-from rossmarie.recordings.model import FramesFound, Topic, Update
+from rossmarie.recordings.model import FramesFound, Observe, Survey, Topic, Update
 
 _DELIMITERS = ",;\t"
 _SHOWN = 200
@@ -114,6 +114,11 @@ class CsvRecording:
         """None: texts that say a frame are columns as any others."""
         return FramesFound()
 
+    def survey(self, observers: Mapping[str, Observe], seconds: float) -> Survey:
+        """A table has no messages to look at."""
+        del observers, seconds
+        return Survey()
+
     def definitions(self) -> Mapping[str, str]:
         """None: a table has no types."""
         return {}
@@ -144,14 +149,14 @@ class CsvRecording:
     ) -> None:
         """Tell which inputs have no column, or not all; `unread` are the columns to choose from."""
         is_blank = bool(columns.used()) and not any(self._filled[i] for i in columns.used())
-        told: set[str] = set()
+        reported: set[str] = set()
         for reader in match.inputs:
             span = input_span(machine, reader)
             read = match.fields_of(reader)
             missing = [
                 field
                 for field in columns.missing
-                if field.input == reader and expected_column(match, field, machine) not in told
+                if field.input == reader and expected_column(match, field, machine) not in reported
             ]
             if any(isinstance(field, Array) and is_of_points(field) for field in missing):
                 collector.add(self._no_points(match).at(span, help=FieldNotRecorded.Points()))
@@ -160,7 +165,7 @@ class CsvRecording:
                 collector.add(self._no_beams(match).at(span, help=FieldNotRecorded.Beams()))
                 continue
             wanted = [expected_column(match, field, machine) for field in missing]
-            told.update(wanted)
+            reported.update(wanted)
             if not match.slots and not match.arrays and columns.arrival is None:
                 wanted = [machine.inputs[reader].name]
             if wanted and len(missing) == len(read):

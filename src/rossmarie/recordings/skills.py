@@ -1,4 +1,4 @@
-"""Questions to the skills that run, in the messages of recordings."""
+"""Queries to the skills that run, in the messages of recordings."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
 """The fields that answers rest on, as rosbags describes them."""
 
 
-def question_of(slot: Slot) -> SkillStep | None:
-    """The question to skills that a slot is, None if it is a field."""
+def query_of(slot: Slot) -> SkillStep | None:
+    """The query to skills that a slot is, None if it is a field."""
     match slot.path:
         case ((Doing() | Quantity()) as step,):
             return step

@@ -59,7 +59,7 @@ def _table(coverage: Coverage, reasons: Mapping[Goal, str], *, styled: bool) -> 
 
 
 def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterator[tuple[str, ...]]:
-    for place, (text, found) in enumerate(questions(coverage, rule)):
+    for place, (text, found) in enumerate(queries(coverage, rule)):
         name = coverage.machine.rules[rule].name if place == 0 else ""
         deciding = [goal for goal in found if goal.aspect in _DECIDING]
         others = [goal for goal in found if goal.aspect in (*_BOUNDARIES, Aspect.STALE)]
@@ -67,8 +67,8 @@ def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterato
         yield name, text, *counts, missing(coverage, found, reasons)
 
 
-def questions(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
-    """Give the questions about a rule, in words, and the goals that answer each."""
+def queries(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
+    """Give the queries about a rule, in words, and the goals that answer each."""
     own = [goal for goal in coverage.goals if goal.rule == rule]
     yield "active, and cleared", [goal for goal in own if goal.aspect in _CHANGES]
     groups: dict[tuple[int, int], list[Goal]] = {}

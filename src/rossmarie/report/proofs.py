@@ -18,7 +18,7 @@ from rossmarie.core import sampling_row
 from rossmarie.report.coverage import print_table
 from rossmarie.verification.check import Check
 from rossmarie.verification.errors import PartRefuted
-from rossmarie.verification.prover import Outcome, Verdict
+from rossmarie.verification.prover import ProofOutcome, Verdict
 
 _MESSAGES = "messages"
 _GROUPS = {
@@ -33,12 +33,12 @@ _OTHERS = "evaluation, timers, calls"
 
 @dataclass(frozen=True)
 class Proofs:
-    """The outcomes of all questions about the C of a machine. `unasked` are the generated sources,
+    """The outcomes of all queries about the C of a machine. `unasked` are the generated sources,
     or parts of these, that none is about, `tools` the versions of the programs that answered.
     """
 
     machine: ir.Machine
-    outcomes: tuple[Outcome, ...]
+    outcomes: tuple[ProofOutcome, ...]
     unasked: tuple[str, ...]
     tools: Mapping[str, str]
 
@@ -60,11 +60,11 @@ class Proofs:
         """Say whether nothing is left to show."""
         return self.is_inductive and not self.unasked
 
-    def having(self, verdict: Verdict) -> tuple[Outcome, ...]:
+    def having(self, verdict: Verdict) -> tuple[ProofOutcome, ...]:
         """The outcomes with this verdict."""
         return tuple(outcome for outcome in self.outcomes if outcome.verdict is verdict)
 
-    def reasons(self, outcome: Outcome) -> tuple[str, ...]:
+    def reasons(self, outcome: ProofOutcome) -> tuple[str, ...]:
         """Its reasons, each once."""
         return tuple(dict.fromkeys(outcome.reasons))
 
@@ -98,7 +98,7 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
 
 
 def has_windows(machine: ir.Machine) -> bool:
-    """Say whether samples in windows are put in order or added, of which no question asks."""
+    """Say whether samples in windows are put in order or added, of which no query asks."""
     nodes = (signal.node for signal in machine.signals)
     return any(isinstance(n, ir.Sampled) and sampling_row(n.function).has_window for n in nodes)
 
@@ -107,7 +107,7 @@ def has_windows(machine: ir.Machine) -> bool:
 
 
 def write_proofs(proofs: Proofs, out: TextIO) -> None:
-    """Write how many questions of each group are answered, what is not proved and why, for which
+    """Write how many queries of each group are answered, what is not proved and why, for which
     rules it holds without bound, and the verdict.
     """
     print_table(_table(proofs, styled=Console(file=out).is_terminal), out)
@@ -119,13 +119,13 @@ def _table(proofs: Proofs, *, styled: bool) -> Table:
     table.add_column("Of the generated C", overflow="fold", min_width=20)
     table.add_column("Proved", justify="right", no_wrap=True)
     table.add_column("Not proved", overflow="fold")
-    groups: dict[str, list[Outcome]] = {}
+    groups: dict[str, list[ProofOutcome]] = {}
     for outcome in proofs.outcomes:
         groups.setdefault(_group(outcome.check), []).append(outcome)
     for name, outcomes in groups.items():
         table.add_row(*map(Text, (name, _counts(outcomes), _left(outcomes))))
     for name in proofs.unasked:
-        table.add_row(*map(Text, (name, "", "no question is asked about it")))
+        table.add_row(*map(Text, (name, "", "no query is asked about it")))
     return table
 
 
@@ -133,12 +133,12 @@ def _group(check: Check) -> str:
     return _GROUPS.get(check.name.partition("_")[0], _OTHERS)
 
 
-def _counts(outcomes: Sequence[Outcome]) -> str:
+def _counts(outcomes: Sequence[ProofOutcome]) -> str:
     proved = sum(outcome.verdict is Verdict.PROVED for outcome in outcomes)
     return f"{proved}/{len(outcomes)}"
 
 
-def _left(outcomes: Sequence[Outcome]) -> str:
+def _left(outcomes: Sequence[ProofOutcome]) -> str:
     return "; ".join(
         f"{outcome.verdict.value}: {outcome.check.about}"
         for outcome in outcomes

@@ -1,4 +1,6 @@
-"""Values of a JSON file, each with the way to it, so that what is wrong is told by its place."""
+"""Values of a JSON file, each with the way to it, so that what is wrong is reported by its
+place.
+"""
 
 from __future__ import annotations
 

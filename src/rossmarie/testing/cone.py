@@ -24,7 +24,7 @@ from rossmarie.ir.comparison import COMPARISONS
 from rossmarie.ir.support import compared_signals, proposition_operands
 from rossmarie.testing.history import Elements, History, backwards
 
-Told = tuple[int, int, int]
+Reported = tuple[int, int, int]
 """A verdict: rule, change, instant in nanoseconds."""
 
 _NEVER_NS = 2 * ir.LATEST_NS
@@ -52,7 +52,7 @@ class Cone:
 
 def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
     """The cone of propositions whose thresholds, or durations, are moved. None where that cannot be
-    told apart: elements that are counted, or in several conditions.
+    distinguished: elements that are counted, or in several conditions.
     """
     if not all(_is_apart(machine, proposition, moved) for proposition in moved):
         return None
@@ -156,7 +156,7 @@ def _placed_rule(rule: ir.Rule, places: dict[int, int]) -> ir.Rule:
 # --- a run -----------------------------------------------------------------------------------
 
 
-def told_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Told]:
+def reported_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Reported]:
     """The verdicts of the rules of a cone on a trace, as part of the machine `moved`, in the order
     of the trace.
     """

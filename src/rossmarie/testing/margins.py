@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from functools import cache
 
 from rossmarie import ir
-from rossmarie.testing.cone import Told
+from rossmarie.testing.cone import Reported
 from rossmarie.testing.goals import edges
 
 NEAREST_PLACES = 64
 """On each side of a threshold so many places are tried one by one."""
 
-Verdicts = tuple[tuple[Told, ...], ...]
+Verdicts = tuple[tuple[Reported, ...], ...]
 """Of each trace what the rules that rest on the threshold say, in the order of the trace."""
 
 Replay = Callable[[ir.Machine], Verdicts]
@@ -75,8 +75,8 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
         found = machine.propositions[proposition]
         match found.node:
             case ir.Held(duration_ns=due_ns) | ir.AgeReaches(age_ns=due_ns):
-                told = machine.propositions[wholes.get(proposition, proposition)]
-                text = f"the time of {' '.join(told.text.split())}"
+                reported = machine.propositions[wholes.get(proposition, proposition)]
+                text = f"the time of {' '.join(reported.text.split())}"
                 yield Threshold((proposition,), None, text, due_ns / 1e9)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
@@ -151,14 +151,14 @@ def margin(
     usual = replay(machine)
 
     @cache
-    def told(value: float) -> Verdicts:
+    def reported(value: float) -> Verdicts:
         return replay(moved(machine, threshold, value))
 
     def differs(value: float) -> bool:
-        return told(value) != usual
+        return reported(value) != usual
 
     def differs_in_number(value: float) -> bool:
-        return _changes(told(value)) != _changes(usual)
+        return _changes(reported(value)) != _changes(usual)
 
     ends = []
     for way in (-1.0, 1.0):
@@ -172,8 +172,8 @@ def margin(
 def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:
     """The changes of each rule in each trace, without the instants."""
     return [
-        sorted(((rule, change) for rule, change, _ in told), key=lambda found: found[0])
-        for told in verdicts
+        sorted(((rule, change) for rule, change, _ in reported), key=lambda found: found[0])
+        for reported in verdicts
     ]
 
 

@@ -15,10 +15,10 @@ from dataclasses import dataclass, replace
 from rossmarie import ir
 from rossmarie.ir.beams import USUAL_DISTANCES, is_of_scan
 from rossmarie.ir.carried import carries, holds_flags
-from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
+from rossmarie.ir.script import FieldValue, Script, ScriptedArrival, ScriptedReset, SettingValue
 from rossmarie.testing.beams import is_column, readings
 from rossmarie.testing.goals import visible_step
-from rossmarie.testing.skills import told_by_skills
+from rossmarie.testing.skills import reported_by_skills
 from rossmarie.testing.solve import World
 from rossmarie.testing.variables import Ramp, Values, Variable
 
@@ -78,16 +78,16 @@ class Stage:
         events: list[ScriptedArrival | ScriptedReset] = list(self._beats(phases, starts, ends))
         before: dict[Variable, float] = {}
         for phase, start_ns, end_ns in zip(phases, starts, ends, strict=True):
-            told = self._told(phase)
-            events += self._changes(told, before, start_ns)
+            reported = self._reported(phase)
+            events += self._changes(reported, before, start_ns)
             kept = {each: before[each] for each in phase.values if each in before}
-            before = kept | dict(told.values)
+            before = kept | dict(reported.values)
             if self.machine.rules[self.rule].release is None:
                 events.append(ScriptedReset(end_ns - self.beat_ns, self.rule))
         events.sort(key=_start)
-        return Script(name, told_by_skills(self.machine, events) or (), (), None)
+        return Script(name, reported_by_skills(self.machine, events) or (), (), None)
 
-    def _told(self, phase: Phase) -> Phase:
+    def _reported(self, phase: Phase) -> Phase:
         """A phase without the numbers that only messages on silent channels could bring."""
         inputs, slots = self.machine.inputs, self.machine.slots
         values = {
@@ -132,8 +132,8 @@ class Stage:
     # --- what changes ------------------------------------------------------------------------
 
     def _changes(self, phase: Phase, before: Values, start_ns: int) -> Iterator[ScriptedArrival]:
-        later: list[tuple[int, list[Setting]]] = []
-        settings: list[Setting] = []
+        later: list[tuple[int, list[FieldValue]]] = []
+        settings: list[FieldValue] = []
         moved: set[int] = set()
         for variable, value in phase.values.items():
             moves = list(self._moves(variable, value, phase.values))
@@ -147,23 +147,25 @@ class Stage:
             if before.get(variable) != value and not is_moved:
                 settings += self._setting(variable, value)
         for array in sorted(arrays):
-            told, told_before = (self._told_of(array, each) for each in (phase.values, before))
-            if told != told_before:
-                settings += self._array(array, *told)
+            reported, reported_before = (
+                self._reported_of(array, each) for each in (phase.values, before)
+            )
+            if reported != reported_before:
+                settings += self._array(array, *reported)
         if settings:
             yield self._sent(start_ns, settings)
-        merged: dict[int, list[Setting]] = {}
+        merged: dict[int, list[FieldValue]] = {}
         for offset_ns, each in later:
             merged.setdefault(offset_ns, []).extend(each)
         for offset_ns, each in sorted(merged.items()):
             yield self._sent(start_ns + offset_ns, each)
 
-    def _sent(self, at_ns: int, settings: list[Setting]) -> ScriptedArrival:
+    def _sent(self, at_ns: int, settings: list[FieldValue]) -> ScriptedArrival:
         inputs = tuple(dict.fromkeys(setting.input for setting in settings))
         topics = tuple(dict.fromkeys(setting.topic for setting in settings))
         return ScriptedArrival(at_ns, at_ns, None, inputs, topics, tuple(settings))
 
-    def _setting(self, variable: Variable, value: float) -> Iterator[Setting]:
+    def _setting(self, variable: Variable, value: float) -> Iterator[FieldValue]:
         if variable.kind == "slot":
             yield self._of_slot(variable.index, value)
         elif variable.kind == "angle":
@@ -175,7 +177,7 @@ class Stage:
                 name = self.machine.inputs[slot.input].name
                 unit = self.world.unit(variable).symbol
                 angle = _ANGLES[node.function]
-                yield Setting(name, self._topic(slot.input), slot.path[:-1], value, angle, unit)
+                yield FieldValue(name, self._topic(slot.input), slot.path[:-1], value, angle, unit)
 
     def _value_of(self, kind: ir.Kind, number: float) -> SettingValue:
         match kind:
@@ -186,12 +188,12 @@ class Stage:
             case ir.Kind.REAL:
                 return number
 
-    def _of_slot(self, index: int, number: float) -> Setting:
+    def _of_slot(self, index: int, number: float) -> FieldValue:
         slot = self.machine.slots[index]
         value = self._value_of(slot.kind, number)
         name = self.machine.inputs[slot.input].name
         unit = self.world.unit(Variable("slot", index)).symbol
-        return Setting(name, self._topic(slot.input), slot.path, value, None, unit)
+        return FieldValue(name, self._topic(slot.input), slot.path, value, None, unit)
 
     def _elements(self, array: int, values: Values) -> tuple[float, ...]:
         """All elements of an array, none if no rule at hand reads one; others are zero, or as far
@@ -202,13 +204,13 @@ class Stage:
         usual = USUAL_DISTANCES[1] if is_of_scan(self.machine.arrays[array]) else 0.0
         return tuple(values.get(Variable("element", array, part), usual) for part in places)
 
-    def _told_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
+    def _reported_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
         """All elements of an array; and of points of a scan the side on which they are."""
         its_list = self.machine.arrays[array].list
         side = None if its_list is None else values.get(Variable("side", its_list))
         return self._elements(array, values), side or 0.0
 
-    def _array(self, index: int, elements: tuple[float, ...], side: float) -> Iterator[Setting]:
+    def _array(self, index: int, elements: tuple[float, ...], side: float) -> Iterator[FieldValue]:
         """An array as a whole; of a list, a field of one element after the other, but of points of
         a scan the readings.
         """
@@ -221,18 +223,18 @@ class Stage:
         unit = self.world.unit(Variable("element", index)).symbol
         if array.list is None:
             value = tuple(each != 0.0 for each in elements) if holds_flags(array) else elements
-            yield Setting(name, topic, array.path, value, None, unit)
+            yield FieldValue(name, topic, array.path, value, None, unit)
             return
         kind = ir.Kind.FLAG if holds_flags(array) else array.kind
         for place, number in enumerate(elements):
             path = tuple(place if step == ir.EACH else step for step in array.path)
-            yield Setting(name, topic, path, self._value_of(kind, number), None, unit)
+            yield FieldValue(name, topic, path, self._value_of(kind, number), None, unit)
 
     # --- what takes several messages ---------------------------------------------------------
 
     def _moves(
         self, variable: Variable, value: float, values: Values
-    ) -> Iterator[tuple[int, list[Setting]]]:
+    ) -> Iterator[tuple[int, list[FieldValue]]]:
         """The settings to make, each with the time after the beginning of a phase."""
         slot = self._slot_of(variable)
         if slot < 0:

@@ -11,17 +11,17 @@ from rossmarie import ir
 from rossmarie.analysis.witness import Witness, other_text, views
 from rossmarie.interpreter import arithmetic
 from rossmarie.ir.carried import holds_flags
-from rossmarie.ir.script import Script, ScriptedArrival, Setting, SettingValue
+from rossmarie.ir.script import FieldValue, Script, ScriptedArrival, SettingValue
 from rossmarie.testing.frames import asked_frames
 from rossmarie.testing.goals import edges
 from rossmarie.testing.orientation import ANGLES, UPRIGHT
 from rossmarie.testing.run import expectations_of
-from rossmarie.testing.skills import told_by_skills
+from rossmarie.testing.skills import reported_by_skills
 from rossmarie.units import parse_unit
 
 _DEGREES = parse_unit("deg")
 _DIGITS = 6
-_FEWEST = 3  # messages that are told as a repetition
+_FEWEST = 3  # messages that are reported as a repetition
 _UNSET = object()
 _Run = tuple[int, int, int | None]
 """The first and the last instant, and the period, of messages."""
@@ -31,11 +31,11 @@ def script_of(
     machine: ir.Machine, witness: Witness, name: str, rules: Sequence[int]
 ) -> Script | None:
     """The witness as a script in which some rules do what they do in it; None if there is none.
-    Where it makes no difference, orientations are told by their angles and numbers in the units of
-    the rules; as they are in messages otherwise.
+    Where it makes no difference, orientations are reported by their angles and numbers in the units
+    of the rules; as they are in messages otherwise.
     """
     for is_plain in (False, True):
-        events = told_by_skills(machine, _Teller(machine, is_plain).events(witness))
+        events = reported_by_skills(machine, _Teller(machine, is_plain).events(witness))
         if events is None:
             return None
         script = Script(name, events, (), None)
@@ -69,9 +69,9 @@ class _Teller:
     def events(self, witness: Witness) -> list[ScriptedArrival]:
         """All messages, in their order; those without news as repetitions."""
         instants: dict[int, list[int]] = {}
-        told: list[ScriptedArrival] = []
+        reported: list[ScriptedArrival] = []
         for sending in witness.events:
-            settings: list[Setting] = []
+            settings: list[FieldValue] = []
             for channel, values in sending.messages.items():
                 instants.setdefault(channel, []).append(sending.at_ns)
                 settings += self._news(channel, values)
@@ -79,19 +79,19 @@ class _Teller:
                 inputs = tuple(dict.fromkeys(setting.input for setting in settings))
                 topics = tuple(dict.fromkeys(setting.topic for setting in settings))
                 once = (sending.at_ns, sending.at_ns, None)
-                told.append(ScriptedArrival(*once, inputs, topics, tuple(settings)))
-        events = [*self._repeated(instants, told), *told]
+                reported.append(ScriptedArrival(*once, inputs, topics, tuple(settings)))
+        events = [*self._repeated(instants, reported), *reported]
         return sorted(events, key=lambda event: (event.first_ns, event.period_ns is None))
 
     def _repeated(
-        self, instants: Mapping[int, Sequence[int]], told: Sequence[ScriptedArrival]
+        self, instants: Mapping[int, Sequence[int]], reported: Sequence[ScriptedArrival]
     ) -> Iterator[ScriptedArrival]:
         """The messages by their instants; a single one only where nothing else tells of it."""
         groups: dict[_Run, list[int]] = {}
         for channel, times_ns in instants.items():
             for run in _runs(times_ns):
                 groups.setdefault(run, []).append(channel)
-        said = {(topic, event.first_ns) for event in told for topic in event.topics}
+        said = {(topic, event.first_ns) for event in reported for topic in event.topics}
         for (first_ns, last_ns, period_ns), channels in groups.items():
             topics = [
                 topic
@@ -110,7 +110,7 @@ class _Teller:
 
     # --- fields ------------------------------------------------------------------------------
 
-    def _news(self, channel: int, values: ir.ChannelValues) -> Iterator[Setting]:
+    def _news(self, channel: int, values: ir.ChannelValues) -> Iterator[FieldValue]:
         """The settings that are not as they were in the message before."""
         for setting in self._settings(channel, values):
             key = (setting.topic, setting.path, setting.angle)
@@ -119,7 +119,7 @@ class _Teller:
                 yield setting
             self.last[key] = setting.value
 
-    def _settings(self, channel: int, values: ir.ChannelValues) -> Iterator[Setting]:
+    def _settings(self, channel: int, values: ir.ChannelValues) -> Iterator[FieldValue]:
         machine = self.machine
         topic = machine.channels[channel].topic
         turned: set[int] = set()
@@ -131,22 +131,24 @@ class _Teller:
         for its_list in machine.lists:  # a witness sends them without elements
             used = machine.inputs[its_list.input]
             if used.channel == channel:
-                yield Setting(used.name, topic, its_list.path, ())
+                yield FieldValue(used.name, topic, its_list.path, ())
         for index, elements in values.arrays.items():
             array = machine.arrays[index]
             if array.list is not None:
                 continue
             si = [raw * array.scale + array.offset for raw in elements]
-            told = tuple(each != 0.0 for each in si) if holds_flags(array) else tuple(si)
+            reported = tuple(each != 0.0 for each in si) if holds_flags(array) else tuple(si)
             unit = self._unit(ir.Element(index), array.unit)
             name = machine.inputs[array.input].name
-            yield Setting(name, topic, array.path, told, None, unit)
+            yield FieldValue(name, topic, array.path, reported, None, unit)
         for index, raw in values.slots.items():
             if index not in turned:
                 slot = machine.slots[index]
                 unit = self._unit(ir.Read(index), slot.unit)
                 value = self._value(slot, raw)
-                yield Setting(machine.inputs[slot.input].name, topic, slot.path, value, None, unit)
+                yield FieldValue(
+                    machine.inputs[slot.input].name, topic, slot.path, value, None, unit
+                )
 
     def _value(self, slot: ir.Slot, raw: float) -> SettingValue:
         if math.isnan(raw):
@@ -159,13 +161,13 @@ class _Teller:
             case ir.Kind.REAL:
                 return raw * slot.scale + slot.offset
 
-    def _turned(self, slot: int, topic: str, parts: tuple[float, ...]) -> Iterator[Setting]:
+    def _turned(self, slot: int, topic: str, parts: tuple[float, ...]) -> Iterator[FieldValue]:
         found = self.machine.slots[slot]
         name = self.machine.inputs[found.input].name
         for angle, function in ANGLES.items():
             shown = round(_DEGREES.from_si(arithmetic.apply(function, parts)), _DIGITS) + 0.0
             value = _DEGREES.to_si(shown)
-            yield Setting(name, topic, found.path[:-1], value, angle, _DEGREES.symbol)
+            yield FieldValue(name, topic, found.path[:-1], value, angle, _DEGREES.symbol)
 
     def _orientations(self) -> Iterator[tuple[int, ...]]:
         """The slots of each orientation of which the rules compute an angle."""

@@ -183,7 +183,7 @@ class Definitions:
         return [name] if array in self._beside else []
 
     def _unused(self, array: int) -> str:
-        """Not every field matters to every question."""
+        """Not every field matters to every query."""
         columns = (f"e{each}" for each in supports.columns(self._machine, array))
         return "".join(f"(void){each}; " for each in (*self._memory(array, "m"), *columns))
 
@@ -330,12 +330,12 @@ class Definitions:
     def _nothing_missing(self, index: int) -> str:
         support = self._layout.support_of_proposition(index)
         kept = [self._layout.places.value_of_slot[slot] for slot in sorted(support.slots)]
-        claims = [f"m->value[{value}] < INFINITY" for value in kept]
+        obligations = [f"m->value[{value}] < INFINITY" for value in kept]
         for signal in sorted(support.folds | support.waiting):
             value = f"m->value[{self._layout.value_of_signal[signal]}]"
             is_of_list = supports.is_of_list(self._machine, signal)
-            claims.append(f"isfinite({value})" if is_of_list else f"{value} < INFINITY")
-        return " && ".join(claims) or "true"
+            obligations.append(f"isfinite({value})" if is_of_list else f"{value} < INFINITY")
+        return " && ".join(obligations) or "true"
 
 
 # --- expressions -----------------------------------------------------------------------------

@@ -15,7 +15,7 @@ from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import Invariants, Sentence, remark_of, users_of
 from rossmarie.verification.layout import Layout
 from rossmarie.verification.places import Watched
-from rossmarie.verification.program import ANY, assertions, assumptions, claim, predicate
+from rossmarie.verification.program import ANY, assertions, assumptions, obligation, predicate
 
 _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
 
@@ -213,7 +213,7 @@ class GuardChecks:
 {ANY}
     const unsigned node = nondet_number();
     const unsigned value = nondet_number() % 5;
-    __CPROVER_assume(node < TRUTH_VALUES);
+    __CPROVER_assume(node < PROPOSITIONS);
     suppose_marks(m, t_ns);
     monitor expected = s;
     spec_set_proposition(&expected, node, value, t_ns);
@@ -259,8 +259,8 @@ class GuardChecks:
                 f"    suppose_kept_{number}(m, t_ns);",
                 f"    const double x = m->value[{guard.value}];",
                 f"    __CPROVER_assume(is_inside(m, {number}, x));",
-                claim("isfinite(x)", "what is inside is a number"),
-                claim(f"x > m->low[{number}] && x <= m->high[{number}]", "it is inside"),
+                obligation("isfinite(x)", "what is inside is a number"),
+                obligation(f"x > m->low[{number}] && x <= m->high[{number}]", "it is inside"),
                 f"    must_be_guard_{number}(m, t_ns);",
             ]
         )

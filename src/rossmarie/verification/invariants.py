@@ -202,7 +202,7 @@ class Invariants:
             yield Sentence(f"`{self._machine.propositions[proposition].text}` as a number", holds)
 
     def is_test(self, proposition: int) -> bool:
-        """Say whether the number from which a proposition is told is only 0, 1 or unknown."""
+        """Say whether the number from which a proposition is reported is only 0, 1 or unknown."""
         is_flag = isinstance(self._machine.propositions[proposition].node, ir.Flag)
         return is_flag or proposition in self._layout.places.value_of_test
 
@@ -240,9 +240,9 @@ class Invariants:
         for k, proposition in enumerate(self._layout.sinces):
             before, text = f"m->since_before[{k}]", self._machine.propositions[proposition].text
             marked = self.marked(self._layout.node_of_proposition[proposition])
-            told = f"{before} == {self._definitions.proposition(proposition)}"
+            reported = f"{before} == {self._definitions.proposition(proposition)}"
             yield Sentence(f"what `{text}` was is a proposition", f"{before} <= STALE")
-            yield Sentence(f"`{text}` is remembered", f"{marked} || {told}")
+            yield Sentence(f"`{text}` is remembered", f"{marked} || {reported}")
 
     def _timer(self, proposition: int) -> Iterator[str]:
         """S33: the instant at which a duration is over, NEVER if it has not begun. S48: what is
@@ -326,7 +326,7 @@ class Invariants:
             waited = f"m->swinging[{k}] != TRUE || {window_end(self._layout, k)} >= m->wake_ns"
             yield Sentence(f"the end of the window of `{text}` is waited for", waited)
             marked = self.marked(self._layout.node_of_proposition[proposition])
-            yield Sentence(f"`{text}` has its defined value", f"{marked} || {self.told(k)}")
+            yield Sentence(f"`{text}` has its defined value", f"{marked} || {self.reported(k)}")
 
     def seen(self, k: int) -> str:
         """The proposition that enough turning points lie within the window now."""
@@ -335,7 +335,7 @@ class Invariants:
         is_enough = enough(self._layout, k)
         return f"(!isfinite({x}) ? spec_unknown_{proposition}(m) : {is_enough} ? TRUE : FALSE)"
 
-    def told(self, k: int) -> str:
+    def reported(self, k: int) -> str:
         """State that a monitor tells what is seen: nothing until a gap is a window ago."""
         proposition, node = self._layout.oscillations[k], oscillation(self._layout, k)
         value, seen = self._definitions.proposition(proposition), f"m->swinging[{k}]"

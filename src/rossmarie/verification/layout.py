@@ -2,7 +2,7 @@
 
 Takes a machine. What a part is, and what it rests on, is read off the machine; where it is kept is
 what the generator says (`places.py`). Each part has to have a place of its own, so that nothing is
-left out of what is asked: else there are no questions, and nothing is proved.
+left out of what is asked: else there are no queries, and nothing is proved.
 """
 
 from __future__ import annotations

@@ -46,7 +46,7 @@ IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
 _CLOCK = '    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");'
 RESTS = f"{_CLOCK}\n    must_be_at_rest(m, t_ns);"
 
-_TOLD = "    must_be_told(m, &base);"
+_REPORTED = "    must_be_reported(m, &base);"
 AS_IT_WAS = "    must_be_same(m, &base);"
 
 REFUSED = """\
@@ -80,7 +80,7 @@ def between(name: str, about: str, body: str, parts: Parts) -> Written:
     replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
     return Written(
         Check(f"{name}_between", f"{about}, until propositions are evaluated", replaced),
-        f"{body}\n{_TOLD}",
+        f"{body}\n{_REPORTED}",
     )
 
 

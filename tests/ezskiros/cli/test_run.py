@@ -67,7 +67,7 @@ def test_pick_and_place_runs_as_listed_in_the_thesis(tmp_path: Path) -> None:
     saved, trace = tmp_path / "after.turtle", tmp_path / "trace.jsonl"
     done = run(
         "PickAndPlace", *PICK[1:], "Object=starter", "PlacingLocation=shelf", "--simulate",
-        "--save", str(saved), "--trace", str(trace),
+        "--out", str(saved), "--trace", str(trace),
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
     assert done.stdout.splitlines()[-1].startswith("PickAndPlace has succeeded (1 tick, ")
@@ -117,11 +117,11 @@ def test_skills_with_errors_are_not_run(tmp_path: Path) -> None:
         (("work", "--scene", "no.turtle"), "cannot read no.turtle: no such file or directory"),
         (("work", "--trace", "no/trace.jsonl", "--timeout", "0"),
          "cannot write no/trace.jsonl: no such file or directory"),
-        (("work", "--save", "no/after.turtle", "--timeout", "0"),
+        (("work", "--out", "no/after.turtle", "--timeout", "0"),
          "cannot write no/after.turtle: no such file or directory"),
     ],
 )  # fmt: skip
-def test_a_wrong_call_is_told(skills: Path, words: tuple[str, ...], said: str) -> None:
+def test_a_wrong_call_is_reported(skills: Path, words: tuple[str, ...], said: str) -> None:
     done = run(*words, folder=skills)
     assert (done.returncode, done.stderr) == (2, f"ezskiros: {said}\n")
 
@@ -135,7 +135,7 @@ def test_a_scene_with_errors_is_not_run(skills: Path) -> None:
     assert "lab.turtle:2:6" in done.stdout
 
 
-def test_an_ontology_that_is_not_there_is_told(skills: Path) -> None:
+def test_an_ontology_that_is_not_there_is_reported(skills: Path) -> None:
     done = run("work", folder=skills, **{VARIABLE: "nowhere"})
     assert done.returncode == 2
     assert "the ontology nowhere cannot be read: there is no such file" in done.stdout

@@ -110,7 +110,7 @@ def followed(
     most: int = 12,
     compatible: bool = False,
 ) -> set[str]:
-    """Run a task, and compare after each tick; the goals that were told."""
+    """Run a task, and compare after each tick; the goals that were reported."""
     source = LEAVES.replace("{tree}", f"self.serialstar({tree})")
     skills = Skills(folder, source, options={"compatible": compatible})
     try:
@@ -118,8 +118,8 @@ def followed(
     except FaultyTreeError:  # a check sees that it never succeeds, or that a part is never reached
         reject()
     known, goals = Followed(), set[str]()
-    task.setting.tell = known.hear
-    running = task.setting.running
+    task.execution.tell = known.hear
+    running = task.execution.running
     running.changed = lambda: goals.update(each.goal for each in running)
 
     def look() -> None:
@@ -139,8 +139,8 @@ def followed(
 def test_what_runs_is_what_has_started_and_not_ended(
     tmp_path_factory: pytest.TempPathFactory, tree: str, compatible: bool
 ) -> None:
-    def compare(running: list[str], told: list[str]) -> None:
-        assert running == told
+    def compare(running: list[str], reported: list[str]) -> None:
+        assert running == reported
 
     followed(tmp_path_factory.getbasetemp(), tree, compare, compatible=compatible)
 
@@ -174,4 +174,4 @@ def test_a_broken_hold_condition_ends_it(tmp_path: Path) -> None:
     outcome = run(task, wait=clock.wait)
     assert not outcome.is_success
     assert events[-1].happened is Happened.FAILED
-    assert list(task.setting.running) == []
+    assert list(task.execution.running) == []

@@ -31,15 +31,20 @@ def test_the_skills_of_the_folder_are_shown(lab: Path) -> None:
     assert done.stdout.endswith("        └── Wait\n")
 
 
-def test_a_picture_and_xml_are_written_at_once(lab: Path) -> None:
-    done = show("fetch", "gripping.py", "--svg", "a.svg", "--btcpp", "a.xml", folder=lab)
+@pytest.mark.parametrize(
+    ("form", "root"), [("svg", "{http://www.w3.org/2000/svg}svg"), ("btcpp", "root")]
+)
+def test_a_picture_and_xml_are_printed_or_written(form: str, root: str, lab: Path) -> None:
+    done = show("fetch", "gripping.py", "--format", form, folder=lab)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert ET.fromstring(done.stdout).tag == root
+    done = show("fetch", "gripping.py", "--format", form, "--out", "a.xml", folder=lab)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
-    assert ET.parse(lab / "a.svg").getroot().tag.endswith("svg")
-    assert ET.parse(lab / "a.xml").getroot().tag == "root"
+    assert ET.parse(lab / "a.xml").getroot().tag == root
 
 
 def test_nothing_is_exported_that_means_something_else(lab: Path) -> None:
-    done = show("pause", "--btcpp", "a.xml", folder=lab)
+    done = show("pause", "--format", "btcpp", "--out", "a.xml", folder=lab)
     assert done.returncode == 1
     assert "error[EZS830]" in done.stdout
     assert not (lab / "a.xml").exists()
@@ -52,7 +57,7 @@ def test_skills_with_errors_are_drawn_and_not_exported(lab: Path) -> None:
     assert done.returncode == 1
     assert "Approach.go_to_linear  Target = ?" in done.stdout
     assert "there are errors in these files" in done.stderr
-    done = show("fetch", "--btcpp", "a.xml", folder=lab)
+    done = show("fetch", "--format", "btcpp", "--out", "a.xml", folder=lab)
     assert done.returncode == 1
     assert not (lab / "a.xml").exists()
 
@@ -62,7 +67,7 @@ def test_skills_with_errors_are_drawn_and_not_exported(lab: Path) -> None:
     [
         (("wait",), "`wait` is primitive: it has no behavior tree"),
         (("fetsh",), "there is no skill `fetsh` in these files; did you mean `fetch`?"),
-        (("fetch", "--svg", "no/where.svg"), "cannot write no/where.svg"),
+        (("fetch", "--format", "svg", "--out", "no/where.svg"), "cannot write no/where.svg"),
         (("fetch", "nowhere"), "there is no file nowhere"),
     ],
 )

@@ -89,7 +89,7 @@ def test_the_records_are_named_from_the_folder_of_the_file(tmp_path: Path) -> No
         (lambda it: it["sources"][0].update(sha256="?"), "7: `sha256` is not 64"),
     ],
 )
-def test_what_is_wrong_is_told_with_its_line(
+def test_what_is_wrong_is_reported_with_its_line(
     change: Callable[[dict[str, Any]], object], expected: str, tmp_path: Path
 ) -> None:
     knowledge = rich(tmp_path)

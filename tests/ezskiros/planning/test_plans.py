@@ -333,7 +333,7 @@ GOAL = ("--scene", "lab.turtle", "--goal", "(skiros:contain shelf starter)")
 
 
 def test_what_is_written_is_checked(lab: Path) -> None:
-    done = run("plan", *GOAL, "--write", "tidy_up.py", folder=lab)
+    done = run("plan", *GOAL, "--out", "tidy_up.py", folder=lab)
     assert (done.returncode, done.stderr) == (0, "")
     assert done.stdout.endswith("\n3 warnings in 2 files\n")
     shown = run("show", "tidy_up", folder=lab)
@@ -347,7 +347,7 @@ def test_who_plans_writes_nothing_beside_the_skills(lab: Path) -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_an_ontology_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_an_ontology_that_is_not_there_is_reported(tmp_path: Path) -> None:
     (tmp_path / "lab.turtle").write_text((TREES / "lab.turtle").read_text("utf-8"), "utf-8")
     done = run("plan", *GOAL, "--ontology", "nowhere", folder=tmp_path)
     assert done.returncode == 2
@@ -356,7 +356,7 @@ def test_an_ontology_that_is_not_there_is_told(tmp_path: Path) -> None:
 
 def test_a_file_from_which_the_skills_cannot_be_imported(lab: Path) -> None:
     (lab / "other").mkdir()
-    done = run("plan", *GOAL, "--write", "other/tidy_up.py", folder=lab)
+    done = run("plan", *GOAL, "--out", "other/tidy_up.py", folder=lab)
     assert done.returncode == 2
     assert f"the skills cannot be imported: write to {lab}" in done.stderr
 
@@ -364,7 +364,7 @@ def test_a_file_from_which_the_skills_cannot_be_imported(lab: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (("--write", "tidy-up.py"), "is no file for a module of Python"),
+        (("--out", "tidy-up.py"), "is no file for a module of Python"),
         (("--scene", "nowhere.turtle"), "there is no file nowhere.turtle"),
     ],
 )

@@ -90,16 +90,16 @@ class Robot:
 
     task: InterruptibleTask
     events: list[Event]
-    told: list[tuple[bool, str]] = field(default_factory=list)
+    reported: list[tuple[bool, str]] = field(default_factory=list)
 
     def block(self, one: str, other: str, *without: Prohibition) -> None:
         """A tree marks a way as blocked; then another is looked for, without what rules stop."""
-        library, world = self.task.setting.library, self.task.setting.world_model
+        library, world = self.task.execution.library, self.task.execution.world_model
         found = {each.__name__: each for each in library.descriptions()}
         things = {"One": world.thing(one), "Other": world.thing(other)}
         call = SkillCall(found["Block"], None, MappingProxyType(things), NOWHERE)
         self.task.recover(
-            Recovery(call, Afterwards.REPLAN, lambda *end: self.told.append(end), without)
+            Recovery(call, Afterwards.REPLAN, lambda *end: self.reported.append(end), without)
         )
 
     def to_the_end(self) -> Status:
@@ -120,8 +120,10 @@ class Robot:
 
 def begun(folder: Path, skill: str, *texts: str, source: str = SOURCE, scene: str = SCENE) -> Robot:
     plain, events, _ = Skills(folder, source, scene).task(skill, *texts)
-    setting = plain.setting
-    task = InterruptibleTask(plain.root.call, setting, replanner(setting.library, setting.world))
+    execution = plain.execution
+    task = InterruptibleTask(
+        plain.root.call, execution, replanner(execution.library, execution.world)
+    )
     return Robot(task, events)
 
 
@@ -130,18 +132,18 @@ def test_a_way_around_what_a_tree_found_blocked(tmp_path: Path) -> None:
     robot.task.tick()
     robot.block("corridor", "hall")
     assert robot.to_the_end() is Status.SUCCESS
-    assert robot.told == [(True, "")]
+    assert robot.reported == [(True, "")]
     assert robot.ways() == ["dock to yard at 0.3", "yard to hall at 0.3"]
 
 
 def test_no_way_is_left(tmp_path: Path) -> None:
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
     robot.task.tick()
-    world = robot.task.setting.world_model
+    world = robot.task.execution.world_model
     world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
     robot.block("yard", "hall")
     assert robot.to_the_end() is Status.FAILURE
-    ((is_done, why),) = robot.told
+    ((is_done, why),) = robot.reported
     assert not is_done
     assert why.startswith("no plan leads to the goal of the task: no skill leads to this: ")
     assert "Robot-1 skiros:at skiros:Location-5" in why
@@ -172,15 +174,15 @@ def test_a_task_that_cannot_be_planned_says_why(
     robot.task.tick()
     robot.block("corridor", "hall")
     assert robot.to_the_end() is Status.FAILURE
-    assert robot.told == [(False, f"no plan leads to the goal of the task: {why}")]
+    assert robot.reported == [(False, f"no plan leads to the goal of the task: {why}")]
 
 
 def test_the_search_changes_nothing_in_the_world(tmp_path: Path) -> None:
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
-    setting, task = robot.task.setting, robot.task.root.call
-    setting.world.save(tmp_path / "before.turtle")
-    assert len(replanner(setting.library, setting.world)(task, ()).result(60)) == 2
-    setting.world.save(tmp_path / "after.turtle")
+    execution, task = robot.task.execution, robot.task.root.call
+    execution.world.save(tmp_path / "before.turtle")
+    assert len(replanner(execution.library, execution.world)(task, ()).result(60)) == 2
+    execution.world.save(tmp_path / "after.turtle")
     assert (tmp_path / "before.turtle").read_text() == (tmp_path / "after.turtle").read_text()
 
 
@@ -250,7 +252,7 @@ def test_no_way_is_left_without_what_rules_stop(
     robot.block("hall", "dock", without)
     assert robot.to_the_end() is Status.FAILURE
     assert robot.ways() == []
-    ((is_done, why),) = robot.told
+    ((is_done, why),) = robot.reported
     assert not is_done
     assert why.startswith("no plan leads to the goal of the task: no skill leads to this: ")
     assert why.endswith(f"({reason})")
@@ -258,11 +260,11 @@ def test_no_way_is_left_without_what_rules_stop(
 
 def test_rules_are_no_reason_where_there_is_no_way_at_all(tmp_path: Path) -> None:
     robot = delivering(tmp_path, CORRIDOR)
-    world = robot.task.setting.world_model
+    world = robot.task.execution.world_model
     world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
     robot.block("yard", "hall", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
-    assert "rules" not in robot.told[0][1]
+    assert "rules" not in robot.reported[0][1]
 
 
 def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> None:
@@ -282,7 +284,7 @@ def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> Non
     robot.task.tick()
     robot.block("hall", "dock", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
-    why = robot.told[0][1]
+    why = robot.reported[0][1]
     assert "no sequence of skills leads to this" in why
     assert "the rules forbid `Drive(To = a skiros:Container)`" in why
 
@@ -291,7 +293,7 @@ def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> Non
 def drive(tmp_path_factory: pytest.TempPathFactory) -> tuple[Ontology, Action]:
     """The skill that drives, as a planner has it."""
     robot = begun(tmp_path_factory.mktemp("drive"), *GIVEN)
-    library, world = robot.task.setting.library, robot.task.setting.world
+    library, world = robot.task.execution.library, robot.task.execution.world
     found, _ = actions(library, world.ontology.model)
     return world.ontology, next(each for each in found if each.skill.name == "Drive")
 
@@ -344,14 +346,17 @@ def test_what_is_in_reach_is_what_a_walk_finds(
 def test_the_way_heeds_what_skills_lose_to_rules(tmp_path: Path) -> None:
     """The ways by the corridor and by the yard have the same length."""
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
-    setting, task = robot.task.setting, robot.task.root.call
+    execution, task = robot.task.execution, robot.task.root.call
 
     def by(*costs: Cost) -> object:
-        found = way(setting.library, task, setting.world, setting.world.copy(), costs=costs)
+        found = way(execution.library, task, execution.world, execution.world.copy(), costs=costs)
         return found[0].arguments["To"].label  # type: ignore[attr-defined]
 
     def cost(start: str, target: str) -> Cost:
-        things = {"From": setting.world_model.thing(start), "To": setting.world_model.thing(target)}
+        things = {
+            "From": execution.world_model.thing(start),
+            "To": execution.world_model.thing(target),
+        }
         places = tuple((name, thing.iri) for name, thing in things.items())
         return Cost("Drive", places, executions=2, activations=1, lost_s=9.0)
 

@@ -3,7 +3,7 @@
 
 #include "engine/tables.h"
 
-#define TRUTH_VALUES 1
+#define PROPOSITIONS 1
 #define NODES 1
 
 typedef struct monitor {

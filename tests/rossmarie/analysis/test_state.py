@@ -55,8 +55,10 @@ def test_a_product_may_be_too_large(timeout_ns: int | None) -> None:
     stale = draft.proposition(ir.Not(draft.above(square, 0.0)))
     assert seen(draft, stale, 1e200) is unknown
     state = ArbitraryState(Inquiry(draft.machine()).asked)
-    claim = z3.And(state.proposition(known).true, state.proposition(stale).is_value(unknown))
-    assert Inquiry(draft.machine()).is_impossible(lambda _: z3.And(claim, *state.facts)) is False
+    predicate = z3.And(state.proposition(known).true, state.proposition(stale).is_value(unknown))
+    assert (
+        Inquiry(draft.machine()).is_impossible(lambda _: z3.And(predicate, *state.facts)) is False
+    )
 
 
 def test_an_orientation_of_zeros_has_no_angle() -> None:
@@ -68,10 +70,10 @@ def test_an_orientation_of_zeros_has_no_angle() -> None:
     )
     assert seen(draft, level, 0.0, 0.0, 0.0, 0.0) is TruthValue.STALE
     state = ArbitraryState(Inquiry(draft.machine()).asked)
-    claim = z3.And(
+    predicate = z3.And(
         state.proposition(level).stale, *(state.signal(part).known for part in parts), *state.facts
     )
-    assert not Inquiry(draft.machine()).is_impossible(lambda _: claim)
+    assert not Inquiry(draft.machine()).is_impossible(lambda _: predicate)
     assert is_impossible(draft, level, TruthValue.FALSE)
 
 
@@ -88,10 +90,10 @@ def test_arithmetic_with_an_infinite_element_is_unknown_or_stale(
     is_there = draft.proposition(ir.Compare(ir.Comparison.EQUAL, least, least))
     assert seen(draft, is_near, element) is value
     both = ArbitraryState(Inquiry(draft.machine()).asked)
-    claim = z3.And(
+    predicate = z3.And(
         both.proposition(is_there).true, both.proposition(is_near).is_value(value), *both.facts
     )
-    assert not Inquiry(draft.machine()).is_impossible(lambda _: claim)
+    assert not Inquiry(draft.machine()).is_impossible(lambda _: predicate)
 
 
 def test_two_durations_of_nested_limits_are_compared() -> None:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.questions import ask_all
+from rossmarie.analysis.queries import ask_all
 from rossmarie.analysis.shrink import cost
 from rossmarie.analysis.witness import Sending, Witness, as_csv, views
 from rossmarie.driver import compile_file

@@ -126,7 +126,7 @@ def test_coverage_goes_into_the_safety_file(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     Path("drive.csv").write_text(DRIVE, "utf-8")
-    code, printed = run("coverage", "fast.ross", "drive.csv", "--json", "c.json")
+    code, printed = run("coverage", "fast.ross", "drive.csv", "--out", "c.json")
     assert code == 0
     assert printed.endswith("wrote c.json\n")
     whole = json.loads(Path("c.json").read_text("utf-8"))
@@ -170,7 +170,7 @@ def test_a_changed_message_makes_the_coverage_another(
         "utf-8",
     )
     Path("drive.csv").write_text("time,/speed.value\n0,0.5\n0.3,1.5\n", "utf-8")
-    assert run("coverage", "own.ross", "drive.csv", "--json", "c.json")[0] == 0
+    assert run("coverage", "own.ross", "drive.csv", "--out", "c.json")[0] == 0
     whole = json.loads(Path("c.json").read_text("utf-8"))
     names = ["msg/own_msgs/msg/Speed.msg", "system.ross", "own.ross", "drive.csv"]
     assert [each["path"] for each in whole["sources"]] == names
@@ -186,13 +186,13 @@ def test_a_changed_message_makes_the_coverage_another(
 def test_what_is_read_is_not_written_over(rules: Path, tmp_path: Path, read: str) -> None:
     drive = tmp_path / "drive.csv"
     drive.write_text(DRIVE, "utf-8")
-    code, printed = run("coverage", rules, drive, "--json", tmp_path / read)
+    code, printed = run("coverage", rules, drive, "--out", tmp_path / read)
     assert code == 2
-    assert "choose another --json" in printed
+    assert "choose another --out" in printed
     assert (rules.read_text("utf-8"), drive.read_text("utf-8")) == (RULES, DRIVE)
 
 
-def test_a_setting_that_no_rule_reads_is_told(rules: Path) -> None:
+def test_a_setting_that_no_rule_reads_is_reported(rules: Path) -> None:
     add(
         rules,
         'test "a" { at 0 s speed = 2 m/s, acceleration = [0, 0, 1] m/s^2, ok; '

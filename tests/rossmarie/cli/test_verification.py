@@ -102,7 +102,7 @@ def test_undecided_is_not_fine(rules: Path, prove_by: Any) -> None:
     assert "\nNOT proved: " in printed
 
 
-def test_a_prover_that_fails_at_a_question_leaves_it_undecided(rules: Path, prove_by: Any) -> None:
+def test_a_prover_that_fails_at_a_query_leaves_it_undecided(rules: Path, prove_by: Any) -> None:
     prove_by(StandIn(fails="tick"))
     code, printed = verify(rules)
     assert code == 1
@@ -119,7 +119,7 @@ def test_a_process_that_the_system_ends_leaves_it_undecided(rules: Path, prove_b
     )
 
 
-def test_sources_that_no_question_is_about_are_not_proved(
+def test_sources_that_no_query_is_about_are_not_proved(
     rules: Path, prove_by: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def generated(*_: object) -> dict[str, str]:
@@ -163,7 +163,7 @@ def test_rules_with_errors_are_not_verified(rules: Path) -> None:
     assert "roved" not in printed
 
 
-def test_a_program_that_the_prover_does_not_take_is_told(rules: Path, prove_by: Any) -> None:
+def test_a_program_that_the_prover_does_not_take_is_reported(rules: Path, prove_by: Any) -> None:
     reason = "harness.c:2:10: fatal error: math.h: No such file or directory"
     prove_by(StandIn(refuses=f"{reason}\n 2 | #include <math.h>\ncompilation terminated.\n"))
     code, printed = verify(rules)
@@ -203,19 +203,19 @@ def test_what_is_read_is_not_written_over(rules: Path, prove_by: Any, read: str)
     Path("other.ross").write_text("const most = 3;\n")
     rules.write_text(f'import "other.ross";\n{RULES.replace("> 3", "> most")}')
     before = Path(read).read_text()
-    code, printed = verify(rules, "--json", read)
+    code, printed = verify(rules, "--out", read)
     assert code == 2
-    assert "choose another --json" in printed
+    assert "choose another --out" in printed
     assert Path(read).read_text() == before
 
 
 def test_what_cannot_be_written_is_told_before_it_takes_its_time(rules: Path) -> None:
-    code, printed = verify(rules, "--json", "missing/v.json")
+    code, printed = verify(rules, "--out", "missing/v.json")
     assert code == 2
     assert "cannot write missing/v.json: no such file or directory" in printed
     assert "Of the generated C" not in printed
     Path("folder").mkdir()
-    code, printed = verify(rules, "--json", "folder")
+    code, printed = verify(rules, "--out", "folder")
     assert code == 2
     assert "cannot write folder: is a directory" in printed
     assert sorted(path.name for path in Path().iterdir()) == ["fast.ross", "folder"]
@@ -225,7 +225,7 @@ def test_what_cannot_be_written_is_told_before_it_takes_its_time(rules: Path) ->
 
 
 def test_the_report_goes_into_the_safety_file(rules: Path, prove_by: Any) -> None:
-    assert verify(rules, "--json", "v.json", "--keep", "kept")[0] == 0
+    assert verify(rules, "--out", "v.json", "--keep", "kept")[0] == 0
     whole = json.loads(Path("v.json").read_text())
     assert whole["tools"].keys() == {"rossmarie", "cbmc", "cadical", "z3"}
     assert whole["sources"][0]["path"] == "fast.ross"
@@ -242,7 +242,7 @@ def test_the_report_goes_into_the_safety_file(rules: Path, prove_by: Any) -> Non
     assert whole["results"][0] == {
         "name": "rule fast in runs of any length",
         "status": "proved",
-        "detail": "rests on every question about the monitor",
+        "detail": "rests on every query about the monitor",
     }
     printed = CliRunner().invoke(app, ["report", "fast.ross", "--verification", "v.json"]).output
     assert "ROSS78" not in printed
@@ -254,7 +254,7 @@ def test_the_report_goes_into_the_safety_file(rules: Path, prove_by: Any) -> Non
 
 def test_what_is_open_is_open_in_the_safety_file(rules: Path, prove_by: Any) -> None:
     prove_by(StandIn(refuted=(("tick", "no rule changes"),), undecided=UNDECIDED))
-    assert verify(rules, "--json", "v.json")[0] == 1
+    assert verify(rules, "--out", "v.json")[0] == 1
     printed = CliRunner().invoke(app, ["report", "fast.ross", "--verification", "v.json"]).output
     assert "not done: The verification report has 1 refuted: timers are looked at." in printed
     assert "1 undecided: the numbers of a message on /speed." in printed
@@ -266,7 +266,7 @@ def test_arrays_bound_what_is_proved(rules: Path, prove_by: Any) -> None:
         "action stop;\ninput scan = topic /scan : sensor_msgs/LaserScan .ranges timeout 1 sec;\n"
         "rule near: if any(scan < 1 m) then { stop; };\n"
     )
-    assert verify(rules, "--json", "v.json")[0] == 0
+    assert verify(rules, "--out", "v.json")[0] == 0
     assert "arrays of up to 3 elements" in json.loads(Path("v.json").read_text())["bound"]
 
 

@@ -95,7 +95,7 @@ def test_what_is_no_list_is_refused(monitor: Monitor, values: dict[str, object],
     assert list(monitor.active) == []
 
 
-def test_a_misspelt_list_is_told(monitor: Monitor) -> None:
+def test_a_misspelt_list_is_reported(monitor: Monitor) -> None:
     with pytest.raises(KeyError, match="did you mean `path`"):
         monitor.update(1, {"pth": []})
 

@@ -9,7 +9,7 @@ import pytest
 
 from rossmarie.analysis.witness import Sending, Witness
 from rossmarie.driver.analyze import Analysis, analyze_file
-from rossmarie.driver.testing import Outcome, run_test_file
+from rossmarie.driver.testing import RanTests, run_test_file
 from rossmarie.driver.witness_tests import witness_tests
 from rossmarie.ir import ChannelValues
 from rossmarie.ir.script import Script
@@ -55,7 +55,7 @@ LENGTHY = {"alternating", "decided", "holding", "latches", "limits", "over_time"
 """Fixtures with so many findings that it takes seconds."""
 
 
-def kept(analysis: Analysis, rules: Path) -> tuple[str, Outcome]:
+def kept(analysis: Analysis, rules: Path) -> tuple[str, RanTests]:
     """The tests as they are written beside the rules, and what comes of them."""
     path = rules.parent / "found.ross"
     found = witness_tests(analysis, rules, path)
@@ -69,7 +69,7 @@ def kept(analysis: Analysis, rules: Path) -> tuple[str, Outcome]:
     return found.text, ran
 
 
-def ends_active(outcome: Outcome, script: Script) -> set[str]:
+def ends_active(outcome: RanTests, script: Script) -> set[str]:
     """The rules that a test expects to be active at its end."""
     last_ns = max(expected.last_ns for expected in script.expectations)
     return {
@@ -100,7 +100,7 @@ def test_a_conflict_is_kept_as_a_test_in_which_both_rules_are_active(
     ],
     ids=lambda path: path.stem,
 )
-def test_all_witnesses_of_all_questions_can_be_kept(fixture: Path, tmp_path: Path) -> None:
+def test_all_witnesses_of_all_queries_can_be_kept(fixture: Path, tmp_path: Path) -> None:
     rules = tmp_path / fixture.name
     rules.write_text(fixture.read_text(encoding="utf-8"), encoding="utf-8")
     kept(analyze_file(rules, thorough=True), rules)
@@ -117,10 +117,10 @@ def test_the_numbers_are_those_that_a_user_would_write(tmp_path: Path) -> None:
     rules.write_text(INPUTS + pair, encoding="utf-8")
     text, _ = kept(analyze_file(rules), rules)
     assert "every 0.1 s from 0 s to 4 s orientation, speed;" in text
-    told = re.search(r"at 0 s orientation\.pitch = (\d+) deg, speed = (\d+) km/h;", text)
-    assert told is not None, text
-    assert int(told[1]) > 10
-    assert int(told[2]) > 5
+    reported = re.search(r"at 0 s orientation\.pitch = (\d+) deg, speed = (\d+) km/h;", text)
+    assert reported is not None, text
+    assert int(reported[1]) > 10
+    assert int(reported[2]) > 5
 
 
 def test_a_script_that_does_something_else_is_seen(tmp_path: Path) -> None:

@@ -22,7 +22,7 @@ from rossmarie.ir import (
     TruthValue,
     verify,
 )
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -170,7 +170,7 @@ def test_s75_a_rule_is_active_without_the_number() -> None:
     near = Near(beside_ns=SECOND)
     near.draft.rule(near.any)
     bench = Bench(near.draft)
-    assert len(told(bench.send(0, c0=[3.0]))) == 1
+    assert len(reported(bench.send(0, c0=[3.0]))) == 1
     assert bench.monitor.active == (True,)
 
 

@@ -26,7 +26,7 @@ from rossmarie.ir import (
     Sampling,
     TruthValue,
 )
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -248,7 +248,7 @@ def test_s32_after_a_gap_it_is_false_once_it_was_known_throughout_the_window() -
     assert bench.wake() == 3.9
     bench.send(3.8, c0=0.0)
     assert bench.send(4.7, c0=0.0) == []
-    assert told(bench.advance(5)) == [(0, 5.0, Change.CLEARED)]
+    assert reported(bench.advance(5)) == [(0, 5.0, Change.CLEARED)]
 
 
 def test_s33_for_matures_at_its_own_instant() -> None:
@@ -306,10 +306,10 @@ def test_s33_a_dropout_does_not_clear_a_rule_whose_condition_goes_on() -> None:
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     bench.send(0.9, c0=1.0)
-    assert told(bench.send(1.0, c0=1.0)) == [(0, 1.0, Change.ACTIVATED)]
+    assert reported(bench.send(1.0, c0=1.0)) == [(0, 1.0, Change.ACTIVATED)]
     assert bench.send(1.2, c0=NAN) == []
     assert bench.send(1.3, c0=1.0) == []
-    assert told(bench.send(1.4, c0=-1.0)) == [(0, 1.4, Change.CLEARED)]
+    assert reported(bench.send(1.4, c0=-1.0)) == [(0, 1.4, Change.CLEARED)]
 
 
 def test_s33_nothing_has_held_before_the_start() -> None:

@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 
 from rossmarie.ir import And, Change, Held, Not, Since, TruthValue, kleene
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -183,9 +183,9 @@ def test_s46_false_while_an_answer_is_overdue() -> None:
     bench.send(0, c0=-1.0, c1=-1.0)
     bench.send(1, c0=1.0)
     bench.send(1.5, c0=-1.0)
-    assert told(bench.advance(5)) == [(0, 3.0, Change.ACTIVATED)]
+    assert reported(bench.advance(5)) == [(0, 3.0, Change.ACTIVATED)]
     assert bench.proposition(kept) is F
-    assert told(bench.send(6, c1=1.0)) == [(0, 6.0, Change.CLEARED)]
+    assert reported(bench.send(6, c1=1.0)) == [(0, 6.0, Change.CLEARED)]
 
 
 def test_s46_a_cause_that_goes_on_asks_at_each_instant() -> None:

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, Held, InputState, Literal, Not, Or, TruthValue, Verdict
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import NAN, Case, Update, cases, take
@@ -18,9 +18,9 @@ def test_s35_true_activates() -> None:
     draft = Draft()
     draft.rule(draft.above(draft.read(), 0.0))
     bench = Bench(draft)
-    assert told(bench.send(0, c0=-1.0)) == []
-    assert told(bench.send(1, c0=1.0)) == [(0, 1.0, Change.ACTIVATED)]
-    assert told(bench.send(2, c0=2.0)) == []
+    assert reported(bench.send(0, c0=-1.0)) == []
+    assert reported(bench.send(1, c0=1.0)) == [(0, 1.0, Change.ACTIVATED)]
+    assert reported(bench.send(2, c0=2.0)) == []
     assert bench.monitor.active == (True,)
 
 
@@ -28,9 +28,9 @@ def test_s35_stale_activates() -> None:
     draft = Draft()
     draft.rule(draft.above(draft.read(timeout_ns=SECOND), 0.0))
     bench = Bench(draft)
-    assert told(bench.send(0, c0=-1.0)) == []
-    assert told(bench.advance(2)) == [(0, 1.0, Change.ACTIVATED_STALE)]
-    assert told(bench.send(3, c0=1.0)) == []
+    assert reported(bench.send(0, c0=-1.0)) == []
+    assert reported(bench.advance(2)) == [(0, 1.0, Change.ACTIVATED_STALE)]
+    assert reported(bench.send(3, c0=1.0)) == []
 
 
 def test_s36_without_a_contract_false_clears() -> None:
@@ -38,7 +38,7 @@ def test_s36_without_a_contract_false_clears() -> None:
     draft.rule(draft.above(draft.read(), 0.0))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
-    assert told(bench.send(1, c0=-1.0)) == [(0, 1.0, Change.CLEARED)]
+    assert reported(bench.send(1, c0=-1.0)) == [(0, 1.0, Change.CLEARED)]
     assert bench.monitor.active == (False,)
 
 
@@ -49,8 +49,8 @@ def test_s36_clear_when() -> None:
     bench = Bench(draft)
     bench.send(0, c0=1.0, c1=1.0)  # a true release alone does not clear
     assert bench.monitor.active == (True,)
-    assert told(bench.send(1, c0=-1.0, c1=-1.0)) == []
-    assert told(bench.send(2, c1=1.0)) == [(0, 2.0, Change.CLEARED)]
+    assert reported(bench.send(1, c0=-1.0, c1=-1.0)) == []
+    assert reported(bench.send(2, c1=1.0)) == [(0, 2.0, Change.CLEARED)]
 
 
 def test_s36_clear_for() -> None:
@@ -62,7 +62,7 @@ def test_s36_clear_for() -> None:
     bench.send(1, c0=-1.0)
     bench.send(2, c0=1.0)
     bench.send(3, c0=-1.0)
-    assert told(bench.advance(9)) == [(0, 5.0, Change.CLEARED)]
+    assert reported(bench.advance(9)) == [(0, 5.0, Change.CLEARED)]
 
 
 def test_s37_unknown_neither_activates_nor_clears() -> None:
@@ -83,7 +83,7 @@ def test_s38_a_reset_clears_while_the_condition_is_false() -> None:
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     assert bench.send(1, c0=-1.0) == []
-    assert told(bench.reset(2)) == [(0, 2.0, Change.CLEARED)]
+    assert reported(bench.reset(2)) == [(0, 2.0, Change.CLEARED)]
     assert bench.monitor.active == (False, True)
 
 
@@ -107,8 +107,8 @@ def test_s38_a_reset_of_one_rule() -> None:
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     bench.send(1, c0=-1.0)
-    assert told(bench.reset(2, rule=1)) == [(1, 2.0, Change.CLEARED)]
-    assert told(bench.reset(2, rule=1)) == []
+    assert reported(bench.reset(2, rule=1)) == [(1, 2.0, Change.CLEARED)]
+    assert reported(bench.reset(2, rule=1)) == []
 
 
 @settings(max_examples=examples(2))
@@ -132,7 +132,7 @@ def test_s40_verdicts_come_in_the_order_of_the_rules() -> None:
     draft.rule(positive)
     bench = Bench(draft)
     bench.send(0, c0=-1.0)
-    assert told(bench.send(1, c0=1.0)) == [
+    assert reported(bench.send(1, c0=1.0)) == [
         (0, 1.0, Change.CLEARED),
         (1, 1.0, Change.ACTIVATED),
         (2, 1.0, Change.ACTIVATED),
@@ -176,10 +176,10 @@ def test_s42_a_latched_rule_is_restored() -> None:
     bench.monitor.latch(0)
     bench.monitor.latch(1)
     assert bench.monitor.active == (True, False)
-    assert told(bench.send(0, c0=1.0)) == [(1, 0.0, Change.ACTIVATED)]
-    assert told(bench.reset(1)) == []  # its condition is true
-    assert told(bench.send(2, c0=-1.0)) == [(1, 2.0, Change.CLEARED)]
-    assert told(bench.reset(3)) == [(0, 3.0, Change.CLEARED)]
+    assert reported(bench.send(0, c0=1.0)) == [(1, 0.0, Change.ACTIVATED)]
+    assert reported(bench.reset(1)) == []  # its condition is true
+    assert reported(bench.send(2, c0=-1.0)) == [(1, 2.0, Change.CLEARED)]
+    assert reported(bench.reset(3)) == [(0, 3.0, Change.CLEARED)]
 
 
 def test_s42_after_the_first_event_nothing_is_restored() -> None:

@@ -20,7 +20,7 @@ from rossmarie.ir import (
     TruthValue,
     Verdict,
 )
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import Case, Step, cases, exactly, take
@@ -55,8 +55,8 @@ def test_s12_guarded_rules_are_active_until_their_input_arrives(first: str) -> N
     bench = Bench(draft)
     step = {"update": lambda: bench.send(0, c2=0.0), "advance": lambda: bench.advance(0)}
     events = step.get(first, lambda: bench.reset(0))()
-    assert told(events) == [(0, 0.0, Change.ACTIVATED_STALE)]
-    assert told(bench.send(0.5, c0=-1.0)) == [(0, 0.5, Change.CLEARED)]
+    assert reported(events) == [(0, 0.0, Change.ACTIVATED_STALE)]
+    assert reported(bench.send(0.5, c0=-1.0)) == [(0, 0.5, Change.CLEARED)]
 
 
 def test_s13_wakes_before_an_event_are_run_at_their_own_instants() -> None:
@@ -68,7 +68,7 @@ def test_s13_wakes_before_an_event_are_run_at_their_own_instants() -> None:
         draft.rule(proposition)
     bench = Bench(draft)
     assert bench.send(0, c0=1.0) == []
-    assert told(bench.send(10, c0=-1.0)) == [
+    assert reported(bench.send(10, c0=-1.0)) == [
         (0, 2.0, Change.ACTIVATED),
         (1, 3.0, Change.ACTIVATED),
         (0, 10.0, Change.CLEARED),
@@ -92,7 +92,7 @@ def test_s14_advance_includes_its_instant() -> None:
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     assert bench.monitor.advance(2 * SECOND - 1) == []
-    assert told(bench.advance(2)) == [(0, 2.0, Change.ACTIVATED)]
+    assert reported(bench.advance(2)) == [(0, 2.0, Change.ACTIVATED)]
 
 
 def test_s15_the_next_wake_is_the_earliest_timer() -> None:
@@ -150,7 +150,7 @@ def test_s16_updates_at_one_instant_are_evaluated_one_by_one() -> None:
     draft.rule(draft.above(draft.read(), 0.0))
     bench = Bench(draft)
     events = [event for x in (1.0, -1.0, 1.0) for event in bench.send(4, c0=x)]
-    assert told(events) == [
+    assert reported(events) == [
         (0, 4.0, Change.ACTIVATED),
         (0, 4.0, Change.CLEARED),
         (0, 4.0, Change.ACTIVATED),
@@ -171,7 +171,7 @@ def test_s17_a_jump_is_reported_and_restarts_durations() -> None:
     assert isinstance(cleared, Verdict)
     assert cleared.since_ns == (6 * SECOND, 6 * SECOND)
     bench.send(7, c0=1.0)
-    assert told(bench.advance(20)) == [(0, 9.0, Change.ACTIVATED)]
+    assert reported(bench.advance(20)) == [(0, 9.0, Change.ACTIVATED)]
 
 
 def test_s17_inputs_keep_their_ages() -> None:
@@ -194,7 +194,7 @@ def test_s17_repeated_jumps_do_not_keep_a_silent_input_alive() -> None:
     bench = Bench(draft)
     bench.send(0, c0=-1.0)
     events = [event for at in (0.75, 0.5, 1.25) for event in bench.advance(at)]
-    assert told(events) == [(0, 0.75, Change.ACTIVATED_STALE)]
+    assert reported(events) == [(0, 0.75, Change.ACTIVATED_STALE)]
 
 
 def test_s17_expired_inputs_stay_expired() -> None:
@@ -266,7 +266,7 @@ def test_s17_rules_keep_their_state_until_evaluated() -> None:
     draft.rule(draft.above(draft.read(), 0.0))
     bench = Bench(draft)
     bench.send(10, c0=1.0)
-    assert told(bench.advance(5)) == []
+    assert reported(bench.advance(5)) == []
     assert bench.monitor.active == (True,)
 
 

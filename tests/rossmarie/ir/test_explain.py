@@ -137,7 +137,7 @@ def test_conditions_lend_their_name_to_their_parts() -> None:
     assert [cause.name for cause in story.last().causes] == ["robot.far", "robot.far", None]
 
 
-def test_a_duration_around_several_conditions_is_told_as_a_whole() -> None:
+def test_a_duration_around_several_conditions_is_reported_as_a_whole() -> None:
     story = Story("rule it: if (x > 1 m and (y > 1 m or on)) for 2 sec then { stop; };")
     story.send(1, x=2.0, y=3.0, on=0.0)
     story.advance(9)
@@ -190,7 +190,7 @@ def test_inputs_that_arrive_are_not_blamed() -> None:
     assert [stale.name for stale in story.last().stale_inputs] == ["y"]
 
 
-def test_equal_causes_are_told_once() -> None:
+def test_equal_causes_are_reported_once() -> None:
     story = Story("rule it: if x > 1 m and (x > 1 m or on) then { stop; };")
     story.send(1, x=2.0)
     assert len(story.last().causes) == 1
@@ -211,11 +211,11 @@ def test_causes_decide(case: Case) -> None:
 def assert_causes_decide(machine: ir.Machine, verdict: Verdict) -> None:
     rule = machine.rules[verdict.rule]
     explanation = explain(machine, verdict)
-    told = dict(zip(rule.terms, verdict.truth_values, strict=True))
+    reported = dict(zip(rule.terms, verdict.truth_values, strict=True))
     causes = {cause.proposition: cause.value for cause in explanation.causes}
     assert explanation.line() == explain(machine, verdict).line()
     outcome = value_from(machine, rule.condition, causes)
-    assert outcome is value_from(machine, rule.condition, told)
+    assert outcome is value_from(machine, rule.condition, reported)
     if verdict.change is Change.ACTIVATED_STALE:
         assert explanation.stale_inputs
         assert set(causes.values()) == {TruthValue.STALE}
@@ -249,13 +249,13 @@ def junction(node: ir.And | ir.Or, values: list[TruthValue | None]) -> TruthValu
     return None
 
 
-def test_what_looks_back_in_time_is_told_as_it_was_written() -> None:
+def test_what_looks_back_in_time_is_reported_as_it_was_written() -> None:
     story = Story("rule it: if not after on, x > 3 m within 2 sec then { stop; };")
     story.send(1, on=1.0, x=1.0)
     story.send(2, on=0.0)
     story.advance(3.5)
-    told = "on = false, x = 1 m, not after on, x > 3 m within 2 sec, true since 3.000 s"
-    assert story.last().lines() == (told,)
+    reported = "on = false, x = 1 m, not after on, x > 3 m within 2 sec, true since 3.000 s"
+    assert story.last().lines() == (reported,)
     story = Story(
         "entity e { near : x < 3 m; } rule it: if once e.near within 2 sec then { stop; };"
     )

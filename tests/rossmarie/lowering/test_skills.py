@@ -16,7 +16,7 @@ CONTACT = "rule contact: if force > 5 N then { stop; }"
 
 
 def doing(rules: str, skill: str = "") -> list[ir.Doing]:
-    """The questions of rules, in the order of the machine."""
+    """The queries of rules, in the order of the machine."""
     steps = (slot.path[0] for slot in machine_of(HEAD + rules).slots)
     return [step for step in steps if isinstance(step, ir.Doing) and skill in step.written]
 
@@ -24,7 +24,7 @@ def doing(rules: str, skill: str = "") -> list[ir.Doing]:
 # --- S58 ---------------------------------------------------------------------------------------
 
 
-def test_s58_a_question_asks_for_all_that_is_derived() -> None:
+def test_s58_a_query_asks_for_all_that_is_derived() -> None:
     rule = "rule it: if doing Move and doing Push(Object: Fragile) then { stop; };"
     move, push = doing(rule)
     assert (move.skills, move.arguments) == (("Drive", "Move"), ())
@@ -82,7 +82,7 @@ def test_s58_a_boolean_of_a_skill_is_0_or_1(number: float, active: set[str]) -> 
 # --- S67 ---------------------------------------------------------------------------------------
 
 
-def test_s67_a_question_about_what_can_start_next() -> None:
+def test_s67_a_query_about_what_can_start_next() -> None:
     robot = Robot("rule it: if ahead Push(Object: Fragile) then { stop; };")
     robot.tell(0, FRAGILE, ahead("Drive"), ahead("Push", Object="skiros.Box"))
     assert robot.active() == set()

@@ -76,7 +76,7 @@ def test_an_instant_out_of_range_is_refused() -> None:
         load().take(late, [0])
 
 
-def test_lost_events_are_told() -> None:
+def test_lost_events_are_reported() -> None:
     files = generate_loadable(MACHINE)
     start = "#include <stdlib.h>\n"
     assert start in files["host.c"]

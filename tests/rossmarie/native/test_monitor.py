@@ -277,7 +277,7 @@ def without_memory() -> NativeMonitor:
     return load_native(machine, {**files, "host.c": starved})
 
 
-def test_lost_events_are_told_even_if_none_is_left() -> None:
+def test_lost_events_are_reported_even_if_none_is_left() -> None:
     creeping = {0: ChannelValues({0: 0.15, 1: 0.0})}
     with pytest.raises(MemoryError, match="stale"):
         without_memory().update(0, creeping)
@@ -285,7 +285,7 @@ def test_lost_events_are_told_even_if_none_is_left() -> None:
         without_memory().run(TIMES, columns())
 
 
-def test_lost_events_of_fast_calls_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_lost_events_of_fast_calls_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monitor = without_memory()
     with pytest.raises(MemoryError):
         monitor.update_call(0)(0, 0.15, False)

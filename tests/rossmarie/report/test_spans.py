@@ -128,7 +128,7 @@ def test_a_span_goes_on_across_a_jump() -> None:
     assert jumping().duration_ns == 10 * SECOND
 
 
-def test_the_first_cause_is_told_on_the_axis(drive: Replay) -> None:
+def test_the_first_cause_is_reported_on_the_axis(drive: Replay) -> None:
     bump = summarize(drive)[1]
     assert bump.rule == "slow_on_bump"
     assert "acceleration.z = 14.7958 m/s^2" in bump.first_cause

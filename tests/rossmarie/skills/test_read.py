@@ -220,7 +220,7 @@ def twice(key: str) -> Change:
         ),
     ],
 )
-def test_what_is_wrong_is_told_by_its_place(change: Change, problem: str) -> None:
+def test_what_is_wrong_is_reported_by_its_place(change: Change, problem: str) -> None:
     assert problem_of(change) == problem
 
 

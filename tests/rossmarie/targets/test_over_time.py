@@ -43,10 +43,10 @@ def machine() -> ir.Machine:
     ]
     lasting = draft.proposition(Held(plain[3], 2 * TICK))
     nested = draft.proposition(Since(seen[1], lasting))
-    told = [*plain, kept, *seen, lasting, nested]
-    sides = draft.proposition(Or((*told, *(draft.proposition(Not(each)) for each in told))))
+    reported = [*plain, kept, *seen, lasting, nested]
+    sides = draft.proposition(Or((*reported, *(draft.proposition(Not(each)) for each in reported))))
     draft.rule(draft.proposition(And((shown, sides))))
-    for each in told:
+    for each in reported:
         draft.rule(each)
     return draft.machine()
 

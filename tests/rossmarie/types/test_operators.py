@@ -9,7 +9,7 @@ from rossmarie.types import (
     Interval,
     Message,
     Operator,
-    Outcome,
+    OperatorType,
     Quantity,
     Quaternion,
     Text,
@@ -31,7 +31,7 @@ UNSTATED = Quantity(None)
 FORCE = quantity("N")
 FORCES = Vector(FORCE)
 LENGTHS = Array(quantity("m"))
-TRUTH_VALUES = Array(Boolean())
+BOOLEANS = Array(Boolean())
 EVERY_TYPE: list[Type] = [
     Boolean(),
     Text(),
@@ -43,7 +43,7 @@ EVERY_TYPE: list[Type] = [
     Vector(UNSTATED),
     Quaternion(),
     LENGTHS,
-    TRUTH_VALUES,
+    BOOLEANS,
     Interval(FORCE),
     Box(quantity("m")),
     Message("a/B", {}),
@@ -74,11 +74,11 @@ EVERY_TYPE: list[Type] = [
         ("==", (Text(), Text()), Boolean()),
         ("!=", (Boolean(), Boolean()), Boolean()),
         ("==", (FORCE, FORCE), Boolean()),
-        ("<", (LENGTHS, quantity("mm")), TRUTH_VALUES),
-        ("in", (LENGTHS, Interval(quantity("m"))), TRUTH_VALUES),
+        ("<", (LENGTHS, quantity("mm")), BOOLEANS),
+        ("in", (LENGTHS, Interval(quantity("m"))), BOOLEANS),
         ("-", (LENGTHS, quantity("m")), LENGTHS),
-        ("and", (TRUTH_VALUES, TRUTH_VALUES), TRUTH_VALUES),
-        ("not", (TRUTH_VALUES,), TRUTH_VALUES),
+        ("and", (BOOLEANS, BOOLEANS), BOOLEANS),
+        ("not", (BOOLEANS,), BOOLEANS),
         ("abs", (LENGTHS,), LENGTHS),
         ("in", (quantity("deg"), Interval(quantity("rad"))), Boolean()),
         ("in", (Vector(quantity("m")), Box(quantity("mm"))), Boolean()),
@@ -89,8 +89,8 @@ EVERY_TYPE: list[Type] = [
         ("min", (LENGTHS,), quantity("m")),
         ("max", (FORCE, FORCE, quantity("mN")), FORCE),
         ("max", (NUMBER, UNSTATED), UNSTATED),
-        ("any", (TRUTH_VALUES,), Boolean()),
-        ("count", (TRUTH_VALUES,), NUMBER),
+        ("any", (BOOLEANS,), Boolean()),
+        ("count", (BOOLEANS,), NUMBER),
         ("pitch", (Quaternion(),), quantity("rad")),
         ("rate", (quantity("m/s"),), quantity("m/s^2")),
         ("rate", (UNSTATED,), UNSTATED),
@@ -110,7 +110,7 @@ EVERY_TYPE: list[Type] = [
     ],
 )
 def test_result(operator: str, operands: tuple[Type, ...], result: Type) -> None:
-    assert apply(Operator(operator), *operands) == Outcome(result)
+    assert apply(Operator(operator), *operands) == OperatorType(result)
 
 
 @pytest.mark.parametrize(
@@ -162,7 +162,7 @@ def test_result(operator: str, operands: tuple[Type, ...], result: Type) -> None
     ],
 )
 def test_faults(operator: str, operands: tuple[Type, ...], faults: list[Fault]) -> None:
-    assert apply(Operator(operator), *operands) == Outcome(Unknown(), tuple(faults))
+    assert apply(Operator(operator), *operands) == OperatorType(Unknown(), tuple(faults))
 
 
 @pytest.mark.parametrize("operator", Operator)
@@ -178,10 +178,10 @@ def test_every_operator_has_an_outcome_for_every_type(operator: Operator) -> Non
 @pytest.mark.parametrize("operator", Operator)
 def test_unknown_operands_absorb(operator: Operator) -> None:
     operands = (Unknown(),) * SIGNATURES[operator].least
-    assert apply(operator, *operands) == Outcome(Unknown())
+    assert apply(operator, *operands) == OperatorType(Unknown())
     if operator not in (Operator.AND, Operator.OR) and len(operands) > 1:
         others = (Message("a/B", {}),) * (len(operands) - 1)
-        assert apply(operator, *others, Unknown()) == Outcome(Unknown())
+        assert apply(operator, *others, Unknown()) == OperatorType(Unknown())
 
 
 def test_the_number_of_operands_is_the_callers_business() -> None:

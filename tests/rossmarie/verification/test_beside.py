@@ -63,7 +63,7 @@ def test_they_are_what_they_mean(prover: Prover, machine: ir.Machine, part: str)
         ]),
     ],
 )  # fmt: skip
-def test_a_seeded_fault_is_refuted(
+def test_a_mutant_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     reasons = {each for one in asked(prover, machine, change, [part]) for each in one.reasons}

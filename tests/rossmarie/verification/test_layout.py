@@ -68,8 +68,8 @@ def test_what_rests_on_what_is_what_all_targets_go_by(machine: ir.Machine) -> No
         arrays = ir.element_arrays(each)
         assert supports.elements(each) == supports.Elements(arrays.signals, arrays.propositions)
         for rule in each.rules:
-            told = supports.told(each, rule.condition)
-            assert (told.terms, told.signals, told.inputs) == (
+            reported = supports.reported(each, rule.condition)
+            assert (reported.terms, reported.signals, reported.inputs) == (
                 rule.terms, rule.signals, rule.inputs,
             )  # fmt: skip
 

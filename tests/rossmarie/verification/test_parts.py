@@ -36,11 +36,11 @@ rule waits: if not ready or mode == "manual" then { stop; };
 
 OVER_TIME = """\
 input ready = topic /ready : std_msgs/Bool .data timeout 1 sec;
-input told = topic /told : std_msgs/Bool .data;
+input reported = topic /reported : std_msgs/Bool .data;
 action stop;
-rule ever: if ready since told then { stop; };
-rule recent: if once told within 2 sec then { stop; };
-rule late: if not after told, ready within 2 sec then { stop; };
+rule ever: if ready since reported then { stop; };
+rule recent: if once reported within 2 sec then { stop; };
+rule late: if not after reported, ready within 2 sec then { stop; };
 """
 
 PREVIOUS = """\
@@ -127,7 +127,7 @@ def test_what_looks_back_is_what_it_means(
         (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
          "restart", "`held_before` is as it has to be"),
         (("either(m->truth_value[begun], m->since_before[k]);", "m->since_before[k];"), "visit_3",
-         "what `ready since told` was"),
+         "what `ready since reported` was"),
         (("        m->held_due_ns[k] = NEVER;\n",
           "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
          "restart", "`since_before` is as it has to be"),
@@ -156,7 +156,7 @@ def test_marks_of_more_than_64_nodes(
     rules = [f"rule r{n}: if speed > {n} m/s then {{ stop; }};" for n in range(1, 41)]
     machine = compiled("\n".join([WIDE, *rules]), tmp_path_factory)
     assert outcomes(prover, machine, NO_CHANGE, "visit_70") == set()
-    judged = "    if (node >= TRUTH_VALUES)\n        return judge"
+    judged = "    if (node >= PROPOSITIONS)\n        return judge"
     change = (judged, f"    m->pending = false;\n{judged}")
     wrong = {"it is left to `evaluate` to say that all is done", "what is marked can be evaluated"}
     assert outcomes(prover, machine, change, "visit_70") == wrong
@@ -174,7 +174,7 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
         "init",
         "latch",
         "numbers",
-        *deep(["advance", "catch_up", "handed", "inside", "questions", "reset", "restart",
+        *deep(["advance", "catch_up", "handed", "inside", "queries", "reset", "restart",
                "resting", "set_wake", "step", "tick", "update_tilt", "waiting"]),
     ],
 )  # fmt: skip
@@ -294,7 +294,7 @@ FAULTS = (
 
 
 @pytest.mark.parametrize(("change", "part", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
-def test_a_seeded_fault_is_refuted(
+def test_a_mutant_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
@@ -343,7 +343,7 @@ def test_what_counts_and_elements_are_what_they_mean(
          "the guard of `min(ranges)`"),
     ],
 )  # fmt: skip
-def test_a_seeded_fault_in_them_is_refuted(
+def test_a_mutant_in_them_is_refuted(
     prover: Prover, counting: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))

@@ -71,7 +71,7 @@ def _has_header(message: Message) -> bool:
     return isinstance(header, Message) and isinstance(header.fields.get(HEADER[1]), Text)
 
 
-def is_told(used: CheckedInput, path: Sequence[object]) -> bool:
+def is_reported(used: CheckedInput, path: Sequence[object]) -> bool:
     """Say whether what an input says of its frame holds for the part at a path: it is the same
     field of the message that would say so.
     """
@@ -135,7 +135,7 @@ def _of_part(node: ast.Reference | ast.Member | ast.Index, context: Context) -> 
     if not has_frame(context.type_of(node)):
         return None
     used, path = _brought(node, context)
-    if used is None or used.frame is None or not is_told(used, (*used.path, *path)):
+    if used is None or used.frame is None or not is_reported(used, (*used.path, *path)):
         return None
     return Framed(used.frame, used)
 

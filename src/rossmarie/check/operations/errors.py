@@ -186,7 +186,7 @@ class ConstantTooLarge(Error, code="ROSS218", name="constant-too-large"):
 
 
 class NotAnArray(Error, code="ROSS221", name="not-an-array"):
-    """An index, or a question about elements, on something without elements."""
+    """An index, or a query about elements, on something without elements."""
 
     title = "{purpose} needs an array"
     label = "this is {found}"

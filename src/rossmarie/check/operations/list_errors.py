@@ -56,7 +56,7 @@ class NotOfTheElement(Error, code="ROSS240", name="not-of-the-element"):
         number: str
 
     class OneLevel(Remark):
-        says = "rules look at one list at a time: join two such questions by `and` or `or`"
+        says = "rules look at one list at a time: join two such queries by `and` or `or`"
 
     class Unused(Remark):
         says = "name a field of the element, `{variable}. ...`"

@@ -1,4 +1,4 @@
-"""Questions about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
+"""Queries about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
 
 What stands behind the colon is an expression like any other, in which a name stands for the
 element. It may rest on the element, on constants, and on numbers of other messages.

@@ -209,7 +209,7 @@ def _bounded(command: reactions.CommandTopic, bound: reactions.Bound) -> str:
 
 
 def _lifted(command: reactions.CommandTopic, bounds: tuple[reactions.Bound, ...]) -> list[str]:
-    """Tell how each bound goes; those that go alike are told together."""
+    """Tell how each bound goes; those that go alike are reported together."""
     ways: dict[str, list[str]] = {}
     for bound in bounds:
         field = command.fields[bound.field]

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from rossmarie import ir
 from rossmarie.core import row, sampling_row
-from rossmarie.ir.calls import question_at
+from rossmarie.ir.calls import query_at
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.naming import field_names
 from rossmarie.ir.path import path_words
@@ -180,11 +180,11 @@ def _field_name(
     written: str | None,
 ) -> str:
     """The name that the rules use, if it means this field alone; else the shortest one that does,
-    or the whole path. A question to the skills that run goes by its words.
+    or the whole path. A query to the skills that run goes by its words.
     """
-    question = question_at(field.path)
-    if question is not None:
-        return str(question)
+    query = query_at(field.path)
+    if query is not None:
+        return str(query)
     if written in names:
         return written
     path = ".".join((machine.inputs[field.input].name, *ir.path_names(field.path)))

@@ -131,12 +131,12 @@ def open_points(content: SafetyFile) -> tuple[str, ...]:
 def _unasked(content: SafetyFile) -> Iterator[str]:
     if not content.is_thorough:
         yield (
-            "The thorough questions about these rules were not asked: only the quick check was "
+            "The thorough queries about these rules were not asked: only the quick check was "
             "run, and nothing is proved about what can never happen."
         )
     undecided = [each for each in content.findings if each.diagnostic.code == Undecided.code]
     if undecided:
-        yield f"{_counted(len(undecided), 'question')} about these rules could not be decided."
+        yield f"{_counted(len(undecided), 'query')} about these rules could not be decided."
 
 
 def _of_severity(content: SafetyFile, *, is_note: bool) -> list[Finding]:

@@ -1,6 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
-// Answers of the skills that run to the questions of the rules. Nothing in a message is trusted:
+// Answers of the skills that run to the queries of the rules. Nothing in a message is trusted:
 // where it is from another export, or too large, nobody knows the answer, which is NAN.
 #pragma once
 

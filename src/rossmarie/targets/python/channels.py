@@ -13,7 +13,7 @@ from functools import cached_property
 from rossmarie import ir
 from rossmarie.targets.python import expressions, names
 from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Guard, Layout, number
+from rossmarie.targets.python.layout import Layout, ValueLimits, number
 
 _LARGEST_EXACT = 2.0**53
 """Below it every integer is a double, so that comparing it is comparing that."""
@@ -50,12 +50,12 @@ def update(layout: Layout, channel: int) -> list[str]:
     if channel in calm_channels(layout):
         _Calm(layout, channel).write(function)
     _convert(layout, channel, function)
-    function.line("told = len(events)")
+    function.line("reported = len(events)")
     function.line("if (not now <= at_ns <= wake or at_ns >= LATEST) and not catch_up(at_ns):")
     function.line("return -1", 1)
     _take(layout, channel, function)
     function.line(f"evaluate(at_ns, {1 << channel})")
-    function.line("return len(events) - told")
+    function.line("return len(events) - reported")
     return function.text()
 
 
@@ -208,8 +208,8 @@ class _Calm:
 
     @cached_property
     def _shown(self) -> set[int]:
-        """The signals that are told without an evaluation before: by verdicts of resets (S38), and
-        margins with all that they are made of.
+        """The signals that are reported without an evaluation before: by verdicts of resets (S38),
+        and margins with all that they are made of.
         """
         machine = self._layout.machine
         resets = {s for rule in machine.rules if rule.release is None for s in rule.signals}
@@ -227,5 +227,5 @@ class _Calm:
         return name not in self._looked_at and (guard is None or _is_narrow(guard))
 
 
-def _is_narrow(guard: Guard) -> bool:
+def _is_narrow(guard: ValueLimits) -> bool:
     return all(abs(cut) < _LARGEST_EXACT for cut in guard.cuts)

@@ -132,7 +132,7 @@ int64_t arrays_next_wake(const arrays_monitor *m);
 
 bool arrays_is_active(const arrays_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void arrays_latch(arrays_monitor *m, int rule);

@@ -158,7 +158,7 @@ int64_t memories_next_wake(const memories_monitor *m);
 
 bool memories_is_active(const memories_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void memories_latch(memories_monitor *m, int rule);

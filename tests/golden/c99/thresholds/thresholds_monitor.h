@@ -134,7 +134,7 @@ int64_t thresholds_next_wake(const thresholds_monitor *m);
 
 bool thresholds_is_active(const thresholds_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void thresholds_latch(thresholds_monitor *m, int rule);

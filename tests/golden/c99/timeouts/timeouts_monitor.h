@@ -139,7 +139,7 @@ int64_t timeouts_next_wake(const timeouts_monitor *m);
 
 bool timeouts_is_active(const timeouts_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void timeouts_latch(timeouts_monitor *m, int rule);

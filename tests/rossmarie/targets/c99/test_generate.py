@@ -11,7 +11,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.driver import compile_file
-from rossmarie.ir.reactions import CancelGoal, Plan
+from rossmarie.ir.reactions import CancelGoal, RecoveryPlan
 from rossmarie.targets.c99 import engine, generate, generate_loadable
 from rossmarie.targets.c99.monitor import own_files
 from support.c99_cases import CASES
@@ -163,7 +163,7 @@ def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None
     run([C_COMPILERS[0], *quick, *sorted(tmp_path.glob("*.c"))])
 
 
-def test_texts_are_told_to_whoever_gives_them() -> None:
+def test_texts_are_reported_to_whoever_gives_them() -> None:
     header = generate(CASES["memories"]())["memories_monitor.h"]
     assert "extern const char *const memories_texts[1];" in header
     assert "_texts[" not in generate(CASES["arrays"]())["arrays_monitor.h"]
@@ -193,7 +193,9 @@ def test_a_reactor_has_only_what_it_needs() -> None:
     assert isinstance(cancel, CancelGoal)
     cancel = replace(cancel, confirmation=None)
     tasks = (replace(found.tasks[3], effect=cancel, otherwise=()),)
-    plain = replace(found, commands=(), tasks=tasks, plans=(Plan(((0,),), (0,)), Plan((), ())))
+    plain = replace(
+        found, commands=(), tasks=tasks, plans=(RecoveryPlan(((0,),), (0,)), RecoveryPlan((), ()))
+    )
     files = own_files(replace(machine, reactions=plain, watches=()))
     assert "math.h>" not in files["reacting_reactor.c"]
     assert not re.search("_bounds|_watch", "".join(files.values()))

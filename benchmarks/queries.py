@@ -1,0 +1,165 @@
+"""What the queries about rules cost, by how many rules there are: writes the table as a page."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+from machine import processor
+from written_page import written_page
+
+from rossmarie.analysis.conflict import find_conflicts
+from rossmarie.analysis.decided import find_decided
+from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.feedback import find_alternating
+from rossmarie.analysis.holding import find_self_holding
+from rossmarie.analysis.implied import find_implied
+from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.latches import find_released_latches
+from rossmarie.analysis.queries import ask_all
+from rossmarie.analysis.rates import find_unfit_durations
+from rossmarie.analysis.recovery import find_blocked
+from rossmarie.analysis.release import find_never_cleared
+from rossmarie.driver import compile_file
+from rossmarie.driver.analyze import TOGGLE_NS
+
+HERE = Path(__file__).parent
+BENCH = HERE.parent / "build" / "bench"
+COUNTS = (3, 10, 30, 100)
+SIMPLE_COUNTS = (8, 30, 100, 300)
+QUERIES = {
+    "in conflict (quick)": lambda asked: find_conflicts(asked, thorough=False),
+    "never or always active, constant parts (quick)": lambda asked: find_decided(
+        asked, thorough=False
+    ),
+    "whose loss nobody notices (quick)": find_unnoticed,
+    "recoveries that are blocked (quick)": find_blocked,
+    "rules that keep themselves active (quick)": find_self_holding,
+    "latches that rules release (quick)": find_released_latches,
+    "rules that set each other off (quick)": find_alternating,
+    "durations that do not fit rates (quick)": find_unfit_durations,
+    "superfluous, or never its turn": find_implied,
+    "never cleared": find_never_cleared,
+}
+
+
+def rules(count: int) -> str:
+    """Rules with durations over four inputs, of which every other needs the same parameter."""
+    lines = [
+        "system base { topic /imu : sensor_msgs/Imu at 100 Hz;",
+        "topic /odom : nav_msgs/Odometry at [15, 25] Hz; }",
+        "input orientation = topic /imu : sensor_msgs/Imu .orientation timeout 0.2 sec",
+        "input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec",
+        "input force = topic /wrench : geometry_msgs/Wrench .force timeout 0.1 sec",
+        "input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.5 sec",
+    ]
+    conditions = (
+        "(orientation.pitch() > {0} deg for 2 sec) and speed > 0.{0} m/s",
+        "(norm(force) > {0} N for 1 sec) or min(ranges) < 0.{0} m",
+        "abs(speed) > {0} m/s and (any(ranges < 0.{0} m) for 0.5 sec)",
+    )
+    for number in range(count):
+        condition = conditions[number % 3].format(10 + number % 70)
+        lines.append(f"action act{number} {{ set /planner{number // 2}.speed to 0.{number + 1}; }}")
+        lines.append(f"rule r{number}: if {condition} then {{ act{number}; }} clear for 2 sec;")
+    return "\n".join(lines) + "\n"
+
+
+def simple_rules(count: int) -> str:
+    """Rules with a threshold or two each over five inputs, none of which stands in the way of
+    another.
+    """
+    lines = [
+        "input speed = topic /odom : nav_msgs/Odometry .twist.twist.linear.x timeout 0.5 sec",
+        "input orientation = topic /imu : sensor_msgs/Imu .orientation timeout 0.2 sec",
+        "input force = topic /wrench : geometry_msgs/Wrench .force timeout 0.1 sec",
+        "input ranges = topic /scan : sensor_msgs/LaserScan .ranges timeout 0.5 sec",
+        "input charge = topic /battery : sensor_msgs/BatteryState .percentage timeout 5 sec",
+    ]
+    conditions = (
+        "speed > 0.{0} m/s",
+        "abs(orientation.pitch()) > {0} deg for 1 sec",
+        "norm(force) > {0} N",
+        "min(ranges) < 0.{0} m",
+        "charge < 0.{0} and speed > 0.{0} m/s",
+    )
+    for number in range(count):
+        condition = conditions[number % 5].format(10 + number % 70)
+        lines.append(f'action act{number} {{ log warning "rule {number}"; }}')
+        lines.append(f"rule r{number}: if {condition} then {{ act{number}; }} clear for 2 sec;")
+    return "\n".join(lines) + "\n"
+
+
+def simple_seconds(count: int) -> tuple[float, float]:
+    """CPU time of reading, checking and lowering so many simple rules, and of all quick queries
+    about them.
+    """
+    path = BENCH / f"simple_{count}.ross"
+    path.write_text(simple_rules(count), encoding="utf-8")
+    start = time.process_time()
+    machine = compile_file(path).machine
+    compiled = time.process_time()
+    assert not list(ask_all(machine, thorough=False, within_ns=TOGGLE_NS)), "rules without faults"
+    return compiled - start, time.process_time() - compiled
+
+
+def seconds(count: int) -> dict[str, float]:
+    """CPU time of each query about so many rules."""
+    BENCH.mkdir(parents=True, exist_ok=True)
+    path = BENCH / f"queries_{count}.ross"
+    path.write_text(rules(count), encoding="utf-8")
+    machine = compile_file(path).machine
+    took = {}
+    for name, query in QUERIES.items():
+        start = time.process_time()
+        list(query(Inquiry(machine)))
+        took[name] = time.process_time() - start
+    return took
+
+
+def page() -> str:
+    """The whole page."""
+    found = {count: seconds(count) for count in COUNTS}
+    lines = [
+        "# What queries about rules cost",
+        "",
+        "Written by `benchmarks/queries.py`; do not edit. CPU seconds of one process, on",
+        f"{processor()}. The rules are generated: durations over four inputs,",
+        "and every two rules need the same parameter.",
+        "",
+        "| Query | " + " | ".join(f"{count} rules" for count in COUNTS) + " |",
+        "|---" * (len(COUNTS) + 1) + "|",
+    ]
+    for name in QUERIES:
+        cells = " | ".join(f"{found[count][name]:.2f}" for count in COUNTS)
+        lines.append(f"| {name} | {cells} |")
+    quick = (
+        sum(took for name, took in found[count].items() if "quick" in name) for count in COUNTS
+    )
+    lines.append("| all quick ones | " + " | ".join(f"{total:.2f}" for total in quick) + " |")
+    return "\n".join([*lines, *simple_lines()]) + "\n"
+
+
+def simple_lines() -> list[str]:
+    """The table of simple rules."""
+    simple_seconds(SIMPLE_COUNTS[0])  # the first time reads the tables of the parser, too
+    found = [simple_seconds(count) for count in SIMPLE_COUNTS]
+    return [
+        "",
+        "Rules with a threshold or two each, about which there is nothing to find; CPU seconds of",
+        "the same process, which has imported all it needs:",
+        "",
+        "| | " + " | ".join(f"{count} rules" for count in SIMPLE_COUNTS) + " |",
+        "|---" * (len(SIMPLE_COUNTS) + 1) + "|",
+        "| read, check and lower | " + " | ".join(f"{each[0]:.2f}" for each in found) + " |",
+        "| all quick queries | " + " | ".join(f"{each[1]:.2f}" for each in found) + " |",
+    ]
+
+
+def main() -> None:
+    """Write the page."""
+    written_page(__doc__).write_text(page(), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,54 @@
+"""The context that all skills of a task share while they run."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+
+from ezskiros.engine.events import Event, Reason
+from ezskiros.engine.expansion import Expansions
+from ezskiros.engine.inference import Solution
+from ezskiros.engine.options import Locks
+from ezskiros.engine.plans import Plans
+from ezskiros.engine.running import RunningSkills
+from ezskiros.engine.world import World
+from ezskiros.engine.world_model import WorldModel
+from ezskiros.skills.interface import SkillInterface
+from ezskiros.trees.library import Library
+
+Choose = Callable[[SkillInterface, Sequence[Solution]], Solution]
+"""Picks one of several things that parameters can stand for."""
+Guard = Callable[[str], str | None]
+"""Says why a skill has to wait before it starts, by its name; None if it may start."""
+
+
+def _first(_skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
+    return solutions[0]
+
+
+@dataclass
+class ExecutionContext:
+    """The world, the library, and how skills are run."""
+
+    library: Library
+    world: World
+    tell: Callable[[Event], None] = lambda _: None
+    simulate: bool = False
+    """True if primitives do nothing but what their post-conditions say."""
+    compatible: bool = False
+    """True if all is as in SkiROS2, even what is a defect there."""
+    choose: Choose = _first
+    clock: Callable[[], float] = time.monotonic
+    """In seconds."""
+    expansions: Expansions = field(default_factory=Expansions)
+    last_failure: Reason | None = None
+    """Of the skill that failed last: what is above it fails because of that."""
+    guard: Guard | None = None
+    """It stands in front of each primitive."""
+
+    def __post_init__(self) -> None:
+        self.plans = Plans(self.library)
+        self.locks = Locks()
+        self.running = RunningSkills()
+        self.world_model = WorldModel(self.world)

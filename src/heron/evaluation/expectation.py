@@ -1,0 +1,109 @@
+"""Expectations, verdicts on them, and those that more than one experiment has."""
+
+from __future__ import annotations
+
+import enum
+from dataclasses import dataclass
+
+import numpy as np
+
+from heron.evaluation.sample import Sample
+from heron.evaluation.statistics import Estimate, median
+from heron.experiments.experiment import ARM_NAMES
+from heron.variants import Arm
+
+_SURE = 0.05
+MARGIN = 0.1
+"""A tenth more harm, or a tenth more time, counts as the same."""
+
+
+class Verdict(enum.Enum):
+    """The verdict on an expectation."""
+
+    HOLDS = "as expected"
+    FAILS = "not as expected"
+    OPEN = "not to be distinguished from these episodes"
+
+
+@dataclass(frozen=True)
+class Expectation:
+    """An expectation, what was found about it, and the verdict. Its key does not change when its
+    words do.
+    """
+
+    key: str
+    expected: str
+    found: str
+    verdict: Verdict
+
+
+def between(estimate: Estimate, digits: int) -> str:
+    """`1.0 [0.9, 1.2]`; without the brackets where nothing is known of it, or all are the same."""
+    text, low, high = (
+        f"{round(number, digits) + 0.0:.{digits}f}"  # no zero with a sign
+        for number in (estimate.value, estimate.low, estimate.high)
+    )
+    return text if np.isnan(estimate.low) or low == high else f"{text} [{low}, {high}]"
+
+
+def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Expectation:
+    """Expect more harm without a monitor than with this guard."""
+    measure = sample.experiment.measure(harm)
+    compared = sample.compared(harm, Arm.NONE, guarded)
+    difference = between(compared.difference, measure.digits)
+    return Expectation(
+        f"harm {guarded.value} {harm}",
+        f"{measure.label}: greater without a monitor than with {ARM_NAMES[guarded]}",
+        f"by {difference} {measure.unit}, p = {compared.chance:.2g}",
+        greater(compared.difference.value, compared.chance),
+    )
+
+
+def greater(difference: float, chance: float) -> Verdict:
+    """The verdict on a difference that is expected to be above 0, by the chance of it."""
+    if chance < _SURE:
+        return Verdict.HOLDS
+    return Verdict.OPEN if difference > 0 else Verdict.FAILS
+
+
+def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) -> Expectation:
+    """Expect no more harm than with another guard."""
+    measure = sample.experiment.measure(harm)
+    found = sample.compared(harm, ours, other).difference
+    margin = MARGIN * float(np.median(sample.values(other, harm)))
+    return Expectation(
+        f"safe {other.value} {harm}",
+        f"{measure.label}: with {with_arm(ours)} at most a tenth more than with {with_arm(other)}",
+        f"the difference is {between(found, measure.digits)} {measure.unit}",
+        at_most(found, margin),
+    )
+
+
+def with_arm(arm: Arm) -> str:
+    """The name of an arm in a sentence."""
+    return f"the {ARM_NAMES[arm]}" if arm is Arm.COLLISION_MONITOR else ARM_NAMES[arm]
+
+
+def at_most(found: Estimate, most: float) -> Verdict:
+    """The verdict on an estimate that is expected to be no more than this."""
+    if np.isnan(found.low):
+        return Verdict.OPEN
+    if found.high <= most:
+        return Verdict.HOLDS
+    return Verdict.FAILS if found.low > most else Verdict.OPEN
+
+
+def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Expectation:
+    """Expect that something is done so soon (s).
+
+    An episode without a reaction has no value here; how many have one stands in the table.
+    """
+    measure = sample.experiment.measure(f"reaction_{hazard}")
+    values = sample.values(Arm.ROSSMARIE, measure.name)
+    found = median(values) if values else None
+    return Expectation(
+        f"in time {hazard}",
+        f"{measure.label}: with ROSSMARie within {seconds:g} s",
+        "it never acted" if found is None else f"{between(found, measure.digits)} s",
+        Verdict.FAILS if found is None else at_most(found, seconds),
+    )

@@ -1,0 +1,177 @@
+"""Expectations of the arms, and verdicts on them.
+
+The thesis says: without a monitor the robot finishes fast, with harm; DeROS is safe and waits for
+its operator; ROSSMARie is as safe and finishes without one.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from heron.evaluation.expectation import (
+    MARGIN,
+    Expectation,
+    Verdict,
+    acts_in_time,
+    as_safe,
+    at_most,
+    between,
+    greater,
+    there_is_harm,
+    with_arm,
+)
+from heron.evaluation.learning_expectations import expectations_of_learning
+from heron.evaluation.place_expectations import expectations_of_places
+from heron.evaluation.sample import Sample
+from heron.evaluation.skill_expectations import expectations_of_skills
+from heron.evaluation.tree_expectations import expectations_of_trees
+from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
+from heron.variants import Arm
+
+
+def expectations_of(sample: Sample) -> Iterator[Expectation]:
+    """All that is expected of a variant."""
+    if Arm.LEARNED in sample.arms:
+        yield from expectations_of_learning(sample)
+        return
+    if Arm.TREES in sample.arms:
+        yield from expectations_of_trees(sample)
+        return
+    if Arm.PROACTIVE in sample.arms:
+        yield from expectations_of_places(sample)
+        return
+    if Arm.SKILL_AWARE in sample.arms:
+        yield from expectations_of_skills(sample)
+        return
+    if not sample.harms:
+        yield _everybody_finishes(sample)
+        yield _nobody_interferes(sample)
+        return
+    for harm in sample.harms:
+        yield there_is_harm(sample, harm, Arm.DEROS)
+        yield there_is_harm(sample, harm, Arm.ROSSMARIE)
+        yield from (as_safe(sample, harm, other) for other in _others(sample))
+    for gain in sample.gains:
+        yield from (_better(sample, gain, other) for other in _others(sample))
+    for hazard, seconds in sample.acts_within.items():
+        yield acts_in_time(sample, hazard, seconds)
+    yield _unguarded_is_fastest(sample)
+    yield _finishes_with_operator(sample)
+    yield _finishes_alone(sample)
+    yield _sooner(sample)
+    if Arm.COLLISION_MONITOR in sample.arms:
+        yield _does_as_much(sample)
+
+
+def _others(sample: Sample) -> list[Arm]:
+    """The guards that ROSSMARie is compared with."""
+    return [arm for arm in sample.arms if arm not in (Arm.NONE, Arm.ROSSMARIE)]
+
+
+def _better(sample: Sample, gain: str, other: Arm) -> Expectation:
+    measure = sample.experiment.measure(gain)
+    compared = sample.compared(gain, Arm.ROSSMARIE, other)
+    return Expectation(
+        f"better {other.value} {gain}",
+        f"{measure.label}: more with ROSSMARie than with {with_arm(other)}",
+        f"by {between(compared.difference, measure.digits)} {measure.unit}, "
+        f"p = {compared.chance:.2g}",
+        greater(compared.difference.value, compared.chance),
+    )
+
+
+def _does_as_much(sample: Sample) -> Expectation:
+    """Times are compared where both arms always finish."""
+    other = Arm.COLLISION_MONITOR
+    ours, theirs = sample.completed(Arm.ROSSMARIE), sample.completed(other)
+    found = sample.compared(DURATION.name, Arm.ROSSMARIE, other).difference
+    if theirs == sample.count(other):
+        margin = MARGIN * float(np.median(sample.values(other, DURATION.name)))
+        verdict = at_most(found, margin) if ours == sample.count(Arm.ROSSMARIE) else Verdict.FAILS
+    else:
+        verdict = Verdict.HOLDS if ours >= theirs else Verdict.FAILS
+    return Expectation(
+        "does as much",
+        "ROSSMARie finishes as often as the collision monitor or more often, and if both always "
+        "finish, at most a tenth later",
+        f"{ours} and {theirs} episodes finish; ROSSMARie is later by "
+        f"{between(found, DURATION.digits)} s",
+        verdict,
+    )
+
+
+def _unguarded_is_fastest(sample: Sample) -> Expectation:
+    times = {arm: float(np.median(sample.values(arm, DURATION.name))) for arm in sample.arms}
+    completed, total = sample.completed(Arm.NONE), sample.count(Arm.NONE)
+    is_fastest = times[Arm.NONE] == min(times.values())
+    return Expectation(
+        "fastest",
+        "without a monitor the robot finishes, and soonest of all",
+        f"it finishes in {completed} of {total} episodes, and takes {times[Arm.NONE]:.1f} s; "
+        f"{times[Arm.ROSSMARIE]:.1f} s with ROSSMARie",
+        Verdict.HOLDS if completed == total and is_fastest else Verdict.FAILS,
+    )
+
+
+def _finishes_with_operator(sample: Sample) -> Expectation:
+    visits = sample.values(Arm.DEROS, INTERVENTIONS.name)
+    completed, total = sample.completed(Arm.DEROS), sample.count(Arm.DEROS)
+    return Expectation(
+        "operator",
+        "with DeROS it finishes, after an operator has come",
+        f"it finishes in {completed} of {total} episodes; "
+        f"the operator came in {sum(count > 0 for count in visits)}, "
+        f"{sum(visits):.0f} times in all",
+        Verdict.HOLDS if completed == total and min(visits) > 0 else Verdict.FAILS,
+    )
+
+
+def _finishes_alone(sample: Sample) -> Expectation:
+    visits = sample.values(Arm.ROSSMARIE, INTERVENTIONS.name)
+    completed, total = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
+    return Expectation(
+        "alone",
+        "with ROSSMARie it finishes without an operator",
+        f"it finishes in {completed} of {total} episodes; "
+        f"the operator came {sum(visits):.0f} times",
+        Verdict.HOLDS if completed == total and sum(visits) == 0 else Verdict.FAILS,
+    )
+
+
+def _sooner(sample: Sample) -> Expectation:
+    compared = sample.compared(DURATION.name, Arm.DEROS, Arm.ROSSMARIE)
+    return Expectation(
+        "sooner",
+        "ROSSMARie is done sooner than DeROS",
+        f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
+        greater(compared.difference.value, compared.chance),
+    )
+
+
+def _everybody_finishes(sample: Sample) -> Expectation:
+    found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
+    words = "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items())
+    all_do = all(done == total for done, total in found.values())
+    return Expectation(
+        "all finish",
+        "where there is no hazard, the task is done in every arm",
+        words,
+        Verdict.HOLDS if all_do else Verdict.FAILS,
+    )
+
+
+def _nobody_interferes(sample: Sample) -> Expectation:
+    guarded = (Arm.DEROS, Arm.ROSSMARIE)
+    needless = {arm: sample.values(arm, WITHOUT_NEED.name) for arm in guarded}
+    found = {arm: (sum(time > 0 for time in times), len(times)) for arm, times in needless.items()}
+    words = "; ".join(
+        f"{ARM_NAMES[arm]}: in {some} of {all_}" for arm, (some, all_) in found.items()
+    )
+    return Expectation(
+        "no interference",
+        "where there is no hazard, no rule interferes",
+        f"episodes with interference: {words}",
+        Verdict.FAILS if any(some for some, _ in found.values()) else Verdict.HOLDS,
+    )

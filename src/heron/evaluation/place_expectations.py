@@ -1,0 +1,110 @@
+"""Expectations of rules that know what lies ahead, beside rules that see it when it is there.
+
+Section 5 of the thesis: it is sometimes too late to detect what is unsafe from the values of
+sensors. Rules that read the world model are in time, and cost little where nobody is.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from heron.evaluation.expectation import (
+    MARGIN,
+    Expectation,
+    Verdict,
+    at_most,
+    between,
+    greater,
+    there_is_harm,
+)
+from heron.evaluation.sample import Sample
+from heron.experiments.experiment import ARM_NAMES, DURATION
+from heron.variants import Arm
+
+_SENSORS, _SKILLS, _PLACES = Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE
+_IMPACT = "impact"
+
+
+def expectations_of_places(sample: Sample) -> Iterator[Expectation]:
+    """All that is expected of a variant."""
+    yield _everybody_arrives(sample)
+    if sample.harms:
+        for harm in sample.harms:
+            yield there_is_harm(sample, harm, _SENSORS)
+            yield _less(sample, harm)
+        yield _too_late(sample)
+        yield from (_stands_before(sample, arm) for arm in (_SKILLS, _PLACES))
+    yield _costs_little(sample)
+    yield _sooner_than_with_skills(sample)
+
+
+def _everybody_arrives(sample: Sample) -> Expectation:
+    found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
+    return Expectation(
+        "arrives",
+        "the base arrives in every arm",
+        "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items()),
+        Verdict.HOLDS if all(a == b for a, b in found.values()) else Verdict.FAILS,
+    )
+
+
+def _less(sample: Sample, harm: str) -> Expectation:
+    measure = sample.experiment.measure(harm)
+    compared = sample.compared(harm, _SENSORS, _PLACES)
+    return Expectation(
+        f"less {harm}",
+        f"{measure.label}: greater with rules that know sensors only than with those that know "
+        "places",
+        f"by {between(compared.difference, measure.digits)} {measure.unit}, "
+        f"p = {compared.chance:.2g}",
+        greater(compared.difference.value, compared.chance),
+    )
+
+
+def _hits(sample: Sample, arm: Arm) -> tuple[int, int]:
+    """The episodes in which the base moved while it touched the child, and all."""
+    return sum(value > 0 for value in sample.values(arm, _IMPACT)), sample.count(arm)
+
+
+def _too_late(sample: Sample) -> Expectation:
+    hits, total = _hits(sample, _SENSORS)
+    return Expectation(
+        "too late",
+        "rules that know sensors only are too late in some episodes",
+        f"the base hits the child in {hits} of {total}",
+        Verdict.HOLDS if hits else Verdict.FAILS,
+    )
+
+
+def _stands_before(sample: Sample, arm: Arm) -> Expectation:
+    hits, total = _hits(sample, arm)
+    return Expectation(
+        f"stands {arm.value}",
+        f"with {ARM_NAMES[arm]} the base stands before it touches the child, in every episode",
+        f"in {total - hits} of {total}",
+        Verdict.FAILS if hits else Verdict.HOLDS,
+    )
+
+
+def _costs_little(sample: Sample) -> Expectation:
+    found = sample.compared(DURATION.name, _PLACES, _SENSORS).difference
+    usual = float(np.median(sample.values(_SENSORS, DURATION.name)))
+    return Expectation(
+        "costs little",
+        "with rules that know places the base arrives at most a tenth later than with those that "
+        "know sensors only",
+        f"later by {between(found, DURATION.digits)} s, of {usual:.1f} s",
+        at_most(found, MARGIN * usual),
+    )
+
+
+def _sooner_than_with_skills(sample: Sample) -> Expectation:
+    compared = sample.compared(DURATION.name, _SKILLS, _PLACES)
+    return Expectation(
+        "sooner than skills",
+        "and sooner than with rules that know the skill only, and are careful all the way",
+        f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
+        greater(compared.difference.value, compared.chance),
+    )

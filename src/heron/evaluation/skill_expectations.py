@@ -1,0 +1,82 @@
+"""Expectations of rules that know which skills run, beside the same rules without that.
+
+Contact that a skill is there for does not stop the robot; all other contact does, as soon and as
+well as ever.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from heron.evaluation.expectation import Expectation, Verdict, as_safe, there_is_harm, with_arm
+from heron.evaluation.sample import Sample
+from heron.experiments.experiment import EXEMPTIONS, WITHOUT_NEED
+from heron.variants import Arm, Encounter
+
+_WITHIN_A_SKILL = (Encounter.JAMMED.value,)
+"""The variants whose hazard comes while a skill runs: rules that know sensors only have stopped the
+robot before, and nobody can finish.
+"""
+
+
+def expectations_of_skills(sample: Sample) -> Iterator[Expectation]:
+    """All that is expected of a variant."""
+    is_within = sample.variant in _WITHIN_A_SKILL
+    guarded = (Arm.SKILL_AWARE,) if is_within else (Arm.ROSSMARIE, Arm.SKILL_AWARE)
+    for harm in sample.harms:
+        yield from (there_is_harm(sample, harm, arm) for arm in guarded)
+        if not is_within:
+            yield as_safe(sample, harm, Arm.ROSSMARIE, Arm.SKILL_AWARE)
+    for hazard, seconds in sample.acts_within.items():
+        yield from (_stops(sample, hazard, seconds, arm) for arm in guarded)
+    if not is_within:
+        yield _finishes(sample)
+    if not sample.harms:
+        yield _does_not_interfere(sample)
+        yield _uses_exemptions(sample)
+
+
+def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> Expectation:
+    measure = sample.experiment.measure(f"reaction_{hazard}")
+    times = sample.values(arm, measure.name)
+    stopped, total = sum(time <= seconds for time in times), sample.count(arm)
+    return Expectation(
+        f"stops {arm.value} {hazard}",
+        f"{sample.experiment.hazards[hazard]}: with {with_arm(arm)} it is acted on within "
+        f"{seconds:g} s in every episode",
+        f"in {stopped} of {total}",
+        Verdict.HOLDS if stopped == total else Verdict.FAILS,
+    )
+
+
+def _finishes(sample: Sample) -> Expectation:
+    ours, total = sample.completed(Arm.SKILL_AWARE), sample.count(Arm.SKILL_AWARE)
+    theirs, of_them = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
+    return Expectation(
+        "finishes",
+        "with rules that know skills the task is always done, without that it never is",
+        f"it is done in {ours} of {total} episodes, and in {theirs} of {of_them}",
+        Verdict.HOLDS if ours == total and not theirs else Verdict.FAILS,
+    )
+
+
+def _does_not_interfere(sample: Sample) -> Expectation:
+    times = sample.values(Arm.SKILL_AWARE, WITHOUT_NEED.name)
+    some = sum(time > 0 for time in times)
+    return Expectation(
+        "no interference",
+        "where there is no hazard, no rule that knows skills interferes",
+        f"episodes with interference: {some} of {len(times)}",
+        Verdict.FAILS if some else Verdict.HOLDS,
+    )
+
+
+def _uses_exemptions(sample: Sample) -> Expectation:
+    counts = sample.values(Arm.SKILL_AWARE, EXEMPTIONS.name)
+    used = sum(count >= 2 for count in counts)
+    return Expectation(
+        "exemptions",
+        "both skills use their exemptions, and the log says so",
+        f"two uses or more in {used} of {len(counts)} episodes",
+        Verdict.HOLDS if used == len(counts) else Verdict.FAILS,
+    )

@@ -1,0 +1,84 @@
+"""Expectations of rules that let the robot run behavior trees, beside rules that move it back and
+take another route.
+
+Section 5.2 of the thesis: a recovery that is a tree can wait, and tell the planner what it found.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from heron.evaluation.expectation import MARGIN, Expectation, Verdict, at_most, between, greater
+from heron.evaluation.sample import Sample
+from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION, INTERVENTIONS
+from heron.variants import Arm, Blockage
+
+_TOUCHED = "touched"
+
+
+def expectations_of_trees(sample: Sample) -> Iterator[Expectation]:
+    """All that is expected of a variant."""
+    yield from (alone(sample, arm) for arm in (Arm.ROSSMARIE, Arm.TREES))
+    if sample.variant == Blockage.TROLLEY.value:
+        yield _sooner(sample)
+    else:
+        yield _needs_operator(sample)
+        yield _little_later(sample)
+    yield touches_nothing(sample)
+
+
+def alone(sample: Sample, arm: Arm) -> Expectation:
+    """Expect that an arm arrives without an operator."""
+    done, visits = sample.values(arm, COMPLETED.name), sample.values(arm, INTERVENTIONS.name)
+    found = sum(is_done == 1 and came == 0 for is_done, came in zip(done, visits, strict=True))
+    return Expectation(
+        f"alone {arm.value}",
+        f"with {ARM_NAMES[arm]} the base arrives without an operator, in every episode",
+        f"in {found} of {sample.count(arm)}",
+        Verdict.HOLDS if found == sample.count(arm) else Verdict.FAILS,
+    )
+
+
+def _needs_operator(sample: Sample) -> Expectation:
+    visits = sample.values(Arm.NONE, INTERVENTIONS.name)
+    came = sum(count >= 1 for count in visits)
+    return Expectation(
+        "operator",
+        "without a monitor an operator has to come, in every episode",
+        f"in {came} of {len(visits)}",
+        Verdict.HOLDS if came == len(visits) else Verdict.FAILS,
+    )
+
+
+def _sooner(sample: Sample) -> Expectation:
+    compared = sample.compared(DURATION.name, Arm.ROSSMARIE, Arm.TREES)
+    return Expectation(
+        "sooner",
+        "with trees the base arrives sooner than with ROSSMARie, which takes the long way",
+        f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
+        greater(compared.difference.value, compared.chance),
+    )
+
+
+def _little_later(sample: Sample) -> Expectation:
+    found = sample.compared(DURATION.name, Arm.TREES, Arm.ROSSMARIE).difference
+    usual = float(np.median(sample.values(Arm.ROSSMARIE, DURATION.name)))
+    return Expectation(
+        "little later",
+        "with trees, which wait first, the base arrives at most a tenth later than with ROSSMARie",
+        f"later by {between(found, DURATION.digits)} s, of {usual:.1f} s",
+        at_most(found, MARGIN * usual),
+    )
+
+
+def touches_nothing(sample: Sample) -> Expectation:
+    """Expect that the base stands before what is in its way."""
+    touched = [value > 0 for arm in sample.arms for value in sample.values(arm, _TOUCHED)]
+    return Expectation(
+        "touches nothing",
+        "the base touches no obstacle, in any arm",
+        f"it does in {sum(touched)} of {len(touched)} episodes",
+        Verdict.FAILS if any(touched) else Verdict.HOLDS,
+    )

@@ -1,0 +1,95 @@
+"""All queries about a machine, the quick ones first."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Iterator
+
+from rossmarie.analysis.chattering import find_chattering
+from rossmarie.analysis.conflict import find_conflicts
+from rossmarie.analysis.decided import find_decided
+from rossmarie.analysis.errors import Undecided
+from rossmarie.analysis.failures import find_unnoticed
+from rossmarie.analysis.feedback import find_alternating
+from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.foresight import find_late, not_proved
+from rossmarie.analysis.holding import find_self_holding
+from rossmarie.analysis.implied import find_implied
+from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
+from rossmarie.analysis.latches import find_released_latches
+from rossmarie.analysis.rates import find_unfit_durations
+from rossmarie.analysis.recovery import find_blocked
+from rossmarie.analysis.release import find_never_cleared
+from rossmarie.ir import Machine, Requirement
+
+QUICK_S = 8.0
+"""The quick queries about one file are given up after this, in seconds of CPU time."""
+
+THOROUGH_S = 600.0
+"""The same for all queries."""
+
+Query = Callable[[Inquiry], Iterator[Finding]]
+
+
+def ask_all(
+    machine: Machine,
+    *,
+    thorough: bool,
+    within_ns: int,
+    on_step: Callable[[str], None] = lambda _: None,
+) -> Iterator[Finding]:
+    """The findings of the quick queries, or of all; that time ran out is one of them.
+
+    `within_ns` is how soon a rule may not toggle, in nanoseconds; `on_step` is told each query.
+    """
+    if not machine.rules:
+        return
+    limit_s = THOROUGH_S if thorough else QUICK_S
+    inquiry = Inquiry(machine, time.process_time() + limit_s)
+    for name, query in _queries(thorough, within_ns).items():
+        on_step(name)
+        yield from _in_time(inquiry, name, query, limit_s)
+
+
+def ask_required(
+    required: Requirement, *, thorough: bool, on_step: Callable[[str], None] = lambda _: None
+) -> Iterator[Finding]:
+    """The findings on a requirement of a rule; that time ran out is one of them."""
+    on_step("which rules act in time?")
+    limit_s = THOROUGH_S if thorough else QUICK_S
+    inquiry = Inquiry(required.machine, time.process_time() + limit_s)
+    try:
+        yield from find_late(inquiry, required)
+    except OutOfTimeError:
+        yield not_proved(required, _not_all_asked(limit_s))
+
+
+def _in_time(inquiry: Inquiry, name: str, query: Query, limit_s: float) -> Iterator[Finding]:
+    try:
+        yield from query(inquiry)
+    except OutOfTimeError:
+        finding = Undecided(query=name, reason=_not_all_asked(limit_s))
+        yield Finding(finding.at(inquiry.machine.rules[0].span))
+
+
+def _not_all_asked(limit_s: float) -> str:
+    return f"not all was asked within {limit_s:g} s; `--thorough` takes its time"
+
+
+def _queries(thorough: bool, within_ns: int) -> dict[str, Query]:
+    quick: dict[str, Query] = {
+        "which rules are in conflict?": lambda asked: find_conflicts(asked, thorough=thorough),
+        "what is never or always so?": lambda asked: find_decided(asked, thorough=thorough),
+        "whose loss does nobody notice?": find_unnoticed,
+        "which commands are blocked?": find_blocked,
+        "which rules keep themselves active?": find_self_holding,
+        "which latches do rules release?": find_released_latches,
+        "which durations do not fit the rates of messages?": find_unfit_durations,
+        "which rules set each other off?": find_alternating,
+    }
+    slow: dict[str, Query] = {
+        "which rules add nothing?": find_implied,
+        "which rules are never cleared?": find_never_cleared,
+        "which rules toggle fast?": lambda asked: find_chattering(asked, within_ns),
+    }
+    return {**quick, **slow} if thorough else quick
