@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn, TextIO
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
 
 import typer
 
@@ -35,6 +35,17 @@ INTERNAL_ERROR = 70
 
 INTERRUPTED = 128 + signal.SIGINT
 """The exit code of a run that somebody has interrupted."""
+
+StudyFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--study",
+        metavar="FILE",
+        help="Append the codes and places of the findings to this study log.",
+        readable=False,
+    ),
+]
+"""The option that a check has for studies with users; without it a check keeps no record."""
 
 _UNHEARD = 141  # that of a program which SIGPIPE ends: 128 + 13
 _OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EBADF))
@@ -270,6 +281,43 @@ class CommandLine:
             yield
         except OSError as error:
             self.fail(f"cannot write to {folder}: {reason(error)}", exit_code=2)
+
+    # --- studies with users ----------------------------------------------------------------------
+
+    def try_study(self, log: Path | None) -> None:
+        """End the run, before it takes its time, if a check could not append to a study log."""
+        if log is None:
+            return
+        from dslkit import study
+
+        with self.writing(log):
+            try:
+                study.try_log(log)
+            except study.StudyLogError as problem:
+                place = f"{log}:{problem.line}:1" if problem.line else str(log)
+                self.fail(
+                    f"{place}: {problem.reason}, so {log} is not a study log; "
+                    "name another file or a new one",
+                    exit_code=2,
+                )
+
+    def log_study(
+        self, log: Path | None, command: str, files: Sequence[Path], found: Sequence[Diagnostic]
+    ) -> None:
+        """Append a run of `command` over `files` to a study log; do nothing without a log."""
+        if log is None:
+            return
+        from dslkit import study
+
+        with self.writing(log):
+            study.append(
+                log,
+                tool=self.tool,
+                command=command,
+                release=self.own_version(),
+                files=files,
+                found=found,
+            )
 
     # --- how it ends ------------------------------------------------------------------------------
 

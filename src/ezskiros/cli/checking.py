@@ -98,9 +98,11 @@ def print_check(
     form: Format,
     rules: Path | None = None,
     knowledge: Path | None = None,
+    study: Path | None = None,
 ) -> int:
     """Check, print what is found, and give the exit code. With `rules`, what only these and the
-    skills together can tell is found as well; with `knowledge`, what runs say of the skills.
+    skills together can tell is found as well; with `knowledge`, what runs say of the skills. With
+    `study`, a study log gets the findings.
     """
     with output.answering(form, "check", files=len(paths)):
         together = None if rules is None else _looking_at_both()
@@ -111,6 +113,10 @@ def print_check(
             *(together(rules) if together is not None else ()),
             *wrong,
         )
+        if study is not None:
+            from ezskiros.skills.load import module_files
+
+            output.log_study(study, "check", module_files(paths), found)
         output.print_diagnostics(found, form, file_count=file_count(report, paths))
         return output.exit_code(found)
 

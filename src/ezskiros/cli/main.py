@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat
+from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.completion import codes
 from dslkit.parameters import Group
 from dslkit.writing import reason
@@ -77,20 +77,23 @@ def check(
     fixed: Annotated[
         bool, typer.Option("--fix", help="Add the pre-conditions that compound skills lack first.")
     ] = False,
+    study: StudyFile = None,
 ) -> None:
     """Check the skills of Python files: all that is wrong with them, without ROS."""
     name_ontology(ontology)
     if watched:
         if fixed:
             output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
-        _check_again_and_again(paths, ontology or [], values, form, rules, knowledge)
+        output.try_study(study)
+        _check_again_and_again(paths, ontology or [], values, form, rules, knowledge, study)
         return
     with output.answering(form, "check", files=len(paths)):
+        output.try_study(study)
         if fixed:
             from ezskiros.cli.fix import fix
 
             fix(paths)
-        raise typer.Exit(print_check(paths, values, form, rules, knowledge))
+        raise typer.Exit(print_check(paths, values, form, rules, knowledge, study))
 
 
 @app.command()
@@ -244,6 +247,7 @@ def _check_again_and_again(
     form: Format,
     rules: Path | None,
     knowledge: Path | None,
+    study: Path | None,
 ) -> None:
     """Each time from the start: what has been imported is forgotten with the process."""
     from ezskiros.cli.watch import watch
@@ -256,7 +260,7 @@ def _check_again_and_again(
         return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
     def check_once() -> None:
-        print_check(paths, values, form, rules, knowledge)
+        print_check(paths, values, form, rules, knowledge, study)
         sys.stdout.flush()
 
     watch(files, check_once)

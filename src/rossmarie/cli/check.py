@@ -28,9 +28,11 @@ def run_check(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
     only: Sequence[Category],
+    study: Path | None,
 ) -> None:
     """Print the findings, write the witnesses, and end with the exit code."""
     with output.answering(form, "check", files=len(files)):
+        output.try_study(study)
         is_tests = witnesses is not None and witnesses.suffix == ".ross"
         if is_tests and len(files) > 1:
             output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
@@ -60,6 +62,7 @@ def run_check(
             if together is not None:
                 found += together(path, systems=systems, message_folders=message_folders)
         reported = each_once(found)
+        output.log_study(study, "check", files, reported)
         output.print_diagnostics(reported, form, file_count=len(files))
         if any(each.lacks_solver for each in analyses):
             advice = output.extras().advice("solver")
