@@ -26,10 +26,11 @@ FAULTS: list[dict[str, Any]] = tomllib.loads(
 HEAD = """\
 # Compared with SkiROS2
 
-This page compares the reactions of SkiROS2 and EzSkiROS to faults in a skill: in its description, its
-behavior tree, its methods and its module. The columns of SkiROS2 were measured with its core (master of
-2024-09-24, c4438e7), without ROS. SkiROS2 loaded every skill, except where the second column is
-"load". EzSkiROS reports each fault before a skill runs. A test runs EzSkiROS and writes the last column.
+This page compares the reactions of SkiROS2 and EzSkiROS to faults in a skill: in its description,
+its behavior tree, its methods and its module. The columns of SkiROS2 were measured with its core
+(master of 2024-09-24, c4438e7), without ROS. SkiROS2 loaded every skill, except where the second
+column is "load". EzSkiROS reports each fault before a skill runs. A test runs EzSkiROS and writes
+the last column.
 
 | Fault | SkiROS2 detects it | Message of SkiROS2 | Message of EzSkiROS, with the source text |
 |---|---|---|---|
