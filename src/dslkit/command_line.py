@@ -13,15 +13,16 @@ import signal
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn, TextIO
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
 
 import typer
 
 from dslkit import garbage, signals, streams
 from dslkit.diagnostics import Diagnostic, Severity, summary
-from dslkit.writing import reason, try_folder, try_writing, write_whole
+from dslkit.ownership import Comment, NotOwnError, list_written, marked, require_own
+from dslkit.writing import is_stream, reason, try_folder, try_writing, write_whole
 
 if TYPE_CHECKING:  # a run without findings needs neither
     from rich.console import Console
@@ -37,6 +38,11 @@ INTERRUPTED = 128 + signal.SIGINT
 _UNHEARD = 141  # that of a program which SIGPIPE ends: 128 + 13
 _OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EBADF))
 
+Force = Annotated[
+    bool, typer.Option("--force", help="Replace files that this program did not write.")
+]
+"""The option of every command that writes files; its first statement is `output.permit(force)`."""
+
 
 class Format(str, enum.Enum):
     """The format in which findings are printed."""
@@ -44,6 +50,13 @@ class Format(str, enum.Enum):
     TEXT = "text"
     JSON = "json"
     SARIF = "sarif"
+
+
+@dataclass
+class _Permission:
+    """The permission of the user to replace files that the program did not write."""
+
+    is_given: bool = False
 
 
 @dataclass(frozen=True)
@@ -60,6 +73,7 @@ class CommandLine:
     internal_code: str
     unreadable: frozenset[str]
     catalog: Callable[[], Catalog]
+    permission: _Permission = field(default_factory=_Permission)
 
     def exit_code(self, found: Sequence[Diagnostic]) -> int:
         """0 without errors, 1 with errors, 2 if a file could not be read."""
@@ -156,20 +170,80 @@ class CommandLine:
 
     # --- what is written --------------------------------------------------------------------------
 
-    def try_file(self, path: Path) -> None:
-        """End the run, before it takes its time, if a file could not be written after it."""
+    def permit(self, force: bool) -> None:
+        """Let the user's `--force` decide whether files of others are replaced."""
+        self.permission.is_given = force
+
+    def try_file(self, *paths: Path | None) -> None:
+        """End the run, before it takes its time, if it could not write one of these files after it,
+        or may not, because somebody else wrote what is there. None stands for no file.
+        """
+        wanted = [path for path in paths if path is not None]
+        self._refuse_twice(wanted)
+        for path in wanted:
+            self.require_own_file(path)
+        for path in wanted:
+            self.try_change(path)
+
+    def try_change(self, path: Path) -> None:
+        """End the run if a file of the user, which is to be changed, could not be written."""
         with self.writing(path):
             try_writing(path)
 
-    def try_folder(self, folder: Path) -> None:
-        """End the run, before it takes its time, if files could not be written into a folder."""
+    def try_folder(self, folder: Path, *names: str) -> None:
+        """End the run, before it takes its time, if it could not write files into a folder, or may
+        not write those with these names.
+        """
         with self.writing_to(folder):
             try_folder(folder)
+        for name in names:
+            self.require_own_file(folder / name)
+            if (folder / name).exists():
+                self.try_change(folder / name)
 
-    def save(self, path: Path, text: str) -> None:
-        """Write a file; the run ends if that cannot be done."""
+    def save(self, path: Path, text: str, comment: Comment | None = None) -> None:
+        """Write a file with the mark of this program; the run ends if that cannot be done.
+        `comment` is for formats that do not show by themselves how comments look in them.
+        """
+        self.require_own_file(path)
         with self.writing(path):
-            write_whole(path, text)
+            write_whole(path, self.marked(text, comment))
+
+    def marked(self, text: str, comment: Comment | None = None) -> str:
+        """Add the mark by which this program knows the file again, as `ownership` does."""
+        return marked(text, self.tool, comment)
+
+    def tell_written(self, path: Path) -> None:
+        """Say that a file was written; on standard error if standard output can be the file."""
+        typer.echo(f"wrote {path}", err=is_stream(path))
+
+    def list_written(self, folder: Path, names: Sequence[str]) -> None:
+        """Write the list of files in a folder that cannot hold a mark."""
+        with self.writing_to(folder):
+            list_written(folder, names, self.tool)
+
+    def _refuse_twice(self, paths: Sequence[Path]) -> None:
+        seen: dict[str, Path] = {}
+        for path in paths:
+            first = seen.setdefault(os.path.realpath(path), path)
+            if first is not path and not is_stream(path):
+                self.fail(f"two outputs go to one file, {path}: give them two names", exit_code=2)
+
+    def require_own_file(self, path: Path) -> None:
+        """End the run if a file may not be written."""
+        if str(path) == "-":
+            self.fail("`-` is no file: name /dev/stdout for standard output", exit_code=2)
+        if self.permission.is_given:
+            return
+        with self.writing(path):
+            try:
+                require_own(path)
+            except NotOwnError:
+                self.fail(
+                    f"{path} is there, and {self.tool} did not write it: choose another name, or "
+                    "replace it with --force",
+                    exit_code=2,
+                )
 
     @contextmanager
     def writing(self, path: Path) -> Iterator[None]:

@@ -12,6 +12,7 @@ from pathlib import Path
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores
 
+from dslkit.writing import replacing_text
 from ezskiros.engine.events import Event
 from ezskiros.engine.tracing import Trace
 from heron.experiments import Node
@@ -73,7 +74,7 @@ def write_trace(
     `OSError`.
     """
     start_s = events[0][0]
-    with path.open("w", encoding="utf-8") as file:
+    with replacing_text(path) as file:
         trace = Trace(file, began_ns + round(start_s * 1e9))
         for at_s, event in events:
             tick = 1 + round((at_s - start_s) * 1e9 / period_ns)

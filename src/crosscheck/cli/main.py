@@ -13,7 +13,7 @@ import typer
 
 from crosscheck.cli.choices import LiveFormat, ros_namespace
 from crosscheck.cli.output import output
-from dslkit.command_line import Format
+from dslkit.command_line import Force, Format
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from rossmarie.cli.options import MessageFolders, Rules, Systems, written
@@ -73,8 +73,10 @@ def show(
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Show which skill uses what, which rules guard it, and which interrupt it."""
+    output.permit(force)
     from crosscheck.cli.showing import run_show
 
     run_show(rules, svg, system or [], messages or [])
@@ -101,8 +103,10 @@ def weave(
     ],
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Write which rules each primitive skill waits for before it starts."""
+    output.permit(force)
     from crosscheck.cli.weaving import run_weave
 
     run_weave(rules, out, system or [], messages or [])

@@ -28,7 +28,7 @@ def run_show(
         typer.echo("\n\n".join(map(_told, skills)))
         return
     output.save(svg, svg_of(skills))
-    typer.echo(f"wrote {svg}")
+    output.tell_written(svg)
 
 
 def run_impact(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from dslkit.command_line import Force
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
@@ -46,8 +47,10 @@ def learn(
         ReportFormat, typer.Option("--format", help="How it is printed.")
     ] = ReportFormat.TEXT,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
     """Learn from runs: which skills tripped which rules, where, and what it cost."""
+    output.permit(force)
     if out is not None:
         if out.suffix != ".json":  # none of the records may be lost
             output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import Format
+from dslkit.command_line import Force, Format
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
@@ -175,7 +175,7 @@ def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
 def _write(files: Sequence[MigratedFile]) -> None:
     """Write what has become of files; ends the run if that fails."""
     for file in files:
-        output.try_file(file.path)
+        output.try_change(file.path)
     for file in files:
         with output.writing(file.path):
             file.write()
@@ -194,8 +194,10 @@ def stubs(
         bool,
         typer.Option(help="With what EzSkiROS knows of SkiROS2's relations, as `load` has it."),
     ] = True,
+    force: Force = False,
 ) -> None:
     """Write the stub (`.pyi`) from which editors and type checkers know the ontology."""
+    output.permit(force)
     if not is_check:
         output.try_file(out)
     from ezskiros.driver import stub_of

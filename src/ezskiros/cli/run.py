@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from dslkit.command_line import Format
+from dslkit.command_line import Force, Format
 from dslkit.diagnostics import Diagnostic
-from dslkit.writing import reason
+from dslkit.ownership import Comment
+from dslkit.writing import reason, replacing_text
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.context import Context, export_for
@@ -92,11 +93,11 @@ def run(
     context: ContextFile = None,
     guards: GuardsFile = None,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
-    for path in (save, trace):
-        if path is not None:
-            output.try_file(path)
+    output.permit(force)
+    output.try_file(save, trace)
     name_ontology(ontology)
     from ezskiros.engine.expansion import Expansions
     from ezskiros.engine.setting import Setting
@@ -119,8 +120,7 @@ def run(
     run = _Run(ready.call, setting, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:
-        with output.writing(save):
-            ready.world.save(save)
+        output.save(save, ready.world.turtle(), Comment.HASH)
     _tell(skill, outcome)
     raise typer.Exit(0 if outcome.is_success else 1)
 
@@ -223,8 +223,7 @@ class _Run:
                 stack.enter_context(guarded(self._guards, self._setting))
             if trace is not None:
                 stack.enter_context(output.writing(trace))
-                file = stack.enter_context(trace.open("w", encoding="utf-8"))
-                self._trace = Trace(file, self._start_ns)
+                self._trace = Trace(stack.enter_context(replacing_text(trace)), self._start_ns)
             stack.enter_context(self._interruptible())
             if self._live is not None:
                 self._live.start()

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from dslkit.command_line import Force
 from dslkit.diagnostics import Collector, Diagnostic
 from ezskiros.cli.arguments import Folders, OptionalSkills, name_ontology
 from ezskiros.cli.checking import asked
@@ -37,13 +38,13 @@ def show(
     ] = 0,
     conditions: Annotated[bool, typer.Option(help="With the conditions of the skills.")] = True,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
     """Draw the behavior trees of a compound skill: several if `expandBT` branches."""
+    output.permit(force)
     from ezskiros.cli.outlines import console_for_outlines
 
-    for path in (svg, btcpp):
-        if path is not None:
-            output.try_file(path)
+    output.try_file(svg, btcpp)
     name_ontology(ontology)
     console = console_for_outlines() if svg is None and btcpp is None else None
     picture = _Picture(skill, paths or [Path()], depth, conditions, console, btcpp is not None)

@@ -8,12 +8,14 @@ from pathlib import Path
 import typer
 from rich.console import Console
 
+from dslkit.ownership import Comment
 from rossmarie.cli.choices import GraphFormat
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
 from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, wiring_text
 
 _RULES = ".ross"
+_COMMENTS = {GraphFormat.DOT: Comment.SLASHES, GraphFormat.TEXT: Comment.HASH}
 
 
 def run_graph(
@@ -26,8 +28,7 @@ def run_graph(
     """Print the wiring, or write it to `out`; a rules file is not written over."""
     if out is not None and out.suffix == _RULES:
         output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)
-    if out is not None:
-        output.try_file(out)
+    output.try_file(out)
     try:
         compiled = compile_file(rules, systems=systems, message_folders=message_folders)
     except RulesError as error:
@@ -38,8 +39,8 @@ def run_graph(
         width = console.width if console.is_terminal else None
         typer.echo(_drawn(wiring, form, width), nl=False)
         return
-    output.save(out, _drawn(wiring, form))
-    typer.echo(f"wrote {out}")
+    output.save(out, _drawn(wiring, form), _COMMENTS.get(form))
+    output.tell_written(out)
 
 
 def _drawn(wiring: Wiring, form: GraphFormat, width: int | None = None) -> str:

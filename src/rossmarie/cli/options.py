@@ -145,6 +145,36 @@ ReviewPage = Annotated[
     ),
 ]
 
+ReportFolder = Annotated[
+    Path | None,
+    typer.Option(
+        "--out",
+        "-o",
+        metavar="DIR",
+        help="Write timeline.html and verdicts.jsonl into this folder. Each of several recordings"
+        " gets a folder with its name.",
+        parser=written,
+    ),
+]
+Toggle = Annotated[
+    float | None,
+    typer.Option(
+        metavar="SECONDS",
+        min=0.0,
+        help="With --thorough: report rules that can become active again within SECONDS after they"
+        " have cleared; 1 if not given.",
+    ),
+]
+Witnesses = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="PATH",
+        help="Write the signals that show a finding into this folder, or as tests into a .ross"
+        " file.",
+        parser=written,
+    ),
+]
+
 RobotName = Annotated[str | None, typer.Argument(metavar="ROBOT", help="Such as turtlebot4.")]
 RobotFolder = Annotated[
     Path | None,

@@ -18,7 +18,7 @@ from campaign import Campaign, Journal, Processes, Result, Value, run
 from dslkit.command_line import INTERNAL_ERROR, INTERRUPTED
 from dslkit.writing import reason
 from rossmarie.cli.output import output
-from rossmarie.cli.replay import refusing, topic_pairs, write_reports
+from rossmarie.cli.replay import TIMELINE, VERDICTS, refusing, topic_pairs, write_reports
 from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import start_monitor
@@ -58,16 +58,16 @@ def run_replays(
     that are called as the recordings.
     """
     pairs = topic_pairs(topic_map)
-    if out is not None:
-        output.try_folder(out)
+    keys = list(map(str, recordings))
+    folders = {} if out is None else _folders(out, keys)
+    for folder in folders.values():
+        output.try_folder(folder, TIMELINE, VERDICTS)
     with refusing():
         compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     output.print_findings(compiled.warnings)
     started = start_monitor(compiled.machine)  # built once, for all processes
     if started.reason:
         typer.echo(started.reason, err=True)
-    keys = list(map(str, recordings))
-    folders = {} if out is None else _folders(out, keys)
     console = Console()
     width = console.width if console.is_terminal else None
     warnings = len(compiled.warnings)

@@ -33,8 +33,7 @@ def run_test(
     message_folders: Sequence[Path],
 ) -> None:
     """Run the tests and print what they found and cover; generate them before, to `write` them."""
-    if junit is not None:
-        output.try_file(junit)
+    output.try_file(junit)
     try:
         if write:
             _write(rules, systems, message_folders)
@@ -94,8 +93,8 @@ def run_coverage(
     """
     pairs = topic_pairs(topic_map)
     if report is not None:
-        output.try_file(report)
         refuse_report(report, (rules, *recordings))
+        output.try_file(report)
     with refusing(), told_progress("moving thresholds") as on_progress:
         found = cover_recordings(
             rules,
@@ -111,7 +110,7 @@ def run_coverage(
     write_margins(found.coverage.machine, found.margins, sys.stdout)
     if report is not None:
         output.save(report, _report_text(found, rules, recordings))
-        typer.echo(f"wrote {report}")
+        output.tell_written(report)
 
 
 def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> str:

@@ -45,8 +45,7 @@ def run_verify(
     """Prove, print what came of it, and end with 0 only if everything is proved; write a `report`
     as JSON, and what the prover gets into the folder `kept`.
     """
-    if report is not None:
-        output.try_file(report)
+    output.try_file(report)
     if kept is not None:
         output.try_folder(kept)
     try:
@@ -66,16 +65,16 @@ def run_verify(
         output.save(
             report, verification_report(questions, proofs, rules, version=output.own_version())
         )
-        typer.echo(f"wrote {report}")
+        output.tell_written(report)
     raise typer.Exit(0 if proofs.is_complete else 1)
 
 
 def _keep(questions: Questions, folder: Path, rules: Path) -> None:
     try:
         with output.writing_to(folder):
-            paths = keep(questions, folder, rules)
+            paths = keep(questions, folder, rules, replaces_others=output.permission.is_given)
     except ForeignFileError as error:
-        output.fail(f"{error}; remove it, or choose another --keep", exit_code=2)
+        output.fail(f"{error}; choose another --keep, or replace it with --force", exit_code=2)
     for line in lines_of_written(paths):
         typer.echo(line)
 
