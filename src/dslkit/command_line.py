@@ -237,7 +237,7 @@ class CommandLine:
             return
         with self.writing(path):
             try:
-                require_own(path)
+                require_own(path, self.tool)
             except NotOwnError:
                 self.fail(
                     f"{path} is there, and {self.tool} did not write it: choose another name, or "

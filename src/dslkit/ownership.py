@@ -1,5 +1,4 @@
-"""Marks by which a program knows the files that programs of ours wrote, so that it replaces no
-others.
+"""Marks by which a program knows the files that it wrote, so that it replaces no others.
 
 A mark is a comment at the beginning of a file, or one of the first fields of a file in JSON. Files
 in formats that have no place for a mark, such as CSV, are named in a list beside them, with the
@@ -17,16 +16,12 @@ from pathlib import Path
 
 from dslkit.writing import is_stream, write_whole
 
-_PROGRAMS = "crosscheck|ezskiros|heron|rossmarie"
 _HEAD = 2048
 """The bytes of a file that are searched for its mark."""
 _LINES = 3
 """The lines of a file that may hold the comment: an XML declaration can precede it."""
-_COMMENT = re.compile(
-    rf"^(?:#|//|<!--|/\*)\s*(?:Written|Generated) by `?(?:{_PROGRAMS})\b".encode(),
-    re.IGNORECASE,
-)
-_FIELD = re.compile(rf'\A\s*\{{[^{{}}\[\]]*"(?:format|generator)":\s*"(?:{_PROGRAMS})\b'.encode())
+_COMMENT = r"(?:#|//|<!--|/\*)\s*(?:Written|Generated) by `?{program}\b"
+_FIELD = r'\A\s*\{{[^{{}}\[\]]*"(?:format|generator)":\s*"{program}\b'
 _DECLARATIONS = ("<?xml", "<!DOCTYPE")
 _LIST = ".written-by-{program}"
 
@@ -46,14 +41,15 @@ class NotOwnError(OSError):
         super().__init__(errno.EEXIST, "this program did not write it", str(path))
 
 
-def is_own(content: bytes) -> bool:
-    """Say whether a file with this content may be replaced: it is empty, or has a mark."""
-    head = content[:_HEAD]
-    lines = head.splitlines()[:_LINES]
-    return not content or bool(_FIELD.match(head)) or any(map(_COMMENT.match, lines))
+def is_own(content: bytes, program: str) -> bool:
+    """Say whether a program may replace a file with this content: it is empty, or has its mark."""
+    head = content[:_HEAD].decode(errors="replace")
+    comment, field = (each.format(program=program) for each in (_COMMENT, _FIELD))
+    has_comment = any(re.match(comment, each, re.IGNORECASE) for each in head.splitlines()[:_LINES])
+    return not content or has_comment or bool(re.match(field, head))
 
 
-def require_own(path: Path) -> None:
+def require_own(path: Path, program: str) -> None:
     """Raise `NotOwnError` if a user's file is there, and `OSError` if it cannot be read.
 
     Terminals, pipes and devices have no content to lose.
@@ -61,7 +57,7 @@ def require_own(path: Path) -> None:
     if is_stream(path) or not path.is_file():
         return
     with path.open("rb") as stream:
-        if not is_own(stream.read(_HEAD)) and not _is_listed(path):
+        if not is_own(stream.read(_HEAD), program) and not _is_listed(path, program):
             raise NotOwnError(path)
 
 
@@ -69,7 +65,7 @@ def marked(text: str, program: str, comment: Comment | None = None) -> str:
     """Add a program's mark to a text that lacks one. HTML and XML need no `comment`; a text in
     another format without one stays as it is.
     """
-    if is_own(text.encode(errors="replace")) and text:
+    if text and is_own(text.encode(errors="replace"), program):
         return text
     mark = f"Written by {program}."
     if text.startswith("<"):
@@ -91,11 +87,13 @@ def list_written(folder: Path, names: Iterable[str], program: str) -> str:
     return name
 
 
-def _is_listed(path: Path) -> bool:
-    """Say whether a list beside a file names it, and the file is as it was then."""
-    lists = [path.with_name(_LIST.format(program=each)) for each in _PROGRAMS.split("|")]
-    known = [each.read_text(encoding="utf-8", errors="replace") for each in lists if each.is_file()]
-    return bool(known) and f"{_sum(path)}  {path.name}" in "".join(known).splitlines()
+def _is_listed(path: Path, program: str) -> bool:
+    """Say whether the list beside a file names it, and the file is as it was then."""
+    written = path.with_name(_LIST.format(program=program))
+    if not written.is_file():
+        return False
+    lines = written.read_text(encoding="utf-8", errors="replace").splitlines()
+    return f"{_sum(path)}  {path.name}" in lines
 
 
 def _sum(path: Path) -> str:

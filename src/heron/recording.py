@@ -75,7 +75,7 @@ def write_trace(
     """
     start_s = events[0][0]
     with replacing_text(path) as file:
-        trace = Trace(file, began_ns + round(start_s * 1e9))
+        trace = Trace(file, began_ns + round(start_s * 1e9), "heron")
         for at_s, event in events:
             tick = 1 + round((at_s - start_s) * 1e9 / period_ns)
             trace.write(event, tick, at_s - start_s)

@@ -54,4 +54,4 @@ def _tell_left(folder: Path, written: Iterable[Path]) -> None:
 
 def _is_own(path: Path) -> bool:
     with output.writing(path), path.open("rb") as opened:
-        return is_own(opened.read(_HEAD))
+        return is_own(opened.read(_HEAD), output.tool)

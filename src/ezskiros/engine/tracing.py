@@ -12,16 +12,16 @@ from ezskiros.engine.values import WorldThing
 
 
 class Trace:
-    """Writes one JSON object per event. The first one has the mark of `ezskiros`. Raises `OSError`,
-    as files do.
+    """Writes one JSON object per event. The first one names the `program` that writes it. Raises
+    `OSError`, as files do.
 
     `start_ns` is when the task starts, in nanoseconds since 1970 (UTC): the clock of recordings.
     """
 
-    def __init__(self, file: TextIO, start_ns: int) -> None:
+    def __init__(self, file: TextIO, start_ns: int, program: str = "ezskiros") -> None:
         self._file = file
         self._start_ns = start_ns
-        self._mark = {"generator": "ezskiros"}
+        self._mark = {"generator": program}
 
     def write(self, event: Event, tick: int, seconds: float) -> None:
         """An event, the number of its tick from 1 on, and the seconds since the task started."""

@@ -34,7 +34,7 @@ from heron.cli.choices import (
 )
 from heron.cli.operating import insertion, policy
 from heron.cli.options import Filming, Guarding, Jobs, Ray, Seed, View
-from heron.cli.watching import observers
+from heron.cli.watching import film_episode, observers
 from heron.variants import (
     VARIANTS,
     Arm,
