@@ -35,6 +35,8 @@ INTERNAL_ERROR = 70
 INTERRUPTED = 128 + signal.SIGINT
 """The exit code of a run that somebody has interrupted."""
 
+_PROGRAMS = {"CHK": "crosscheck", "EZS": "ezskiros", "ROSS": "rossmarie"}
+"""The programs that explain codes, by the letters of the codes."""
 _UNHEARD = 141  # that of a program which SIGPIPE ends: 128 + 13
 _OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EBADF))
 
@@ -143,14 +145,20 @@ class CommandLine:
         else:
             typer.echo(text, nl=False)
 
-    def explain(self, code: str) -> None:
-        """Print the page of a diagnostic."""
+    def explain(self, code: str, hint: str = "") -> None:
+        """Print the page of a diagnostic; the `hint` follows if there is none with this code."""
         from dslkit.catalog import UnknownCodeError
 
         try:
             text = self.catalog().page(code)
         except UnknownCodeError as error:
-            self.fail(str(error), exit_code=2)
+            program = _PROGRAMS.get(code.strip().upper().rstrip("0123456789"))
+            if program not in (None, self.tool):
+                code = code.strip().upper()
+                self.fail(
+                    f"{code} is a code of {program}: run `{program} explain {code}`", exit_code=2
+                )
+            self.fail(f"{error}{hint}", exit_code=2)
         self.print_page(text)
 
     def reject(self, found: Sequence[Diagnostic]) -> NoReturn:

@@ -101,7 +101,8 @@ def explain(
 ) -> None:
     """Explain a diagnostic, or how the inferred parameters of a skill get their values."""
     if not paths:
-        output.explain(what)
+        hint = f"; for a skill name its files, too: `ezskiros explain {what} PATHS...`"
+        output.explain(what, hint if what.isidentifier() else "")
         return
     from ezskiros.driver import explain_skill
 
@@ -130,7 +131,7 @@ def migrate(
         typer.Option(
             "--ontology",
             metavar="PATH",
-            help="Its files and folders: which names are ambiguous.",
+            help="Ontology files and folders, which show the ambiguous names.",
             exists=True,
         ),
     ] = None,

@@ -75,7 +75,10 @@ def run(
         Path | None, typer.Option(metavar="FILE", help="Write the world at the end (.turtle).")
     ] = None,
     simulate: Annotated[
-        bool, typer.Option("--simulate", help="Primitives only let their post-conditions hold.")
+        bool,
+        typer.Option(
+            "--simulate", help="Do not execute primitives: only apply their post-conditions."
+        ),
     ] = False,
     ask: Annotated[
         bool, typer.Option("--ask", help="Ask which, where several things can be inferred.")
