@@ -87,7 +87,7 @@ WRITERS = [
     _heron("learn moves --film mine.gif", "film", "mine.gif"),
     _heron("demo --out mine.html", "out", "mine.html"),
     _heron("gallery --out .", "out", "gallery.md"),
-    _heron("gallery --out .", "out", "gallery/nav.webp"),
+    _heron("gallery --out .", "out", "gallery/nav-gentle.webp"),
     Writer("rossmarie", "build drive.ross --out .", "out", "drive_monitor.c"),
     Writer("rossmarie", "build drive.ross --out out --sources mine.txt", "sources", "mine.txt"),
     Writer("rossmarie", "build drive.ross --out out --review a.html", "review", "a.html"),

@@ -35,6 +35,8 @@ def run_impact(
     skill: str, rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
 ) -> None:
     """Print what depends on a skill."""
+    if skill.endswith(".ross"):
+        output.fail(f"name the skill first: `crosscheck impact {rules} {skill}`", exit_code=2)
     robot = loaded(rules, systems, message_folders)
     found = robot.skills.skills.get(skill)
     if found is None:

@@ -25,6 +25,13 @@ def of_skills(paths: list[Path] | None) -> list[Path] | None:
     return paths
 
 
+def of_rules(path: Path | None) -> Path | None:
+    """The path, if it can be that of a rules file; a file of another kind ends the run."""
+    if path is not None and path.suffix.lower() != ".ross":
+        raise typer.BadParameter(f"{path} is no rules file: its name does not end in .ross")
+    return path
+
+
 Skills = Annotated[
     list[Path],
     typer.Argument(

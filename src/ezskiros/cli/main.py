@@ -16,7 +16,7 @@ import typer
 from dslkit.command_line import Force, Format
 from dslkit.parameters import Group
 from dslkit.writing import reason
-from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
+from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology, of_rules, of_skills
 from ezskiros.cli.checking import asked, print_check
 from ezskiros.cli.export import export
 from ezskiros.cli.learn import learn
@@ -44,6 +44,7 @@ Paths = Annotated[
     typer.Argument(
         metavar="PATHS...",
         help="Python files, and folders with them.",
+        callback=of_skills,
         readable=False,
     ),
 ]
@@ -70,7 +71,12 @@ def check(
     ] = False,
     rules: Annotated[
         Path | None,
-        typer.Option("--rules", metavar="FILE", help="Also look at skills and rules together."),
+        typer.Option(
+            "--rules",
+            metavar="FILE",
+            help="Also look at skills and rules together.",
+            callback=of_rules,
+        ),
     ] = None,
     knowledge: Knowledge = None,
     fixed: Annotated[

@@ -17,7 +17,7 @@ from dslkit.command_line import Force, Format
 from dslkit.diagnostics import Diagnostic
 from dslkit.ownership import Comment
 from dslkit.writing import reason, replacing_text
-from ezskiros.cli.arguments import Folders, name_ontology
+from ezskiros.cli.arguments import Folders, name_ontology, of_skills
 from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.context import Context, export_for
 from ezskiros.cli.guards import guarded, guards_for
@@ -106,7 +106,8 @@ def run(
     from ezskiros.engine.setting import Setting
 
     texts = [each for each in words or [] if _GIVEN.match(each)]
-    paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
+    named = [Path(each) for each in words or [] if not _GIVEN.match(each)]
+    paths = of_skills(named) or [Path()]
     _check(paths)
     ready = _ready(skill, paths, scene, texts)
     if not simulate:

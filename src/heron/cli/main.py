@@ -14,6 +14,7 @@ from typing import Annotated
 import typer
 
 from dslkit.command_line import Force
+from dslkit.parameters import Group
 from heron.cli.choices import (
     TRAINING_LIMIT_S,
     algorithms_of,
@@ -55,13 +56,14 @@ _LATEST_S = 4_000_000_000
 """Stamps of ROS have 32 bits for seconds."""
 app = typer.Typer(
     help="The experiments of the thesis, in physics.",
+    cls=Group,
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-runs = typer.Typer(help="Run one episode of an experiment.", no_args_is_help=True)
+runs = typer.Typer(help="Run one episode of an experiment.", cls=Group, no_args_is_help=True)
 app.add_typer(runs, name="run")
 
 

@@ -71,7 +71,7 @@ def _rules(path: Path) -> Path:
     suffix = path.suffix.lower()
     if suffix in _RECORDINGS:
         raise typer.BadParameter(
-            f"{path} is a recording: name the rules file (.ross) first, then recordings"
+            f"{path} is a recording, no rules file (.ross); a rules file stands before recordings"
         )
     if suffix == ".py":
         raise typer.BadParameter(f"{path} is a Python file: `ezskiros check {path}` checks skills")
