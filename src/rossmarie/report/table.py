@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TextIO
 
@@ -16,6 +17,12 @@ from rossmarie.report.rehearsal import TaskSummary, summarize_tasks
 from rossmarie.report.spans import Summary, summarize
 from rossmarie.report.wording import format_length, format_position
 
+_DETAILS = re.compile(
+    r", true since [-\d.]+ s|, \w+ = (?:\[[^\]]*\]|[-\d.]+)[^,;]*(?=[,;]|$)|(?<=  )[\w.]+: "
+)
+"""The parts of a cause that its short form lacks."""
+_GAPS = 5
+"""The columns of a terminal that the edges of two columns take."""
 _UNBROKEN = 1_000_000
 """A width, in columns, in which no plain line has to be broken."""
 
@@ -55,7 +62,9 @@ def _task_table(tasks: tuple[TaskSummary, ...], *, styled: bool) -> Table:
 
 
 def _tables(summaries: tuple[Summary, ...], console: Console) -> Iterator[Table]:
-    """The table of rules. On a terminal that is too narrow for it, the causes are a second one."""
+    """The table of rules. On a terminal that is too narrow for it, the causes are a second one,
+    with one line for each.
+    """
     styled = console.is_terminal
     whole = _empty(styled=styled)
     _add_counts(whole)
@@ -68,11 +77,14 @@ def _tables(summaries: tuple[Summary, ...], console: Console) -> Iterator[Table]
         return
     counts, causes = _empty(styled=True), _empty(styled=True)
     _add_counts(counts)
-    causes.add_column("First cause", overflow="fold", ratio=1)
+    longest = max((len(summary.rule) for summary in summaries), default=1)
+    causes.columns[0].width = min(longest, console.width // 3)
+    causes.add_column("First cause", overflow="ellipsis", no_wrap=True)
+    causes.columns[1].width = max(console.width - causes.columns[0].width - _GAPS, 1)
     for summary in summaries:
         counts.add_row(*_counts(summary))
         if summary.first_ns is not None:
-            causes.add_row(Text(summary.rule, style="bold"), _cause(summary))
+            causes.add_row(Text(summary.rule, style="bold"), _short(_cause(summary)))
     yield counts
     if causes.row_count:
         yield causes
@@ -99,6 +111,13 @@ def _counts(summary: Summary) -> tuple[Text, ...]:
         Text(format_length(summary.total_ns)),
         Text(format_length(summary.longest_ns)),
     )
+
+
+def _short(cause: Text) -> Text:
+    """A cause without the times of its conditions and the values of its constants, which the
+    timeline shows.
+    """
+    return Text(_DETAILS.sub("", cause.plain))
 
 
 def _cause(summary: Summary) -> Text:
