@@ -117,7 +117,7 @@ bench: $(READY) compiler ros1 prover
 	$(RUN)/python benchmarks/operators.py --out docs/reference/performance-operators.md
 	$(RUN)/python benchmarks/places.py --out docs/reference/performance-places.md
 	$(RUN)/python benchmarks/scans.py --out docs/reference/performance-scans.md
-	$(RUN)/python benchmarks/questions.py --out docs/reference/performance-questions.md
+	$(RUN)/python benchmarks/queries.py --out docs/reference/performance-queries.md
 	$(RUN)/python benchmarks/replaying.py --out docs/reference/performance-replay.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/beside_nav2.py --out docs/reference/beside-nav2.md
 	PYTHONPATH=tests:$$PYTHONPATH $(RUN)/python benchmarks/library_reuse.py --out docs/reference/library-reuse.md

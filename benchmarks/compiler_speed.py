@@ -1,6 +1,6 @@
 """How long the command line takes to start, and to parse and check 100 rules.
 
-What the questions about them cost is measured by `questions.py`.
+What the queries about them cost is measured by `queries.py`.
 """
 
 from __future__ import annotations
@@ -49,8 +49,8 @@ def lines(folder: Path) -> Iterator[str]:
     checked = _median(CHECK, str(rules), str(messages))
     yield f"| names, types and units of 100 rules, after import | {checked:.2f} | under 0.5 |"
     yield ""
-    questions = "[what questions cost](performance-questions.md)"
-    yield f"What `rossmarie check` asks beyond that: {questions}."
+    queries = "[what queries cost](performance-queries.md)"
+    yield f"What `rossmarie check` asks beyond that: {queries}."
     yield ""
     operators = "[what an operator costs](performance-operators.md)"
     yield f"A rule with each operator by itself: {operators}."

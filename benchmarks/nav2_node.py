@@ -57,9 +57,9 @@ class Node:
     """The node with its settings. `contender` is for runs, one after the other.
 
     Messages on several topics may overtake each other. What the node shows of the scan and the
-    clock that it went by is compared with what it was told, and it is asked again where that was
-    not the last. To show it costs the node time. It does not have to if `is_checked` is false: then
-    its CPU time is that of its task, at the pace of the world, and now and then it is one scan
+    clock that it went by is compared with what it was reported, and it is asked again where that
+    was not the last. To show it costs the node time. It does not have to if `is_checked` is false:
+    then its CPU time is that of its task, at the pace of the world, and now and then it is one scan
     behind.
     """
 
@@ -118,7 +118,7 @@ class Node:
             if self._is_by(scan, at_ns):
                 self._last = scan
                 return answer
-        raise TimeoutError(f"the node of {PACKAGE} does not hear what it is told")
+        raise TimeoutError(f"the node of {PACKAGE} does not hear what it is reported")
 
     def _is_by(self, scan: Scan | None, at_ns: int) -> bool:
         """Say whether it went by this scan and this instant, as far as it is asked to show it."""

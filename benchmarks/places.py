@@ -244,7 +244,7 @@ def page() -> str:
     day = datetime.now(timezone.utc).date()
     return "\n".join(
         [
-            "# What a question about places costs",
+            "# What a query about places costs",
             "",
             "Written by `benchmarks/places.py`; do not edit. Each condition is the only one of a",
             "rule. Its class `Zone` has so many things in the scene, each a polygon of",

@@ -2,7 +2,7 @@
 
 Examples that are named are proved; the page keeps the rows of the others. With `--library` the
 examples are the files of the library. A row says by a digest of which sources it is. The exit code
-is 1 if a question is not proved.
+is 1 if a query is not proved.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from pathlib import Path
 from machine import processor
 from proved_examples import EXAMPLES, LIBRARY
 
-from rossmarie.driver.verifying import prove, questions_of
+from rossmarie.driver.verifying import prove, queries_of
 from rossmarie.verification.prover import PROGRAMS, Prover, Verdict
 
 ROOT = Path(__file__).parents[1]
@@ -35,22 +35,22 @@ def processor_seconds() -> float:
 
 @dataclass(frozen=True)
 class Proved:
-    """The row of one rules file, and a line for each question that is not proved."""
+    """The row of one rules file, and a line for each query that is not proved."""
 
     row: str
     unproved: tuple[str, ...]
 
 
 def proved(prover: Prover, example: str) -> Proved:
-    """Ask all questions about one rules file."""
-    questions = questions_of(ROOT / example)
+    """Ask all queries about one rules file."""
+    queries = queries_of(ROOT / example)
     before = processor_seconds()
-    proofs = prove(questions, prover, seconds=SECONDS)
+    proofs = prove(queries, prover, seconds=SECONDS)
     minutes = (processor_seconds() - before) / 60
     verdicts = Counter(outcome.verdict for outcome in proofs.outcomes)
     cells = [
         link(example),
-        len(questions.compiled.machine.rules),
+        len(queries.compiled.machine.rules),
         len(proofs.outcomes),
         verdicts[Verdict.PROVED],
         verdicts[Verdict.UNDECIDED],
@@ -99,9 +99,9 @@ def page(prover: Prover, known: Iterable[Proved], of: str) -> str:
             "",
             f"Written by `benchmarks/proofs.py`; do not edit. `rossmarie verify` on {of}, by",
             f"{tools}, on {processor()}.",
-            f"No solver was given more than {SECONDS} seconds of a processor for one question.",
+            f"No solver was given more than {SECONDS} seconds of a processor for one query.",
             "",
-            "| Rules file | Rules | Questions | Proved | Undecided | Refuted | Processor minutes "
+            "| Rules file | Rules | Queries | Proved | Undecided | Refuted | Processor minutes "
             "| Sources |",
             "|---|---|---|---|---|---|---|---|",
             *(each.row for each in known),

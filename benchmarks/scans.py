@@ -157,7 +157,7 @@ def page() -> str:
     heads = " | ".join(f"µs, {beams} beams" for beams in BEAMS)
     return "\n".join(
         [
-            "# What a question about a laser scan costs",
+            "# What a query about a laser scan costs",
             "",
             "Written by `benchmarks/scans.py`; do not edit. Each condition is the only one of a",
             "rule. A scan is taken apart by the header that nodes have, and goes into the",

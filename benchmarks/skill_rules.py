@@ -65,7 +65,7 @@ def of_skills(rule: str) -> str:
     )
 
 
-def _told_context(compiled: Machine) -> str:
+def _reported_context(compiled: Machine) -> str:
     """The lines that tell which skills run; none where no rule asks."""
     flags = ["drives[i]"] * sum(slot.path != ("speed",) for slot in compiled.slots)
     if not flags:
@@ -81,4 +81,4 @@ def write_skills(folder: Path) -> None:
 
 def skill_harness(compiled: Machine) -> str:
     """A speed with each sample, and the context ten times a second, where a rule asks for it."""
-    return SKILL_HARNESS.format(name=compiled.name, tell=_told_context(compiled))
+    return SKILL_HARNESS.format(name=compiled.name, tell=_reported_context(compiled))

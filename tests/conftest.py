@@ -86,11 +86,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Print what tests have `told`, in whichever process they ran."""
+    """Print what tests have `reported`, in whichever process they ran."""
     for report in terminalreporter.getreports("passed"):
-        for name, told in report.user_properties:
-            if name == "told":
-                terminalreporter.write_line(str(told))
+        for name, reported in report.user_properties:
+            if name == "reported":
+                terminalreporter.write_line(str(reported))
 
 
 @pytest.fixture

@@ -29,13 +29,13 @@ def run(name: str, values: list[str]) -> State:
         if thing is None:
             sys.exit(f"the world has no {kind} with the label {label}")
         skill.ph.specify(parameter, thing)
-    told: Queue = Queue()
-    manager.set_monitor_cb(told.put)
+    reported: Queue = Queue()
+    manager.set_monitor_cb(reported.put)
     manager.execute(skill_list=[skill])
     seen: dict[int, tuple] = {}
     result = State.Running
     while result is State.Running:
-        for each in told.get(timeout=60).progress:
+        for each in reported.get(timeout=60).progress:
             state, message = State(each.state), each.progress_message
             if seen.get(each.id) != (state, message) and message not in ("", "Start", "End"):
                 print(f"{each.label}: {state.name}: {message.strip()}", flush=True)

@@ -1,7 +1,7 @@
 """Campaigns: many episodes that do not know of each other, each with a key, in many processes.
 
 What an episode is, only the function knows that is given here. Whatever happens, each result that
-was told is on disk, and a campaign that was interrupted goes on where it was.
+was reported is on disk, and a campaign that was interrupted goes on where it was.
 """
 
 from campaign.journal import BusyError, ForeignError, Journal

@@ -1,4 +1,4 @@
-"""The journal of a campaign: one JSON line for each episode, on disk before it is told.
+"""The journal of a campaign: one JSON line for each episode, on disk before it is reported.
 
 Its first line says of what it is a journal, so that results of other programs do not get in.
 """

@@ -1,4 +1,4 @@
-"""Claims about a state of the machine in which a skill is known to run, for z3."""
+"""Predicates about a state of the machine in which a skill is known to run, for z3."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rossmarie.analysis.terms import YES
 
 def runs(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill runs. Others may run beside it."""
-    asked = questions(state.machine)
+    asked = queries(state.machine)
     yes = {
         slot: skill in step.skills and not step.arguments and not step.is_ahead
         for slot, step in asked.items()
@@ -27,7 +27,7 @@ def stands_still(state: Encoding, skill: str) -> z3.BoolRef:
     """Say that the context is there, and tells that a skill does not run, nor one that is asked for
     together with it.
     """
-    asked = questions(state.machine)
+    asked = queries(state.machine)
     no = {
         slot: False if skill in step.skills and not step.is_ahead else None
         for slot, step in asked.items()
@@ -41,7 +41,7 @@ def acts(state: ArbitraryState, *rules: int) -> z3.BoolRef:
 
 
 def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.BoolRef]:
-    """Say that the context is there, and answers the questions in these slots, which are all; None
+    """Say that the context is there, and answers the queries in these slots, which are all; None
     stands for any answer.
     """
     for slot, answer in answers.items():
@@ -50,12 +50,12 @@ def tells(state: Encoding, answers: Mapping[int, bool | None]) -> Iterator[z3.Bo
         if answer is not None:
             yield number.value == (1 if answer else 0)
     contexts = {state.machine.slots[slot].input for slot in answers}
-    for index, truth in enumerate(state.machine.truths):
-        if isinstance(truth.node, ir.AgeReaches) and truth.node.input in contexts:
-            yield state.truth(index).false
+    for index, proposition in enumerate(state.machine.propositions):
+        if isinstance(proposition.node, ir.AgeReaches) and proposition.node.input in contexts:
+            yield state.proposition(index).false
 
 
-def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
+def queries(machine: ir.Machine) -> dict[int, ir.Doing]:
     """The slots that ask which skills run, and what each asks."""
     found = {}
     for index, slot in enumerate(machine.slots):
@@ -66,10 +66,10 @@ def questions(machine: ir.Machine) -> dict[int, ir.Doing]:
 
 
 def asked_by(machine: ir.Machine, rule: int) -> tuple[ir.Doing, ...]:
-    """The questions of the condition of a rule to the skills that run, each once."""
-    asked, found = questions(machine), dict[ir.Doing, None]()
-    for truth in ir.reachable_truths(machine, machine.rules[rule].condition):
-        node = machine.truths[truth].node
+    """The queries of the condition of a rule to the skills that run, each once."""
+    asked, found = queries(machine), dict[ir.Doing, None]()
+    for proposition in ir.reachable_propositions(machine, machine.rules[rule].condition):
+        node = machine.propositions[proposition].node
         if isinstance(node, ir.Flag):
             signal = machine.signals[node.signal].node
             if isinstance(signal, ir.Read) and signal.slot in asked:
@@ -87,5 +87,5 @@ def rests_on_skills(machine: ir.Machine, rule: ir.Rule) -> bool:
         for slot in machine.slots
         if any(isinstance(step, ir.Doing | ir.Quantity) for step in slot.path)
     }
-    truths = ir.supports(machine).truths
-    return any(heard & ir.all_channels(machine, truths[root]) for root in rule.roots)
+    propositions = ir.supports(machine).propositions
+    return any(heard & ir.all_channels(machine, propositions[root]) for root in rule.roots)

@@ -28,10 +28,10 @@ class Mention:
 
 def find_types_that_differ(robot: Robot) -> Iterator[Diagnostic]:
     """An error for each topic or server of a skill that is of another type to the rules."""
-    told = dict(_told_types(robot.machine))
+    reported = dict(_reported_types(robot.machine))
     for skill in robot.skills.skills.values():
         for use in skill.uses:
-            mention = told.get((use.kind, use.name))
+            mention = reported.get((use.kind, use.name))
             if mention is not None and use.type is not None and mention.type != use.type:
                 found = TypesDiffer(
                     thing=use.name, one=mention.type, other=use.type, skill=skill.name
@@ -40,7 +40,7 @@ def find_types_that_differ(robot: Robot) -> Iterator[Diagnostic]:
                 yield found.at(robot.span_of(use.place), label)
 
 
-def _told_types(machine: ir.Machine) -> Iterator[tuple[tuple[UseKind, str], Mention]]:
+def _reported_types(machine: ir.Machine) -> Iterator[tuple[tuple[UseKind, str], Mention]]:
     for used in machine.inputs:
         channel = machine.channels[used.channel]
         yield (UseKind.TOPIC, channel.source), Mention(channel.source_type, used.span)
@@ -67,10 +67,10 @@ def find_unread(robot: Robot) -> Iterator[Diagnostic]:
     if not readers:
         return
     known = {*readers, *(each.source for each in robot.machine.channels)}
-    told: set[str] = set()
+    reported: set[str] = set()
     for topic, span in _sent(robot):
-        if topic not in known and topic not in told:
-            told.add(topic)
+        if topic not in known and topic not in reported:
+            reported.add(topic)
             yield _unread(topic, span, readers)
 
 

@@ -1,4 +1,4 @@
-"""All questions about a robot, in their order."""
+"""All queries about a robot, in their order."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
 if TYPE_CHECKING:  # for those who name a scene only
     from crosscheck.scene import Scene
 
-_QUESTIONS = (
+_QUERIES = (
     find_wider,
     find_not_granted,
     find_unworkable,
@@ -33,7 +33,7 @@ _QUESTIONS = (
     find_tree_conditions,
 )
 LONGEST_S = 600.0
-"""The questions about one robot are given up after this, in seconds of processor time."""
+"""The queries about one robot are given up after this, in seconds of processor time."""
 
 
 def check_robot(
@@ -71,8 +71,8 @@ def findings(robot: Robot, scene: Scene | None = None) -> Iterator[Diagnostic]:
         yield from find_never_in_scene(robot, scene)
     inquiry = Inquiry(robot.machine, time.process_time() + LONGEST_S)
     try:
-        for question in _QUESTIONS:
-            yield from question(robot, inquiry)
+        for query in _QUERIES:
+            yield from query(robot, inquiry)
         if scene is not None:
             yield from find_no_numbers(robot, scene, inquiry)
     except OutOfTimeError:

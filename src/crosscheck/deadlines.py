@@ -39,12 +39,12 @@ Values = Mapping[str, float | None]
 def find_without_deadline(robot: Robot) -> Iterator[Diagnostic]:
     """A warning for each step that can use up all the time of the rule, if others need some."""
     open_steps = _OpenSteps(robot.skills.skills)
-    told: set[tuple[str, Place | None]] = set()
+    reported: set[tuple[str, Place | None]] = set()
     for run in tree_runs(robot):
         found = open_steps.of(run.skill)
         for step in found.steps if found.number >= _FEW else ():
-            if (step.skill, step.place) not in told:
-                told.add((step.skill, step.place))
+            if (step.skill, step.place) not in reported:
+                reported.add((step.skill, step.place))
                 yield _without_deadline(robot, run, step)
 
 

@@ -75,11 +75,11 @@ class NotGranted(Warning, code="CHK104", name="not-granted"):
 
 
 class NeverInScene(Warning, code="CHK105", name="never-in-this-scene"):
-    """A question to the skills that asks for a thing of a class that the scene has none of."""
+    """A query to the skills that asks for a thing of a class that the scene has none of."""
 
-    title = "`{question}` is never true in this scene"
+    title = "`{query}` is never true in this scene"
     label = "no thing of the scene is of the class that `{parameter}` has to be of"
-    question: str
+    query: str
     parameter: str
 
     class Others(Remark):
@@ -102,8 +102,8 @@ class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
     skill: str
 
     class Read(Remark):
-        says = "this rests on {question}, and holds where that is unknown"
-        question: str
+        says = "this rests on {query}, and holds where that is unknown"
+        query: str
 
 
 class NeverWorks(Error, code="CHK201", name="skill-never-works"):
@@ -160,7 +160,7 @@ class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
 
 
 class NotAllAsked(Error, code="CHK204", name="not-all-asked"):
-    """Questions that took longer than they may."""
+    """Queries that took longer than they may."""
 
     title = "not all was asked about rules and skills within {seconds:g} s of processor time"
     label = "so nobody knows whether all is well"

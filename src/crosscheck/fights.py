@@ -26,10 +26,12 @@ def find_fights(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]:
         again = _started_again(robot, skill)
         if again is None:
             continue
-        told: set[int] = set()
+        reported: set[int] = set()
         for taking in takings(machine, skill.uses):
-            if taking.rule not in told and is_cleared_at_once(machine, machine.rules[taking.rule]):
-                told.add(taking.rule)
+            if taking.rule not in reported and is_cleared_at_once(
+                machine, machine.rules[taking.rule]
+            ):
+                reported.add(taking.rule)
                 if _acts_only_with(inquiry, taking.rule, skill.name):
                     yield _finding(robot, skill, taking, again)
 

@@ -9,7 +9,7 @@ import z3
 
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.terms import NO
-from rossmarie.ir import Constant, Machine, compared_signals, reachable_truths
+from rossmarie.ir import Constant, Machine, compared_signals, reachable_propositions
 from rossmarie.skills import Limit, Permission, Skill
 from rossmarie.units import UnknownUnitError, parse_unit
 
@@ -46,8 +46,8 @@ def signals_of(machine: Machine, rule: int, kind: Kind) -> tuple[int, ...]:
 def compared_by(machine: Machine, rule: int) -> Iterator[int]:
     """The numbers that the condition of a rule compares."""
     seen: dict[int, None] = {}
-    for truth in reachable_truths(machine, machine.rules[rule].condition):
-        for signal in compared_signals(machine.truths[truth].node):
+    for proposition in reachable_propositions(machine, machine.rules[rule].condition):
+        for signal in compared_signals(machine.propositions[proposition].node):
             if not isinstance(machine.signals[signal].node, Constant):
                 seen[signal] = None
     yield from seen

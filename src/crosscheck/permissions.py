@@ -63,7 +63,7 @@ def _hinders(
         return z3.And(
             runs(state, skill.name),
             is_within(state, signals, limit, kind),
-            state.truth(machine.rules[rule].condition).true,
+            state.proposition(machine.rules[rule].condition).true,
         )
 
     return inquiry.is_possible(acts_within, settled=True)

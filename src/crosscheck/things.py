@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import z3
 
-from crosscheck.asking import questions, tells
+from crosscheck.asking import queries, tells
 from crosscheck.errors import NeverInScene, NoNumberInScene, NothingToTake
 from crosscheck.robot import Robot
 from dslkit.diagnostics import Diagnostic, listed
@@ -42,7 +42,7 @@ def find_nothing_to_take(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
 
 
 def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
-    """A warning for each question to the skills that no thing of the scene lets be true."""
+    """A warning for each query to the skills that no thing of the scene lets be true."""
     asked = dict(_asked(robot.machine))
     for span, step in asked.items():
         for parameter, classes in step.arguments:
@@ -50,7 +50,7 @@ def find_never_in_scene(robot: Robot, scene: Scene) -> Iterator[Diagnostic]:
             if possible and not any(scene.is_a(thing, classes) for thing in possible):
                 known = listed(scene.classes(possible))
                 help = NeverInScene.Others(parameter=parameter, known=known)
-                never = NeverInScene(question=str(step), parameter=parameter)
+                never = NeverInScene(query=str(step), parameter=parameter)
                 yield never.at(span, help=help)
                 break
 
@@ -74,13 +74,13 @@ def _things_of(robot: Robot, skill: Skill) -> Iterator[Parameter]:
 
 
 def _asked(machine: ir.Machine) -> Iterator[tuple[Span, ir.Doing]]:
-    """The questions to the skills, each by the place where rules write it."""
-    asked = questions(machine)
-    for truth in machine.truths:
-        if isinstance(truth.node, ir.Flag):
-            signal = machine.signals[truth.node.signal].node
+    """The queries to the skills, each by the place where rules write it."""
+    asked = queries(machine)
+    for proposition in machine.propositions:
+        if isinstance(proposition.node, ir.Flag):
+            signal = machine.signals[proposition.node.signal].node
             if isinstance(signal, ir.Read) and signal.slot in asked:
-                yield truth.span, asked[signal.slot]
+                yield proposition.span, asked[signal.slot]
 
 
 # --- numbers -------------------------------------------------------------------------------------
@@ -97,17 +97,17 @@ class _Reading:
 
 def find_no_numbers(robot: Robot, scene: Scene, inquiry: Inquiry) -> Iterator[Diagnostic]:
     """A warning for each thing without a number that a rule needs while a skill runs with it."""
-    lost: dict[tuple[str, str], list[tuple[_Reading, Skill]]] = {}
+    stale: dict[tuple[str, str], list[tuple[_Reading, Skill]]] = {}
     for reading in _readings(robot.machine, inquiry):
         answers: dict[tuple[bool | None, ...], bool] = {}
         for skill, thing in _taken(robot, scene, reading):
             known = _answers(inquiry.about(reading.rule).machine, scene, reading, skill, thing)
             key = tuple(known.values())
             if key not in answers:
-                answers[key] = _is_lost(inquiry, reading, known)
+                answers[key] = _is_stale(inquiry, reading, known)
             if answers[key]:
-                lost.setdefault((thing, str(reading.step.property)), []).append((reading, skill))
-    for (thing, name), found in lost.items():
+                stale.setdefault((thing, str(reading.step.property)), []).append((reading, skill))
+    for (thing, name), found in stale.items():
         yield _without_number(robot, scene, thing, name, found)
 
 
@@ -143,11 +143,11 @@ def _taken(robot: Robot, scene: Scene, reading: _Reading) -> Iterator[tuple[Skil
 def _answers(
     machine: ir.Machine, scene: Scene, reading: _Reading, skill: Skill, thing: str
 ) -> Mapping[int, bool | None]:
-    """The answers to all questions while only this skill runs, with this thing; None for those that
+    """The answers to all queries while only this skill runs, with this thing; None for those that
     depend on other things.
     """
     found: dict[int, bool | None] = {}
-    for slot, step in questions(machine).items():
+    for slot, step in queries(machine).items():
         arguments = dict(step.arguments)
         wanted = arguments.pop(reading.step.parameter, None)
         fits = skill.name in step.skills and (wanted is None or scene.is_a(thing, wanted))
@@ -155,20 +155,20 @@ def _answers(
     return found
 
 
-def _is_lost(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | None]) -> bool:
-    """Say whether a rule can be lost for lack of this number alone."""
+def _is_stale(inquiry: Inquiry, reading: _Reading, answers: Mapping[int, bool | None]) -> bool:
+    """Say whether a rule can be stale for lack of this number alone."""
     about = inquiry.about(reading.rule)
     machine = about.machine
     read = {each.node.slot for each in machine.signals if isinstance(each.node, ir.Read)}
 
-    def is_lost(state: ArbitraryState) -> z3.BoolRef:
+    def is_stale(state: ArbitraryState) -> z3.BoolRef:
         others = [state.slot(slot).known for slot in sorted(read - {reading.slot})]
-        condition = state.truth(machine.rules[0].condition)
+        condition = state.proposition(machine.rules[0].condition)
         return z3.And(
-            *tells(state, answers), *others, z3.Not(state.slot(reading.slot).known), condition.lost
+            *tells(state, answers), *others, z3.Not(state.slot(reading.slot).known), condition.stale
         )
 
-    return about.is_possible(is_lost, settled=True)
+    return about.is_possible(is_stale, settled=True)
 
 
 def _without_number(
@@ -189,6 +189,6 @@ def _without_number(
         hold="holds" if len(names) == 1 else "hold",
         skill=skill.name,
     )
-    label = NoNumberInScene.Read(question=str(reading.step))
+    label = NoNumberInScene.Read(query=str(reading.step))
     heads = [robot.machine.rules[rule].head for rule in rules]
     return without.at(scene.place(thing), *(label.at(head) for head in heads))

@@ -51,16 +51,16 @@ def find_tree_conditions(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]
         reason = f"`{classes.missing}` is not to be read in the ontology"
         yield ConditionsUnknown(reason=reason).at(robot.span_of(None))
         return
-    told: dict[tuple[object, ...], Diagnostic] = {}
+    reported: dict[tuple[object, ...], Diagnostic] = {}
     try:
         for run in runs:
             for situation in situations(robot, inquiry, run.rule):
                 for found in _Tree(robot, classes, run, situation).findings():
-                    told.setdefault((found.code, found.title, run.task), found)
+                    reported.setdefault((found.code, found.title, run.task), found)
     except UnreadableConditionError as error:
         yield ConditionsUnknown(reason=str(error)).at(robot.span_of(None))
         return
-    yield from told.values()
+    yield from reported.values()
 
 
 @dataclass(frozen=True)

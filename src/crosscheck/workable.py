@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 
 import z3
 
-from crosscheck.asking import acts, questions, runs
+from crosscheck.asking import acts, queries, runs
 from crosscheck.errors import NeverWorks, RulesNeverLetWork
 from crosscheck.robot import Robot
 from dslkit.diagnostics import Diagnostic, Remark, listed
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.finding import witness_note
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Read
 from rossmarie.ir.taking import Taking, takings
@@ -56,12 +56,12 @@ def _finding(
 
 
 def _shown(about: Inquiry, skill: str) -> list[Remark]:
-    """A course of events, borne out by the interpreter, in which the skill runs and the only rule
+    """A trace of events, borne out by the interpreter, in which the skill runs and the only rule
     is active.
     """
     machine = about.machine
     condition = machine.rules[0].condition
-    asked = questions(machine)
+    asked = queries(machine)
     running = [
         index
         for index, signal in enumerate(machine.signals)
@@ -71,14 +71,14 @@ def _shown(about: Inquiry, skill: str) -> list[Remark]:
         and not step.is_ahead
     ]
 
-    def in_course(course: Course) -> z3.BoolRef:
-        first = course.moments[0]
-        return z3.And(runs(first, skill), first.truth(condition).true)
+    def in_trace(trace: Trace) -> z3.BoolRef:
+        first = trace.moments[0]
+        return z3.And(runs(first, skill), first.proposition(condition).true)
 
     def in_view(seen: Sequence[View]) -> bool:
         return seen[-1].active[0] and all(seen[-1].signals[index] == 1.0 for index in running)
 
-    witness = about.quick_witness((condition,), 1, in_course, in_view)
+    witness = about.quick_witness((condition,), 1, in_trace, in_view)
     return [] if witness is None else [witness_note(machine, witness, (condition,))]
 
 

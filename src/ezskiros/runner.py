@@ -81,8 +81,8 @@ def _modules(checked: Checked) -> list[Path]:
 
 
 def _ontology(library: Library) -> tuple[Ontology, Sequence[Diagnostic]]:
-    """That of the skills; if they are about no things, what `load()` loads, if it is told what; and
-    what is wrong with that.
+    """That of the skills; if they are about no things, what `load()` loads, if it is reported what;
+    and what is wrong with that.
     """
     known = library.ontology()
     if known is not None:

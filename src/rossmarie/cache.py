@@ -79,7 +79,7 @@ def _read(name: str) -> bytes | None:
 
 
 def _write(name: str, content: bytes) -> None:
-    with suppress(OSError):  # `_read` has told what is not to be trusted
+    with suppress(OSError):  # `_read` has reported what is not to be trusted
         key = _key()
         with _Folder(cache_folder()) as folder:
             folder.write(_named(name, key), _tag(key, name, content) + content)

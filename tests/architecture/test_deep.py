@@ -61,18 +61,20 @@ def test_the_page_has_the_last_lines_without_those_of_progress(
 def test_a_part_that_passed_on_these_sources_is_not_run_again(
     deep: ModuleType, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    told = f"open({str(tmp_path / 'runs')!r}, 'a').write('x'); print('one'); print(); print('two')"
+    reported = (
+        f"open({str(tmp_path / 'runs')!r}, 'a').write('x'); print('one'); print(); print('two')"
+    )
     again = (
         f"import pathlib; raise SystemExit(not pathlib.Path({str(tmp_path / 'there')!r}).exists())"
     )
-    assert run(deep, monkeypatch, told, again, kept=3) == 1
+    assert run(deep, monkeypatch, reported, again, kept=3) == 1
     first = deep.PAGE.read_text()
     (tmp_path / "there").touch()
-    assert run(deep, monkeypatch, told, again, kept=3) == 0
+    assert run(deep, monkeypatch, reported, again, kept=3) == 0
     assert (tmp_path / "runs").read_text() == "x"
     assert deep.PAGE.read_text() == first.replace("failed, exit code 1", "passed")
     (deep.ROOT / "src/rossmarie/targets/names.py").write_text("two")
-    assert run(deep, monkeypatch, told, again, kept=3) == 0
+    assert run(deep, monkeypatch, reported, again, kept=3) == 0
     assert (tmp_path / "runs").read_text() == "xx"
 
 

@@ -71,7 +71,7 @@ def installed(name: str) -> Distribution | None:
         return None
 
 
-def told(metadata: Distribution) -> set[str]:
+def reported(metadata: Distribution) -> set[str]:
     """The licences that an installed package may have, as far as its metadata say it; where they
     say nothing, as its own file says in its first lines.
     """
@@ -146,7 +146,7 @@ def test_the_licence_is_the_one_in_notice_and_allowed(name: str) -> None:
     expression = noticed()[name]
     metadata = installed(name)
     if metadata is not None:
-        said = told(metadata)
+        said = reported(metadata)
         assert said, f"the metadata of {name} say no licence that is known here: add it to WORDS"
         assert said & identifiers(expression), (
             f"NOTICE says that {name} is under {expression}, and its metadata say {sorted(said)}: "

@@ -42,7 +42,7 @@ def test_rows_come_in_the_order_of_the_keys(tmp_path: Path) -> None:
     assert found.failures == ()
 
 
-def test_an_episode_that_fails_is_told_and_the_rest_goes_on(tmp_path: Path) -> None:
+def test_an_episode_that_fails_is_reported_and_the_rest_goes_on(tmp_path: Path) -> None:
     keys = ["a:", "raise:it broke", "die:", "hang:", "b:", "c:"]
     found, shown = campaign(tmp_path / "journal.jsonl", keys, limit_s=4.0)
     assert list(found.values) == ["a:", "b:", "c:"]

@@ -141,7 +141,7 @@ def test_no_episode_is_lost_or_counted_twice_when_a_node_dies(tmp_path: Path) ->
         assert "24 of 25 are done already" in shown.getvalue()
 
 
-def test_a_head_that_dies_is_told_before_ray_ends_this_process(
+def test_a_head_that_dies_is_reported_before_ray_ends_this_process(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(ray_cluster, "_PERIOD_S", 0.5)
@@ -168,7 +168,7 @@ def test_a_head_that_dies_is_told_before_ray_ends_this_process(
         assert set(journal.values) == {result.key for result in killer.heard}
 
 
-def test_a_cluster_that_is_not_there_is_told() -> None:
+def test_a_cluster_that_is_not_there_is_reported() -> None:
     workers = RayCluster(f"127.0.0.1:{free_port()}")
     with pytest.raises(UnreachableError, match="no Ray cluster at"):
         list(workers.results(work, ["a:"]))

@@ -37,9 +37,9 @@ def test_the_example_is_fine_and_its_file_of_skills_is_up_to_date(tmp_path: Path
     out = tmp_path / "skills.json"
     again = command_line.run("ezskiros", "export", "skills", "-o", out, folder=EXAMPLE)
     assert again.returncode == 0
-    told = [json.loads(path.read_text()) for path in (out, EXAMPLE / "skills.json")]
-    assert [skill["name"] for skill in told[0]["skills"]] == [
-        skill["name"] for skill in told[1]["skills"]
+    reported = [json.loads(path.read_text()) for path in (out, EXAMPLE / "skills.json")]
+    assert [skill["name"] for skill in reported[0]["skills"]] == [
+        skill["name"] for skill in reported[1]["skills"]
     ]
 
 
@@ -97,7 +97,7 @@ def test_a_name_cannot_break_the_picture(tmp_path: Path) -> None:
     assert "Traceback" not in done.stdout + done.stderr
 
 
-def test_questions_that_take_too_long_are_an_error(
+def test_queries_that_take_too_long_are_an_error(
     wide: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("crosscheck.check.LONGEST_S", -1.0)
@@ -115,15 +115,15 @@ def test_questions_that_take_too_long_are_an_error(
     ],
     ids=lambda command: command[0],
 )
-@pytest.mark.parametrize("lost", ["wide.ross", "skills/motions.py"])
+@pytest.mark.parametrize("stale", ["wide.ross", "skills/motions.py"])
 def test_nothing_that_is_read_is_written_over(
-    command: tuple[str, ...], lost: str, wide: Path
+    command: tuple[str, ...], stale: str, wide: Path
 ) -> None:
-    path = wide.parent / lost
+    path = wide.parent / stale
     before = path.read_bytes()
-    done = command_line.run(*command, lost, folder=wide.parent)
+    done = command_line.run(*command, stale, folder=wide.parent)
     assert done.returncode == 2
-    assert f"{lost} does not end in" in done.stderr
+    assert f"{stale} does not end in" in done.stderr
     assert path.read_bytes() == before
 
 

@@ -78,9 +78,9 @@ def robot(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def found(robot: Path, tree: str, within: str) -> list[Diagnostic]:
-    told = found_with(robot, RULES.format(tree=tree, within=within))
-    assert "CHK206" not in [each.code for each in told]
-    return [each for each in told if each.code in ("CHK209", "CHK210")]
+    reported = found_with(robot, RULES.format(tree=tree, within=within))
+    assert "CHK206" not in [each.code for each in reported]
+    return [each for each in reported if each.code in ("CHK209", "CHK210")]
 
 
 @pytest.mark.parametrize(
@@ -99,10 +99,10 @@ def found(robot: Path, tree: str, within: str) -> list[Diagnostic]:
     ],
 )
 def test_steps_that_only_the_rule_bounds(robot: Path, tree: str, steps: list[str]) -> None:
-    told = found(robot, tree, "90 sec")
-    assert {each.code for each in told} <= {"CHK209"}
-    assert [each.primary.span.text for each in told] == steps
-    assert all("it can use up the 90 s that `near` gives" in each.title for each in told)
+    reported = found(robot, tree, "90 sec")
+    assert {each.code for each in reported} <= {"CHK209"}
+    assert [each.primary.span.text for each in reported] == steps
+    assert all("it can use up the 90 s that `near` gives" in each.title for each in reported)
 
 
 @pytest.mark.parametrize(
@@ -123,10 +123,12 @@ def test_steps_that_only_the_rule_bounds(robot: Path, tree: str, steps: list[str
 )
 def test_deadlines_that_add_up(robot: Path, tree: str, longest: float) -> None:
     assert found(robot, tree, f"{longest} sec") == []
-    (told,) = found(robot, tree, f"{longest - 0.1} sec")
+    (reported,) = found(robot, tree, f"{longest - 0.1} sec")
     name = tree.partition("(")[0]
-    assert told.code == "CHK210"
-    assert told.title.startswith(f"the deadlines in `{name}` add up to {longest:g} s, and `near`")
+    assert reported.code == "CHK210"
+    assert reported.title.startswith(
+        f"the deadlines in `{name}` add up to {longest:g} s, and `near`"
+    )
 
 
 @pytest.mark.parametrize(
@@ -143,8 +145,8 @@ def test_nothing_is_said_of_what_is_not_known(robot: Path, tree: str) -> None:
     assert found(robot, tree, "0.1 sec") == []
 
 
-def test_the_parts_that_add_up_are_told(robot: Path) -> None:
-    (told,) = found(robot, "Nested", "13 sec")
-    assert told.notes == ("13.5 s = 4 s (`Wait`) + 2.5 s (`Look`) + 7 s (`Wait` and `Look`)",)
-    (told,) = found(robot, "Again", "10 sec")
-    assert told.notes == ("12 s = 12 s (3 x `Wait`)",)
+def test_the_parts_that_add_up_are_reported(robot: Path) -> None:
+    (reported,) = found(robot, "Nested", "13 sec")
+    assert reported.notes == ("13.5 s = 4 s (`Wait`) + 2.5 s (`Look`) + 7 s (`Wait` and `Look`)",)
+    (reported,) = found(robot, "Again", "10 sec")
+    assert reported.notes == ("12 s = 12 s (3 x `Wait`)",)

@@ -166,15 +166,15 @@ def test_no_tree_takes_longer(tree: Tree) -> None:
     """Without nodes that tick side by side, one takes as long. With these, of two that end at the
     same instant the first decides, so that the longest time is only approached.
     """
-    told, seen = times(tree), in_all_ways(tree)
+    reported, seen = times(tree), in_all_ways(tree)
     has_beside = "parallel" in str(tree)
-    for status, time in ((Status.SUCCESS, told.success), (Status.FAILURE, told.failure)):
+    for status, time in ((Status.SUCCESS, reported.success), (Status.FAILURE, reported.failure)):
         found = seen.get(status)
-        assert (found is None) or (time is not None and found <= time.seconds), (told, seen)
+        assert (found is None) or (time is not None and found <= time.seconds), (reported, seen)
         if not has_beside:
-            assert (time is None) == (found is None), (told, seen)
+            assert (time is None) == (found is None), (reported, seen)
             assert time is None or found == time.seconds or _is_endless(found, time.seconds)
-    for each in (told.success, told.failure):
+    for each in (reported.success, reported.failure):
         if each is not None and math.isfinite(each.seconds):
             assert sum(seconds for _, seconds in each.parts) == each.seconds
 
@@ -208,6 +208,6 @@ def timed(seconds: float) -> Tree:
     ],
 )
 def test_longest_times(tree: Tree, success: float | None, failure: float | None) -> None:
-    told = times(tree)
-    assert (told.success and told.success.seconds) == success
-    assert (told.failure and told.failure.seconds) == failure
+    reported = times(tree)
+    assert (reported.success and reported.success.seconds) == success
+    assert (reported.failure and reported.failure.seconds) == failure

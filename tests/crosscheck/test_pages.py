@@ -39,8 +39,8 @@ def test_the_example_has_the_finding_and_the_other_has_not(page: Path, tmp_path:
         assert has_it or not any(each.severity is Severity.ERROR for each in found), found
 
 
-def test_a_skill_that_never_works_is_shown_by_a_course_of_events(tmp_path: Path) -> None:
+def test_a_skill_that_never_works_is_shown_by_a_trace(tmp_path: Path) -> None:
     (wrong,) = of(next(page for page in PAGES if page.stem == "CHK201"), "Example", "ross")
     found = found_with(put_example(tmp_path), wrong.text)
-    (told,) = [each for each in found if each.code == "CHK201"]
-    assert "doing Drive = true" in "\n".join(told.notes)
+    (reported,) = [each for each in found if each.code == "CHK201"]
+    assert "doing Drive = true" in "\n".join(reported.notes)

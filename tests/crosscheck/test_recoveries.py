@@ -225,13 +225,15 @@ rule near: if gap < 0.3 m and doing Rub then {{ recover; }} clear when doing Rub
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "told"),
+    ("old", "new", "reported"),
     [
         ('"kind": "relation"', '"kind": "relative"', "its `kind` is none of"),
         ('"is_true": true', '"is_true": 1', "its `is_true` is missing, or of another type"),
     ],
 )
-def test_a_condition_that_is_none_is_said(recovering: Path, old: str, new: str, told: str) -> None:
+def test_a_condition_that_is_none_is_said(
+    recovering: Path, old: str, new: str, reported: str
+) -> None:
     skills = recovering / "skills.json"
     kept = skills.read_text()
     assert old in kept
@@ -245,4 +247,4 @@ rule near: if gap < 0.3 m and doing Rub then {{ recover; }} clear when doing Rub
     finally:
         skills.write_text(kept)
     assert found.code == "CHK213"
-    assert told in found.title
+    assert reported in found.title

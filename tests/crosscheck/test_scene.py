@@ -46,7 +46,7 @@ def test_the_example_is_fine_in_its_scene() -> None:
 
 
 @pytest.mark.parametrize(
-    ("rule", "is_lost"),
+    ("rule", "is_stale"),
     [
         ("doing Wipe and norm(force) > most", True),
         ("doing Wipe(Board: GlassBoard) and norm(force) > most", False),
@@ -56,11 +56,11 @@ def test_the_example_is_fine_in_its_scene() -> None:
         ("norm(force) > 10 N and doing Wipe", False),
     ],
 )
-def test_a_number_is_missed_where_the_rule_is_lost_without_it(
-    robot: Path, rule: str, is_lost: bool
+def test_a_number_is_missed_where_the_rule_is_stale_without_it(
+    robot: Path, rule: str, is_stale: bool
 ) -> None:
     found = in_scene(robot, rule, (f" ; {STRONG}", ""))
-    assert codes(tuple(found)) == ["CHK106"] * is_lost
+    assert codes(tuple(found)) == ["CHK106"] * is_stale
     for each in found:
         assert each.primary.span.text == "office:Whiteboard-5"
         assert [label.span.text for label in each.labels] == ["it"]
@@ -91,7 +91,7 @@ def test_each_thing_that_can_be_taken_is_looked_at(robot: Path) -> None:
     ]
 
 
-def test_a_class_without_a_thing_is_told_once_and_what_there_is_instead(robot: Path) -> None:
+def test_a_class_without_a_thing_is_reported_once_and_what_there_is_instead(robot: Path) -> None:
     gone = ("office:GlassBoard-6", "office:Whiteboard-6"), (", office:GlassBoard", "")
     asked = "doing Wipe(Board: GlassBoard)"
     (found,) = in_scene(robot, f"{asked} or {asked}", *gone)[:1]
@@ -100,7 +100,9 @@ def test_a_class_without_a_thing_is_told_once_and_what_there_is_instead(robot: P
     assert in_scene(robot, "doing Wipe(Board: Whiteboard)", *gone) == []
 
 
-def test_skills_with_nothing_to_take_are_told_together_and_no_rule_with_them(robot: Path) -> None:
+def test_skills_with_nothing_to_take_are_reported_together_and_no_rule_with_them(
+    robot: Path,
+) -> None:
     no_sponge = (
         "office:Sponge-4 a owl:NamedIndividual , office:Sponge",
         "skiros:Product-4 a skiros:Product",
@@ -111,7 +113,7 @@ def test_skills_with_nothing_to_take_are_told_together_and_no_rule_with_them(rob
     assert found.title.startswith("`Erase` and `Wipe` cannot start")
 
 
-def test_what_is_wrong_with_a_scene_by_itself_is_told_as_well(robot: Path) -> None:
+def test_what_is_wrong_with_a_scene_by_itself_is_reported_as_well(robot: Path) -> None:
     scene = robot / "wrong.turtle"
     scene.write_text(SCENE.read_text().replace(", office:Sponge", ", office:Spunge"))
     done = command_line.run("crosscheck", "check", "--scene", scene, RULES, "--format", "sarif")

@@ -21,7 +21,7 @@ def test_its_tests_pass() -> None:
     assert len(found.ran) == 5
 
 
-def test_norms_are_told_from_the_task() -> None:
+def test_norms_are_reported_from_the_task() -> None:
     program = check_file(RULES, only=[Category.TASK_INDEPENDENT]).program
     assert program is not None
     assert [rule.name.text for rule in program.rules if rule.name is not None] == [

@@ -35,7 +35,7 @@ MOST_BYTES = 400_000
 ROUNDING = 1 / 32
 """A step of the coarsest numbers: another C library may round a number the other way."""
 MOST_DIFFERENT = 0.01
-BEYOND_MC_DC = (Aspect.UNDER, Aspect.AT, Aspect.OVER, Aspect.LOST)
+BEYOND_MC_DC = (Aspect.UNDER, Aspect.AT, Aspect.OVER, Aspect.STALE)
 DECLARED = re.compile(r"^    topic (?:\w+ = )?(/\S+) :\s+([\w/]+)", re.MULTILINE)
 
 of_each_robot = pytest.mark.parametrize("robot", robots(), ids=lambda each: each.name)
@@ -98,15 +98,15 @@ def test_a_node_comes_of_the_rules(robot: Robot, target: str, tmp_path: Path) ->
 
 @of_each_robot
 def test_the_recording_is_what_the_simulation_says(robot: Robot, bless: bool) -> None:
-    store, told = simulated(robot.name)
-    expected = list(told)
+    store, reported = simulated(robot.name)
+    expected = list(reported)
     if bless:
         write(robot.recording, store, expected)
     assert robot.recording.stat().st_size < MOST_BYTES
     different = 0
-    for found, (*told_where, kind, message) in zip(recorded(robot), expected, strict=True):
+    for found, (*reported_where, kind, message) in zip(recorded(robot), expected, strict=True):
         *where, content = found
-        assert where == [*told_where, kind]
+        assert where == [*reported_where, kind]
         if content != bytes(store.serialize_cdr(message, kind)):
             different += 1
             assert is_near(store.deserialize_cdr(content, kind), message), where
@@ -137,9 +137,9 @@ def is_near(found: Any, wanted: Any) -> bool:
 def test_topics_are_those_of_the_system_model(robot: Robot) -> None:
     declared = dict(DECLARED.findall((robot.folder / "system.ross").read_text(encoding="utf-8")))
     with open_recording(robot.recording) as opened:
-        told = {topic.name: topic.message_type for topic in opened.topics.values()}
+        reported = {topic.name: topic.message_type for topic in opened.topics.values()}
     transforms = {"/tf": "tf2_msgs/TFMessage", "/tf_static": "tf2_msgs/TFMessage"}
-    assert told.items() <= {**declared, **transforms}.items()
+    assert reported.items() <= {**declared, **transforms}.items()
 
 
 @of_each_robot

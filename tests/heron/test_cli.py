@@ -86,14 +86,14 @@ def test_the_names_that_are_known_without_the_simulation_are_those_of_the_experi
     assert list(EXPERIMENTS) == list(VARIANTS)
 
 
-def test_a_wrong_arm_is_told_with_those_that_there_are() -> None:
+def test_a_wrong_arm_is_reported_with_those_that_there_are() -> None:
     found = CliRunner().invoke(app, ["run", "nav", "--arm", "none_at_all"])
     assert found.exit_code == 2
     assert "rossmarie" in found.output
 
 
 @pytest.mark.parametrize(
-    ("variables", "told"),
+    ("variables", "reported"),
     [
         ({"ROS_MASTER_URI": "http://127.0.0.1:1"}, "no ROS master at http://127.0.0.1:1"),
         ({"ROS_MASTER_URI": "nonsense"}, "no ROS master at nonsense"),
@@ -102,8 +102,8 @@ def test_a_wrong_arm_is_told_with_those_that_there_are() -> None:
     ],
 )
 @needs(MUJOCO)
-def test_what_hinders_a_link_to_ros_is_told(
-    variables: dict[str, str], told: str, monkeypatch: pytest.MonkeyPatch
+def test_what_hinders_a_link_to_ros_is_reported(
+    variables: dict[str, str], reported: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for name in ("ROS_MASTER_URI", "ROS_IP", "ROS_HOSTNAME"):
         monkeypatch.delenv(name, raising=False)
@@ -111,7 +111,7 @@ def test_what_hinders_a_link_to_ros_is_told(
         monkeypatch.setenv(name, value)
     found = CliRunner().invoke(app, ["run", "nav", "--ros1"])
     assert found.exit_code == 1
-    assert told in found.stderr
+    assert reported in found.stderr
 
 
 def test_without_a_guard_there_is_nothing_to_link() -> None:
@@ -124,7 +124,7 @@ NO_POLICY = ["run", "insertion", "--policy", "policy.npz"]
 
 
 @pytest.mark.parametrize(
-    ("command", "told"),
+    ("command", "reported"),
     [
         (["run", "insertion"], "an episode needs --policy FILE"),
         (["run", "insertion", "--arm", "ended"], "insertion has no arm ended; there are"),
@@ -134,15 +134,15 @@ NO_POLICY = ["run", "insertion", "--policy", "policy.npz"]
         ([*NO_POLICY, "--film", "a.txt"], "has to end in .mp4 or .gif"),
     ],
 )
-def test_an_insertion_that_there_is_not_is_refused(command: list[str], told: str) -> None:
+def test_an_insertion_that_there_is_not_is_refused(command: list[str], reported: str) -> None:
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 2
-    assert told in found.stderr
+    assert reported in found.stderr
 
 
 @needs(MUJOCO)
 @pytest.mark.parametrize("command", [NO_POLICY, ["policy", "policy.npz"]])
-def test_a_policy_that_is_not_there_is_told(
+def test_a_policy_that_is_not_there_is_reported(
     command: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

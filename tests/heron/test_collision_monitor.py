@@ -101,7 +101,7 @@ def test_zones_slow_it_down_stop_it_and_let_it_go_on() -> None:
     assert set(bench.monitor.active) == {"stop_zone", "slow_zone"}
     bench.after(0.1, *ahead(3.0))
     assert bench.command(0.2) == pytest.approx((0.2, 0.0))
-    assert [words for _, words in bench.monitor.told] == [
+    assert [words for _, words in bench.monitor.reported] == [
         "slow_zone activated",
         "stop_zone activated",
         "stop_zone cleared",

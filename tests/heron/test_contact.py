@@ -88,7 +88,7 @@ def test_a_skill_may_not_press_harder_than_it_permits() -> None:
     assert found.measures.reactions["jam"] < 0.3
     assert found.measures.peak_in_jam is not None
     assert 30.0 < found.measures.peak_in_jam < 60.0
-    assert any("while_Push activated" in words for _, words in found.told)
+    assert any("while_Push activated" in words for _, words in found.reported)
     assert not found.measures.is_completed
     assert found.measures.wiped == 1.0, "what can be done is done"
 
@@ -103,7 +103,11 @@ def test_without_a_monitor_it_presses_as_hard_as_its_motion_is_made_to() -> None
 def test_the_same_seed_is_the_same_episode() -> None:
     first = episode(Arm.SKILL_AWARE, Encounter.COLLISION)
     again = run_contact(Arm.SKILL_AWARE, Encounter.COLLISION, SEED)
-    assert (first.measures, first.told, first.cell) == (again.measures, again.told, again.cell)
+    assert (first.measures, first.reported, first.cell) == (
+        again.measures,
+        again.reported,
+        again.cell,
+    )
     assert np.array_equal(first.trace.columns["force"], again.trace.columns["force"])
 
 
@@ -132,7 +136,7 @@ class Server:
 
 
 def contexts(goals: int) -> list[Message]:
-    """All that is told in four seconds, in which the arm reaches so many goals."""
+    """All that is reported in four seconds, in which the arm reaches so many goals."""
     carrier, server = InProcess(), Server()
     carrier.serve(ARM, server)
     heard: list[Message] = []
@@ -167,11 +171,11 @@ def test_the_context_tells_of_a_compound_and_of_its_child_with_things_and_permis
     assert push.goal != message.running[0].goal
     assert seconds(push.since) == pytest.approx(1.12, abs=0.05)
     assert {one.parameter: one.type for one in push.arguments}["Object"] == "heron.Box"
-    told = {(one.kind, one.type, one.limit) for one in push.permits if one.kind == "force"}
-    assert told == {("force", "heron.Box", 30.0)}
+    reported = {(one.kind, one.type, one.limit) for one in push.permits if one.kind == "force"}
+    assert reported == {("force", "heron.Box", 30.0)}
 
 
-def test_it_is_told_ten_times_a_second_and_at_once_when_a_skill_starts_or_ends() -> None:
+def test_it_is_reported_ten_times_a_second_and_at_once_when_a_skill_starts_or_ends() -> None:
     heard = contexts(3)
     stamps = [seconds(message.header.stamp) for message in heard]
     assert max(np.diff(stamps)) < 0.11
@@ -182,7 +186,7 @@ def test_it_is_told_ten_times_a_second_and_at_once_when_a_skill_starts_or_ends()
     assert names(ended) == ["TidyUp"], "before the next one starts"
 
 
-def test_before_and_after_a_task_no_skill_runs_and_that_is_told() -> None:
+def test_before_and_after_a_task_no_skill_runs_and_that_is_reported() -> None:
     heard = contexts(7)
     assert names(heard[0]) == names(heard[-1]) == []
     assert names(contexts(0)[-1]) == ["TidyUp", "Reach"]
@@ -212,13 +216,13 @@ class Watch:
         self.guard = InProcessGuard(machine, self.carrier, lambda: self.now_ns)
         self.digest = contexts(0)[0].digest
 
-    def pass_time(self, seconds: float, force: float, told: Message | None) -> None:
+    def pass_time(self, seconds: float, force: float, reported: Message | None) -> None:
         """A force on the hand, and a context, if somebody tells one."""
         say, press = (self.carrier.publisher(topic) for topic in (SKILL_CONTEXT, WRENCH))
         until_ns = self.now_ns + round(seconds * SECOND)
         while self.now_ns < until_ns:
-            if told is not None and self.now_ns % 100_000_000 == 0:
-                say(told)
+            if reported is not None and self.now_ns % 100_000_000 == 0:
+                say(reported)
             if self.now_ns % 8_000_000 == 0:
                 press(messages.wrench(self.now_ns, (0.0, 0.0, force)))
             self.guard.tick(self.now_ns)

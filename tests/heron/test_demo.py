@@ -61,7 +61,7 @@ def browns(picture: bytes) -> int:
 def test_a_film_shows_the_episode_and_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
     shot = shot_in_a_process("egl", monkeypatch)
     plain = run_placing(Arm.ROSSMARIE, Table.HIGH, 3)
-    assert (shot.told, shot.duration) == (plain.told, plain.measures.duration)
+    assert (shot.reported, shot.duration) == (plain.reported, plain.measures.duration)
     assert shot.measures["above 30 N"] == f"{plain.measures.time_above_30_n:.2f} s"
     assert shot.frames.trouble == ""
     assert len(shot.frames.pictures) * shot.frames.period == pytest.approx(shot.duration, abs=0.3)
@@ -70,7 +70,7 @@ def test_a_film_shows_the_episode_and_changes_nothing(monkeypatch: pytest.Monkey
         assert picture.size == (480, 270)
         assert len(picture.convert("RGB").getcolors(2**18) or []) > 500, "there is something on it"
     assert [skill.label for skill in shot.tree] == ["place", "PutDown"]
-    activated = [at for at, words in shot.told if "soften_when_hammering activated" in words]
+    activated = [at for at, words in shot.reported if "soften_when_hammering activated" in words]
     assert shot.rules["soften_when_hammering"][0][0] == pytest.approx(activated[0], abs=0.021)
     assert 0.0 < activated[0] - shot.onsets["hammering"] < 0.5
 
@@ -95,7 +95,7 @@ def test_the_film_of_a_drive_goes_on_until_the_block_is_picked_up(
     )
 
 
-def test_where_nothing_can_be_drawn_the_reason_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_where_nothing_can_be_drawn_the_reason_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     shot = shot_in_a_process("disable", monkeypatch)
     assert shot.frames.pictures == ()
     assert shot.frames.trouble
@@ -136,7 +136,7 @@ def made_up(arm: Arm, rules: dict[str, list[tuple[float, float]]]) -> Shot:
         is_completed=arm is Arm.ROSSMARIE,
         duration=8.0 if arm is Arm.DEROS else 2.0,
         measures={"task": "completed", "peak force": f"{len(rules)}17 N"},
-        told=((0.5, "</script><b>said</b>"),),
+        reported=((0.5, "</script><b>said</b>"),),
         onsets={"hammering": 0.25},
         rules=rules,
         tree=TREE,
@@ -199,7 +199,7 @@ def test_what_still_runs_in_the_end_has_no_result() -> None:
     assert running_of(tree, shot.duration) == [("place", 1.0, 2.0)]
 
 
-def test_of_a_tree_the_leaves_are_told_while_they_run() -> None:
+def test_of_a_tree_the_leaves_are_reported_while_they_run() -> None:
     assert [name for name, _, _ in running_of(TREE, 2.0)] == ["Reach(above)", "Reach(above)"]
 
 
@@ -266,16 +266,16 @@ def test_arms_that_are_not_chosen_are_hidden_and_the_axis_follows(tmp_path: Path
 
 
 @needs_browser
-def test_values_are_told_at_the_pointer_and_a_click_goes_there(tmp_path: Path) -> None:
+def test_values_are_reported_at_the_pointer_and_a_click_goes_there(tmp_path: Path) -> None:
     script = """
         const track = document.querySelector(".cursor-track").getBoundingClientRect();
         const at = { clientX: track.left + track.width / 4, bubbles: true };
         const plots = document.querySelector(".plots");
         plots.dispatchEvent(new PointerEvent("pointermove", at));
-        const told = document.querySelector(".values").textContent;
+        const reported = document.querySelector(".values").textContent;
         const before = document.querySelector("output").textContent;
         plots.dispatchEvent(new MouseEvent("click", at));
-        document.title = told + " | " + before + " | "
+        document.title = reported + " | " + before + " | "
           + document.querySelector("output").textContent;
         """
     found = document_after(tmp_path, script)

@@ -29,8 +29,8 @@ from heron.evaluation import (
     sources,
     write_page,
 )
-from heron.evaluation.claim import Verdict
-from heron.evaluation.claims import claims_of
+from heron.evaluation.expectation import Verdict
+from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.evaluation.statistics import compare, median, share
 from heron.evaluation.study_section import slope_torque
@@ -63,7 +63,7 @@ def as_expected(seeds: Iterable[int]) -> list[Row]:
 
 def verdicts(rows: list[Row], variant: str = "high") -> dict[str, Verdict]:
     (sample,) = (one for one in samples_of(PLACING, rows) if one.variant == variant)
-    return {claim.key: claim.verdict for claim in claims_of(sample)}
+    return {expectation.key: expectation.verdict for expectation in expectations_of(sample)}
 
 
 def test_what_the_thesis_says_is_as_expected() -> None:
@@ -127,7 +127,7 @@ def of_visits(**changed: dict[str, float]) -> dict[str, Verdict]:
         visit(arm, seed, **changed.get(arm.value, {})) for seed in range(10) for arm in HUMAN.arms
     ]
     (sample,) = (one for one in samples_of(HUMAN, rows) if one.variant == "inside")
-    return {claim.key: claim.verdict for claim in claims_of(sample)}
+    return {expectation.key: expectation.verdict for expectation in expectations_of(sample)}
 
 
 @pytest.mark.parametrize(
@@ -356,7 +356,7 @@ def test_results_of_another_program_do_not_get_in(tmp_path: Path) -> None:
     assert "--out" in found.output
 
 
-def test_an_unknown_experiment_is_told_with_those_that_there_are() -> None:
+def test_an_unknown_experiment_is_reported_with_those_that_there_are() -> None:
     found = CliRunner().invoke(app, ["evaluate", "--experiment", "fly"])
     assert found.exit_code == 2
     known = "nav, place, human, contact, corridor, blocked, second"
@@ -379,7 +379,7 @@ AT_A_CLUSTER = ["evaluate", "--seeds", "1", "--ray", "127.0.0.1:1", "--out"]
 
 
 @needs(RAY)
-def test_a_cluster_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_a_cluster_that_is_not_there_is_reported(tmp_path: Path) -> None:
     found = CliRunner().invoke(app, [*AT_A_CLUSTER, str(tmp_path)])
     assert found.exit_code == 2
     assert "no Ray cluster at 127.0.0.1:1" in found.output

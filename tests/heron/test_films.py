@@ -113,7 +113,7 @@ def test_a_film_that_does_not_fit_the_disk_is_no_film(suffix: str, tmp_path: Pat
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "reported"),
     [
         (("--film", "drive.avi"), "the name of the film has to end in .mp4 or .gif"),
         (("--film", "drive.mp4", "--view"), "leave out --view"),
@@ -121,10 +121,12 @@ def test_a_film_that_does_not_fit_the_disk_is_no_film(suffix: str, tmp_path: Pat
         (("--film", "/dev/null/drive.mp4"), "cannot write"),
     ],
 )
-def test_a_film_that_cannot_be_is_told_at_once(arguments: tuple[str, ...], told: str) -> None:
+def test_a_film_that_cannot_be_is_reported_at_once(
+    arguments: tuple[str, ...], reported: str
+) -> None:
     found = CliRunner().invoke(app, ["run", "nav", *arguments])
     assert found.exit_code == 2
-    assert told in found.output
+    assert reported in found.output
 
 
 def test_without_egl_it_says_what_to_install(
@@ -137,7 +139,7 @@ def test_without_egl_it_says_what_to_install(
         assert "libegl1" in found.output
 
 
-def test_a_renderer_that_is_not_there_is_told(
+def test_a_renderer_that_is_not_there_is_reported(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     monkeypatch.setenv("MUJOCO_GL", "crayon")
@@ -167,5 +169,5 @@ def test_every_command_of_the_gallery_is_one_that_there_is() -> None:
 
 
 @pytest.mark.parametrize("experiment", EXPERIMENTS.values(), ids=EXPERIMENTS)
-def test_one_signal_of_each_experiment_is_told_in_films(experiment: Experiment) -> None:
+def test_one_signal_of_each_experiment_is_reported_in_films(experiment: Experiment) -> None:
     assert len([each for each in experiment.signals if each.short]) == 1

@@ -108,7 +108,7 @@ def test_points_and_poses_are_seen_through_the_transforms(tmp_path: Path) -> Non
     assert active_in(guard) == ("in_zone", "high")
 
 
-def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
+def test_a_frame_that_falls_silent_is_stale(tmp_path: Path) -> None:
     guarded, guard = standing(tmp_path)
     guarded.now_ns += 299 * MS
     guard.tick(guarded.now_ns)
@@ -119,7 +119,7 @@ def test_a_frame_that_falls_silent_is_lost(tmp_path: Path) -> None:
     assert active_in(guard) == ("in_zone", "high")
 
 
-def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
+def test_a_frame_that_is_hung_elsewhere_is_stale(tmp_path: Path) -> None:
     """Also one that would stay for ever."""
     guarded, guard = standing(tmp_path)
     assert active_in(guard) == ()
@@ -135,7 +135,7 @@ def test_a_frame_that_is_hung_elsewhere_is_lost(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("turn", [(0.0, 0.0, 0.0, 0.0), (0.0, 0.0, math.nan, 1.0)])
-def test_a_turn_that_is_none_is_lost(tmp_path: Path, turn: tuple[float, ...]) -> None:
+def test_a_turn_that_is_none_is_stale(tmp_path: Path, turn: tuple[float, ...]) -> None:
     guarded, guard = started(tmp_path)
     lying = placed("base_link", "odom", 0.0)
     lying.transforms[0].transform.rotation = messages.Quaternion(*turn)
@@ -175,9 +175,9 @@ class Rolling:
 def test_the_wheels_tell_the_frame_of_the_base(tmp_path: Path) -> None:
     """It is the pose that the odometry says, and goes through the guard."""
     carrier, base = InProcess(), BaseParameters()
-    told: list[Message] = []
+    reported: list[Message] = []
     placed_at: list[Message] = []
-    carrier.subscribe(FRAMES, told.append)
+    carrier.subscribe(FRAMES, reported.append)
     carrier.subscribe(ODOMETRY, placed_at.append)
     physics, generator = Rolling(), np.random.default_rng(1)
     parameters = WheelOdometryParameters(latency=0.0)
@@ -185,7 +185,7 @@ def test_the_wheels_tell_the_frame_of_the_base(tmp_path: Path) -> None:
     for step in range(50):
         physics.wheel_angles = (0.1 * step, 0.15 * step)
         odometry.tick(step * odometry.period_ns)
-    (last,), pose = told[-1].transforms, placed_at[-1].pose.pose
+    (last,), pose = reported[-1].transforms, placed_at[-1].pose.pose
     assert (last.header.frame_id, last.child_frame_id) == ("odom", "base_link")
     assert (last.transform.translation.x, last.transform.translation.y) == (
         pose.position.x,
@@ -193,5 +193,5 @@ def test_the_wheels_tell_the_frame_of_the_base(tmp_path: Path) -> None:
     )
     assert last.transform.rotation == pose.orientation
     assert math.hypot(pose.position.x, pose.position.y) > 0.3
-    data = messages.store().serialize_ros1(told[-1], "tf2_msgs/msg/TFMessage")
-    assert messages.store().deserialize_ros1(data, "tf2_msgs/msg/TFMessage") == told[-1]
+    data = messages.store().serialize_ros1(reported[-1], "tf2_msgs/msg/TFMessage")
+    assert messages.store().deserialize_ros1(data, "tf2_msgs/msg/TFMessage") == reported[-1]

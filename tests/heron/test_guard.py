@@ -48,7 +48,7 @@ def test_no_command_passes_before_all_inputs_have_arrived(tmp_path: Path) -> Non
     assert not guard.active
 
 
-def test_inputs_that_only_start_are_not_lost(tmp_path: Path) -> None:
+def test_inputs_that_only_start_are_not_stale(tmp_path: Path) -> None:
     rules = """
     input tilt = topic /imu/data : sensor_msgs/Imu .linear_acceleration.x timeout 0.2 sec;
     rule r: if speed > 1 m/s or tilt > 1 m/s^2 then { stop; };
@@ -58,7 +58,7 @@ def test_inputs_that_only_start_are_not_lost(tmp_path: Path) -> None:
     assert not guard.verdicts
 
 
-def test_after_some_patience_an_input_that_is_missing_counts_as_lost(tmp_path: Path) -> None:
+def test_after_some_patience_an_input_that_is_missing_counts_as_stale(tmp_path: Path) -> None:
     guarded, guard = started(tmp_path, "rule r: if speed > 1 m/s then { stop; };")
     guarded.pass_time(guard, 4 * SECOND, lambda: None)
     assert not guard.active

@@ -33,7 +33,7 @@ def episode(arm: Arm, person: Person) -> HumanEpisode:
 
 def during(found: HumanEpisode, begin: str, end: str, column: str) -> np.ndarray:
     """A column from when something was told to when something else was."""
-    instants = {words.partition(":")[0]: at_s for at_s, words in found.told}
+    instants = {words.partition(":")[0]: at_s for at_s, words in found.reported}
     times = found.trace.times
     return found.trace.columns[column][(times > instants[begin]) & (times < instants[end])]
 
@@ -42,7 +42,11 @@ def during(found: HumanEpisode, begin: str, end: str, column: str) -> np.ndarray
 def test_the_same_seed_is_the_same_episode() -> None:
     first = episode(Arm.ROSSMARIE, Person.INSIDE)
     again = run_human(Arm.ROSSMARIE, Person.INSIDE, SEED)
-    assert (first.measures, first.told, first.walk) == (again.measures, again.told, again.walk)
+    assert (first.measures, first.reported, first.walk) == (
+        again.measures,
+        again.reported,
+        again.walk,
+    )
     assert np.array_equal(first.trace.columns["x"], again.trace.columns["x"])
 
 
@@ -55,7 +59,7 @@ def test_another_seed_is_another_walk() -> None:
 def test_whoever_passes_the_open_door_restricts_nothing() -> None:
     found = episode(Arm.ROSSMARIE, Person.OUTSIDE)
     assert found.measures.is_completed
-    assert found.told == ()
+    assert found.reported == ()
     assert found.measures.time_restricted == 0.0
     assert not np.any(found.trace.columns["is_inside"])
 
@@ -80,7 +84,7 @@ def test_with_rules_that_recover_it_slows_gives_way_and_goes_on() -> None:
     assert 0.15 < slow[200:].max() < 0.27
     still = during(found, "stop_when_close activated", "yield_when_beside activated", "speed")
     assert still[150:].max() < 0.02
-    cleared_s = found.told[-1][0]
+    cleared_s = found.reported[-1][0]
     later = found.trace.columns["speed"][found.trace.times > cleared_s]
     assert later.max() > 0.45, "with the speed that it had before"
 

@@ -1,4 +1,4 @@
-"""What keeps sensors from saying the truth."""
+"""What keeps sensors from saying the proposition."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ def episode(arm: Arm, terrain: Terrain) -> NavigationEpisode:
 def test_the_same_seed_is_the_same_episode() -> None:
     first = episode(Arm.ROSSMARIE, Terrain.FLAT)
     again = run_navigation(Arm.ROSSMARIE, Terrain.FLAT, SEED)
-    assert (first.measures, first.told) == (again.measures, again.told)
+    assert (first.measures, first.reported) == (again.measures, again.reported)
     assert all(
         np.array_equal(first.trace.columns[name], again.trace.columns[name])
         for name in first.trace.columns
@@ -82,7 +82,7 @@ def test_the_block_is_picked_up_from_where_the_base_stands(aside: float, is_held
 def test_on_level_ground_nothing_is_restricted() -> None:
     found = episode(Arm.ROSSMARIE, Terrain.FLAT)
     assert found.measures.is_completed
-    assert found.told == ()
+    assert found.reported == ()
     assert found.measures.time_restricted == 0.0
 
 
@@ -133,5 +133,5 @@ def test_from_a_steep_ramp_it_backs_off_and_takes_the_other_way() -> None:
     assert grasp.status is Status.SUCCEEDED
     assert found.trace.times[-1] == pytest.approx(found.measures.duration, abs=0.01)
     assert found.measures.interventions == 0
-    assert any("back_off_steep_ramp activated" in words for _, words in found.told)
+    assert any("back_off_steep_ramp activated" in words for _, words in found.reported)
     assert found.trace.columns["y"].min() < -2.5

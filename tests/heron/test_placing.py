@@ -28,14 +28,14 @@ def episode(arm: Arm, table: Table) -> PlacingEpisode:
 
 def test_the_same_seed_is_the_same_episode() -> None:
     first, again = episode(Arm.ROSSMARIE, Table.HIGH), run_placing(Arm.ROSSMARIE, Table.HIGH, SEED)
-    assert (first.measures, first.told) == (again.measures, again.told)
+    assert (first.measures, first.reported) == (again.measures, again.reported)
     assert np.array_equal(first.trace.columns["force"], again.trace.columns["force"])
 
 
 def test_where_the_table_is_as_expected_nobody_interferes() -> None:
     found = episode(Arm.ROSSMARIE, Table.EXPECTED)
     assert found.measures.is_completed
-    assert found.told == ()
+    assert found.reported == ()
     assert found.measures.time_restricted == 0.0
     assert found.measures.peak_force < 10.0
 
@@ -54,7 +54,7 @@ def test_with_rules_that_recover_it_softens_retracts_and_places() -> None:
     assert found.measures.interventions == 0
     assert found.measures.attempts == 2
     assert found.measures.reactions["hammering"] < 0.5
-    hammered_s, cleared_s = found.told[0][0], found.told[-1][0]
+    hammered_s, cleared_s = found.reported[0][0], found.reported[-1][0]
     between = (found.trace.times > hammered_s) & (found.trace.times < cleared_s)
     table = found.parameters.height + ArmParameters().block_half
     assert found.trace.columns["height"][between].max() > table + 0.02
@@ -64,7 +64,7 @@ def test_with_rules_that_recover_it_softens_retracts_and_places() -> None:
 
 def test_the_second_attempt_is_gentle_because_the_arm_is_soft() -> None:
     found = episode(Arm.ROSSMARIE, Table.HIGH)
-    retried = found.trace.times > found.told[-1][0]
+    retried = found.trace.times > found.reported[-1][0]
     assert found.trace.columns["force"][retried].max() < 0.26 * found.measures.peak_force
 
 
@@ -103,7 +103,7 @@ def test_with_rules_that_stop_an_operator_turns_a_hurried_arm_down() -> None:
     assert found.duration > episode(Arm.ROSSMARIE, Table.HURRIED).measures.duration + 25
 
 
-def test_the_arm_goes_where_it_is_told_to() -> None:
+def test_the_arm_goes_where_it_is_reported_to() -> None:
     built = ArmParameters()
     arm = RobotArm(build_placing(TableParameters(), built), built)
     place = arm.grasp + np.array([0.05, -0.03, 0.02])

@@ -43,7 +43,7 @@ def replayed(rules: str, path: Path, report: Path) -> list[tuple[float, str]]:
 
 
 def changes(episode: Episode) -> list[tuple[float, str]]:
-    return [(at_s, words.partition(":")[0]) for at_s, words in episode.told]
+    return [(at_s, words.partition(":")[0]) for at_s, words in episode.reported]
 
 
 @pytest.mark.deep
@@ -51,9 +51,9 @@ def test_a_recording_is_replayed_with_the_verdicts_of_the_episode(tmp_path: Path
     path = tmp_path / "new" / "room.mcap"
     recorded("human", path)
     assert [entry.name for entry in path.parent.iterdir()] == ["room.mcap"]
-    told = changes(run_human(Arm.ROSSMARIE, Person.INSIDE, 3))
-    assert len(told) > 2
-    assert replayed("human.ross", path, tmp_path / "report") == told
+    reported = changes(run_human(Arm.ROSSMARIE, Person.INSIDE, 3))
+    assert len(reported) > 2
+    assert replayed("human.ross", path, tmp_path / "report") == reported
 
 
 @pytest.mark.deep
@@ -84,14 +84,14 @@ def test_a_drive_is_recorded_until_the_block_is_picked_up(tmp_path: Path) -> Non
 def test_exemptions_are_replayed_as_they_were_used(tmp_path: Path) -> None:
     path = tmp_path / "contact.mcap"
     recorded("contact", path, "--arm", "skill_aware")
-    told = changes(run_contact(Arm.SKILL_AWARE, Encounter.COLLISION, 3))
-    assert {words for _, words in told} >= {
+    reported = changes(run_contact(Arm.SKILL_AWARE, Encounter.COLLISION, 3))
+    assert {words for _, words in reported} >= {
         "back_off_on_contact activated",
         "back_off_on_contact_doing_Push activated",
         "back_off_on_contact_doing_Wipe activated",
     }
     found = replayed("contact_skills.ross", path, tmp_path / "report")
-    assert [one for one in found if one[0] > 2.0] == told
+    assert [one for one in found if one[0] > 2.0] == reported
 
 
 def test_all_topics_are_in_it_with_the_definitions_of_their_types(tmp_path: Path) -> None:
@@ -139,7 +139,7 @@ def test_a_trace_has_the_stamps_of_the_recording(tmp_path: Path) -> None:
         (["record", "place", "--out", "a.mcap", "--trace", "there.jsonl"], "is there already"),
     ],
 )
-def test_what_cannot_be_recorded_is_told_before_it_is_run(
+def test_what_cannot_be_recorded_is_reported_before_it_is_run(
     arguments: list[str], reason: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)

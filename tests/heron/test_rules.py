@@ -19,7 +19,7 @@ FILES = [*(f"{name}{arm}" for name in EXPERIMENTS for arm in ("", "_deros")), *C
 
 def conditions(machine: Machine) -> set[str]:
     """When its rules act, as it is written."""
-    return {machine.truths[rule.condition].text for rule in machine.rules}
+    return {machine.propositions[rule.condition].text for rule in machine.rules}
 
 
 @pytest.mark.parametrize("name", FILES)
@@ -49,7 +49,7 @@ def test_rules_that_know_skills_are_those_that_know_sensors_with_exemptions() ->
     sensors, skills = (compile_file(FOLDER / f"{name}.ross").machine for name in CONTACT)
     (ours,) = sensors.rules
     exempted, *made = skills.rules
-    text = skills.truths[exempted.condition].text
+    text = skills.propositions[exempted.condition].text
     assert exempted.name == ours.name
     assert text == "contact.hard unless doing Push unless doing Wipe"
     assert [hazard.name for hazard in skills.hazards] == [hazard.name for hazard in sensors.hazards]

@@ -103,7 +103,7 @@ def check_ontology(path: Path, *options: str) -> subprocess.CompletedProcess[str
 
 
 @pytest.mark.parametrize("name", ONTOLOGIES)
-def test_ontologies_beyond_a_limit_are_told_at_their_place(name: str, tmp_path: Path) -> None:
+def test_ontologies_beyond_a_limit_are_reported_at_their_place(name: str, tmp_path: Path) -> None:
     text, line = ONTOLOGIES[name]
     path = tmp_path / name
     path.write_text(text, encoding="utf-8")
@@ -124,7 +124,7 @@ def test_a_file_larger_than_an_ontology_may_be_is_not_read(tmp_path: Path) -> No
 
 
 @pytest.mark.parametrize("name", ["deep terms.ttl", "a long subject.ttl"])
-def test_scenes_beyond_a_limit_are_told(name: str, tmp_path: Path) -> None:
+def test_scenes_beyond_a_limit_are_reported(name: str, tmp_path: Path) -> None:
     scene = tmp_path / "scene.turtle"
     scene.write_text(ONTOLOGIES[name][0], encoding="utf-8")
     done = run("ezskiros", "check", scene, "--ontology", HALL)
@@ -186,19 +186,19 @@ def mcap_with(folder: Path, bombs: Mapping[int, bytes], size: int | None = None)
     return next(folder.glob("*.mcap"))
 
 
-def test_bz2_in_a_bag_is_told_with_its_chunk_and_the_rest_is_used(tmp_path: Path) -> None:
+def test_bz2_in_a_bag_is_reported_with_its_chunk_and_the_rest_is_used(tmp_path: Path) -> None:
     bomb = bz2.compress(ZEROS) * 60  # 5 GB
     path = bag_with(tmp_path / "drive.bag", bomb)
     done = replay(path)
     assert "ROSS615" in done.stdout
     at = path.read_bytes().index(bomb)
-    told = f"the chunk at byte {at} is not whole: {len(bomb)} bytes stand for more than 64 MiB"
-    assert told in done.stdout
+    reported = f"the chunk at byte {at} is not whole: {len(bomb)} bytes stand for more than 64 MiB"
+    assert reported in done.stdout
     assert "9 messages could be read" in done.stdout
 
 
-@pytest.mark.parametrize("size", [None, 80 * 75 << 20], ids=["told small", "told large"])
-def test_zstd_in_an_mcap_is_told_with_its_chunk_and_the_rest_is_used(
+@pytest.mark.parametrize("size", [None, 80 * 75 << 20], ids=["reported small", "reported large"])
+def test_zstd_in_an_mcap_is_reported_with_its_chunk_and_the_rest_is_used(
     tmp_path: Path, size: int | None
 ) -> None:
     bomb = zstd.compress(ZEROS) * 75  # 6 GB
@@ -209,7 +209,7 @@ def test_zstd_in_an_mcap_is_told_with_its_chunk_and_the_rest_is_used(
     assert "9 messages could be read" in done.stdout
 
 
-def test_many_chunks_that_are_each_within_a_limit_are_told(tmp_path: Path) -> None:
+def test_many_chunks_that_are_each_within_a_limit_are_reported(tmp_path: Path) -> None:
     metadata = struct.pack("<BQ", 0x0C, 60 << 20) + bytes(60 << 20)  # a record to pass over
     bombs = dict.fromkeys(range(1, 9), zstd.compress(metadata))
     path = mcap_with(tmp_path / "drive", bombs, len(metadata))
@@ -218,7 +218,7 @@ def test_many_chunks_that_are_each_within_a_limit_are_told(tmp_path: Path) -> No
     assert "2 messages could be read" in done.stdout
 
 
-def test_a_file_that_is_compressed_as_a_whole_is_told(tmp_path: Path) -> None:
+def test_a_file_that_is_compressed_as_a_whole_is_reported(tmp_path: Path) -> None:
     folder = write_ros2(
         tmp_path / "drive", readings(ROS2), StoragePlugin.SQLITE3, CompressionMode.FILE
     )
@@ -229,7 +229,7 @@ def test_a_file_that_is_compressed_as_a_whole_is_told(tmp_path: Path) -> None:
     assert "too much for a file of its size" in done.stdout
 
 
-def test_messages_that_are_compressed_one_by_one_are_told(tmp_path: Path) -> None:
+def test_messages_that_are_compressed_one_by_one_are_reported(tmp_path: Path) -> None:
     folder = write_ros2(
         tmp_path / "drive", readings(ROS2), StoragePlugin.SQLITE3, CompressionMode.MESSAGE
     )
@@ -241,7 +241,7 @@ def test_messages_that_are_compressed_one_by_one_are_told(tmp_path: Path) -> Non
     assert "stand for more than 64 MiB" in done.stdout
 
 
-def test_metadata_that_doubles_with_each_line_is_told(tmp_path: Path) -> None:
+def test_metadata_that_doubles_with_each_line_is_reported(tmp_path: Path) -> None:
     folder = write_ros2(tmp_path / "drive", readings(ROS2), StoragePlugin.MCAP)
     lines = [f"a{i}: &a{i} {{<<: [*a{i - 1}, *a{i - 1}]}}" for i in range(1, 40)]
     (folder / "metadata.yaml").write_text("a0: &a0 {x: 1}\n" + "\n".join(lines))
@@ -265,7 +265,7 @@ TABLES = {
 
 
 @pytest.mark.parametrize("name", TABLES)
-def test_tables_that_are_computed_are_told(name: str, tmp_path: Path) -> None:
+def test_tables_that_are_computed_are_reported(name: str, tmp_path: Path) -> None:
     path = write_kind(tmp_path, "db3", readings(ROS2))
     with closing(sqlite3.connect(path)) as database, database:
         for statement in TABLES[name]:
@@ -275,7 +275,7 @@ def test_tables_that_are_computed_are_told(name: str, tmp_path: Path) -> None:
     assert "`messages`" in done.stdout
 
 
-def test_a_line_without_end_is_told(tmp_path: Path) -> None:
+def test_a_line_without_end_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "drive.csv"
     with path.open("wb") as file:
         file.write(b"time,battery\n0,12\n")
@@ -330,7 +330,7 @@ PACKAGES = {
 
 
 @pytest.mark.parametrize("name", PACKAGES)
-def test_a_package_xml_beyond_a_limit_is_told(name: str, tmp_path: Path) -> None:
+def test_a_package_xml_beyond_a_limit_is_reported(name: str, tmp_path: Path) -> None:
     (tmp_path / "low.ross").write_text(RULES)
     (tmp_path / "package.xml").write_text(PACKAGES[name])
     out = tmp_path / "generated"
@@ -363,7 +363,7 @@ def test_values_that_are_known_at_launch_take_no_gigabytes(name: str, tmp_path: 
     ["x = " + "(" * 9_000, "x = " + "not " * 20_000 + "1", "x = y" + ".z" * 900],
     ids=["brackets", "operators", "names"],
 )
-def test_python_that_is_too_deep_is_told(text: str, tmp_path: Path) -> None:
+def test_python_that_is_too_deep_is_reported(text: str, tmp_path: Path) -> None:
     path = tmp_path / "old.py"
     path.write_text(text)
     done = run("ezskiros", "migrate", path)

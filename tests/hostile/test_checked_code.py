@@ -2,7 +2,7 @@
 anything to the world.
 
 Each attack is checked by the real command, in a module of its own between two others: `a.py` has
-mistakes that have to be told, and `c.py` has another one.
+mistakes that have to be reported, and `c.py` has another one.
 """
 
 from __future__ import annotations
@@ -328,7 +328,7 @@ except PermissionError:
 
 @needs(SECCOMP)
 @pytest.mark.parametrize("attack", ["import vendor", BEHIND], ids=["itself", "another error"])
-def test_what_the_system_refuses_is_told(tmp_path: Path, attack: str) -> None:
+def test_what_the_system_refuses_is_reported(tmp_path: Path, attack: str) -> None:
     (tmp_path / "vendor.py").write_text(DEEDS["by a program"])
     (tmp_path / "b.py").write_text(attack)
     done = command_line.run("ezskiros", "check", "b.py", folder=tmp_path)

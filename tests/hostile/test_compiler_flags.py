@@ -90,7 +90,7 @@ UNSAFE = (
 )
 
 
-def told(folder: Path, compiler: str, flags: Sequence[str]) -> str:
+def reported(folder: Path, compiler: str, flags: Sequence[str]) -> str:
     """The errors of the compiler, or else what both parts of the core say."""
     machine = replace(machine_of(BOUNDED), name="bounded")
     write({**c99.generate(machine), "main.c": MAIN}, folder)
@@ -108,7 +108,7 @@ def told(folder: Path, compiler: str, flags: Sequence[str]) -> str:
 @each_c_compiler
 @pytest.mark.parametrize("flags", SAFE)
 def test_flags_that_change_nothing(compiler: str, flags: str, tmp_path: Path) -> None:
-    assert told(tmp_path, compiler, flags.split()) == RIGHT
+    assert reported(tmp_path, compiler, flags.split()) == RIGHT
 
 
 @pytest.mark.parametrize(
@@ -118,14 +118,14 @@ def test_flags_that_change_nothing(compiler: str, flags: str, tmp_path: Path) ->
 def test_flags_that_change_results(
     compiler: str, flags: str, expected: str, tmp_path: Path
 ) -> None:
-    assert expected in told(tmp_path, compiler, flags.split())
+    assert expected in reported(tmp_path, compiler, flags.split())
 
 
 @needs(X86)
 @each_c_compiler
 @pytest.mark.parametrize("mode", MODES)
 def test_modes_of_the_processor(compiler: str, mode: str, tmp_path: Path) -> None:
-    assert MODES[mode] in told(tmp_path, compiler, ["-O2", f"-DMODE={mode}"])
+    assert MODES[mode] in reported(tmp_path, compiler, ["-O2", f"-DMODE={mode}"])
 
 
 @each_c_compiler
@@ -133,4 +133,4 @@ def test_contraction(compiler: str, tmp_path: Path) -> None:
     """Only where the processor has the instruction."""
     flags = ["-O2", "-ffp-contract=fast", "-march=native"]
     has_it = "fma" in Path("/proc/cpuinfo").read_text(encoding="utf-8")
-    assert (CONTRACTED if has_it else RIGHT) in told(tmp_path, compiler, flags)
+    assert (CONTRACTED if has_it else RIGHT) in reported(tmp_path, compiler, flags)

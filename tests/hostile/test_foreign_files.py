@@ -22,7 +22,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def is_told(folder: Path, *command: str, code: str) -> bool:
+def is_reported(folder: Path, *command: str, code: str) -> bool:
     """Whether a command says what is wrong, and nothing of what is secret."""
     done = command_line.run(*command, folder=folder)
     said = done.stdout + done.stderr
@@ -35,7 +35,7 @@ def is_told(folder: Path, *command: str, code: str) -> bool:
 
 def test_rules_that_import_another_file(folder: Path) -> None:
     (folder / "rules.ross").write_text(f'import "shadow";\n{RULES}')
-    assert is_told(folder, "rossmarie", "check", "rules.ross", code="ROSS809")
+    assert is_reported(folder, "rossmarie", "check", "rules.ross", code="ROSS809")
 
 
 @pytest.mark.parametrize("name", ["system.ross", "imported.ross", "rules.ross"])
@@ -44,13 +44,13 @@ def test_rules_that_are_a_link_to_another_file(folder: Path, name: str) -> None:
     (folder / "imported.ross").write_text("action go;\n")
     (folder / name).unlink(missing_ok=True)
     (folder / name).symlink_to(folder / "shadow")
-    assert is_told(folder, "rossmarie", "check", "rules.ross", code="ROSS809")
+    assert is_reported(folder, "rossmarie", "check", "rules.ross", code="ROSS809")
 
 
 def test_a_system_model_that_is_none(folder: Path) -> None:
     (folder / "rules.ross").write_text(RULES)
     words = ("check", "rules.ross", "--system", "shadow")
-    assert is_told(folder, "rossmarie", *words, code="ROSS809")
+    assert is_reported(folder, "rossmarie", *words, code="ROSS809")
 
 
 def test_rules_may_be_links_to_rules(folder: Path) -> None:
@@ -65,7 +65,7 @@ def test_a_recording_that_is_a_link_to_another_file(folder: Path, suffix: str) -
     (folder / f"drive{suffix}").symlink_to(folder / "shadow")
     code = "ROSS620" if suffix == ".csv" else "ROSS614"
     words = ("replay", "rules.ross", f"drive{suffix}")
-    assert is_told(folder, "rossmarie", *words, code=code)
+    assert is_reported(folder, "rossmarie", *words, code=code)
 
 
 def test_a_message_definition_that_is_a_link_to_another_file(folder: Path) -> None:
@@ -77,7 +77,7 @@ def test_a_message_definition_that_is_a_link_to_another_file(folder: Path) -> No
         "rule it: if on then { stop; };\n"
     )
     words = ("check", "rules.ross", "--messages", "messages")
-    assert is_told(folder, "rossmarie", *words, code="ROSS116")
+    assert is_reported(folder, "rossmarie", *words, code="ROSS116")
 
 
 def test_a_package_xml_that_is_a_link_to_another_file(folder: Path) -> None:
@@ -86,14 +86,14 @@ def test_a_package_xml_that_is_a_link_to_another_file(folder: Path) -> None:
     )
     (folder / "package.xml").symlink_to(folder / "shadow")
     words = ("build", "rules.ross", "--target", "ros2", "--out", "made")
-    assert is_told(folder, "rossmarie", *words, code="ROSS807")
+    assert is_reported(folder, "rossmarie", *words, code="ROSS807")
 
 
 @pytest.mark.parametrize("kind", ["coverage", "verification"])
 def test_a_report_that_is_none(folder: Path, kind: str) -> None:
     (folder / "rules.ross").write_text(RULES + "rule it: if on then { stop; };\n")
     words = ("report", "rules.ross", f"--{kind}", "shadow")
-    assert is_told(folder, "rossmarie", *words, code="ROSS781")
+    assert is_reported(folder, "rossmarie", *words, code="ROSS781")
 
 
 @pytest.mark.parametrize("name", ["shadow", "world.ttl", "world.owl", "world.jsonld"])
@@ -101,20 +101,20 @@ def test_an_ontology_that_is_another_file(folder: Path, name: str) -> None:
     if name != "shadow":
         (folder / name).symlink_to(folder / "shadow")
     words = ("stubs", "--ontology", name, "--out", "world.pyi")
-    assert is_told(folder, "ezskiros", *words, code="EZS101")
+    assert is_reported(folder, "ezskiros", *words, code="EZS101")
 
 
 def test_a_scene_that_is_a_link_to_another_file(folder: Path) -> None:
     (folder / "lab.turtle").symlink_to(folder / "shadow")
     (folder / "skills.py").write_text(f"{SKILL}    def description(self): pass\n")
     words = ("check", "skills.py", "lab.turtle", "--ontology", str(ONTOLOGY))
-    assert is_told(folder, "ezskiros", *words, code="EZS101")
+    assert is_reported(folder, "ezskiros", *words, code="EZS101")
 
 
 @pytest.mark.parametrize("name", ["shadow", "link.py"])
 def test_skills_that_are_another_file(folder: Path, name: str) -> None:
     (folder / "link.py").symlink_to(folder / "shadow")
-    assert is_told(folder, "ezskiros", "check", name, code="EZS003")
+    assert is_reported(folder, "ezskiros", "check", name, code="EZS003")
 
 
 @pytest.mark.parametrize("name", ["shadow", "values.yaml"])
@@ -122,4 +122,4 @@ def test_values_that_are_another_file(folder: Path, name: str) -> None:
     (folder / "values.yaml").symlink_to(folder / "shadow")
     (folder / "skills.py").write_text(f"{SKILL}    def description(self): pass\n")
     words = ("check", "skills.py", "--config", name)
-    assert is_told(folder, "ezskiros", *words, code="EZS511")
+    assert is_reported(folder, "ezskiros", *words, code="EZS511")

@@ -56,8 +56,8 @@ def asked_for(package: GuardPackage) -> str:
     """The lines that package.xml lacks."""
     done = package.configure()
     assert done.returncode != 0
-    _, _, told = done.stderr.partition("Add these lines:")
-    lines = told.partition("Call Stack")[0].split()
+    _, _, reported = done.stderr.partition("Add these lines:")
+    lines = reported.partition("Call Stack")[0].split()
     assert lines, done.stderr
     return "\n".join(lines)
 
@@ -99,7 +99,7 @@ MISTAKES = {
 }
 
 
-def test_mistakes_are_told(package: GuardPackage) -> None:
+def test_mistakes_are_reported(package: GuardPackage) -> None:
     package.write("rossmarie_add_guard(tilt tilt.ross)", **RULES)
     needed = asked_for(package)
     for guards, reason in list(MISTAKES.items())[:: 1 if is_deep() else 3]:

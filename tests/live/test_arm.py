@@ -43,8 +43,8 @@ def follows(arm: Ears, *events: list[str]) -> None:
 
 
 def is_released(arm: Ears) -> bool:
-    told = arm.last(STATE)
-    return told is not None and told["active"] == []
+    reported = arm.last(STATE)
+    return reported is not None and reported["active"] == []
 
 
 def test_an_arm_that_oscillates_is_retracted_and_tries_again(placing: Ears) -> None:
@@ -61,7 +61,7 @@ def test_an_arm_that_oscillates_is_retracted_and_tries_again(placing: Ears) -> N
     cancelled, retracting = (at for at, _ in placing.ask(heard="/arm")[1:3])
     stands = min(at for at, speed in placing.ask(heard="speed") if at > cancelled and speed == 0.0)
     assert stands < softened < retracting
-    until(lambda: is_released(placing), "its state is told")
+    until(lambda: is_released(placing), "its state is reported")
     assert placing.heard("/arm/stop") == []
 
 

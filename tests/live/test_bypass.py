@@ -1,4 +1,4 @@
-"""Who commands the robot past the filter is seen, and told; nothing is added to it."""
+"""Who commands the robot past the filter is seen, and reported; nothing is added to it."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def test_another_publisher_of_commands_closes_the_filter(
     robot.passes(1.0)
     teleoperation = publish(20, *PAST)
     robot.diagnosed("publishes it, too, past the filter")
-    until(lambda: robot.state().get("blocked") == ["/cmd_vel"], "it is told")
+    until(lambda: robot.state().get("blocked") == ["/cmd_vel"], "it is reported")
     assert "publishes it, too" in robot.call("why")["text"]
     robot.ask(forget="/cmd_vel")
     until(lambda: robot.speeds().count(0.0) > 10, "the node sends 0")
@@ -39,11 +39,11 @@ def test_a_rule_acts_on_a_bypass(robot: Robot, start: Start, publish: Publish) -
     until(lambda: robot.heard("/siren") == [True], "the rule acts")
 
 
-def test_a_robot_that_does_not_listen_is_told_of(robot: Robot, start: Start) -> None:
+def test_a_robot_that_does_not_listen_is_reported_of(robot: Robot, start: Start) -> None:
     """Nobody listens to the commands for the arm; the robot has its own name for them."""
     start()
     robot.passes(1.0)
     name = "vehicle_safety: listeners of /arm_vel"
     assert name not in robot.diagnoses()
     robot.ask(deafen="/arm_vel")
-    until(lambda: name in robot.diagnoses(), "it is told")
+    until(lambda: name in robot.diagnoses(), "it is reported")

@@ -107,8 +107,8 @@ def test_time_jumps_back(robot: Robot, start: Start) -> None:
     robot.passes(0.2)
     robot.ask(forget="/cmd_vel")
     robot.set(clock=500.0)
-    told = "/vehicle_safety/verdicts"
-    until(lambda: any(v["change"] == 3 for v in robot.heard(told)), "a verdict tells")
+    reported = "/vehicle_safety/verdicts"
+    until(lambda: any(v["change"] == 3 for v in robot.heard(reported)), "a verdict tells")
     until(lambda: robot.count("/cmd_vel") > SOME, "commands still pass")
     assert set(robot.heard("/cmd_vel")) == {0.2}
     robot.set(pitch=0.0)
@@ -116,7 +116,7 @@ def test_time_jumps_back(robot: Robot, start: Start) -> None:
 
 
 @pytest.mark.parametrize("how", [signal.SIGINT, signal.SIGTERM], ids=str)
-def test_the_node_is_told_to_end(robot: Robot, start: Start, how: signal.Signals) -> None:
+def test_the_node_is_reported_to_end(robot: Robot, start: Start, how: signal.Signals) -> None:
     node = start()
     robot.passes(1.0)
     node.end(how)

@@ -25,11 +25,11 @@ def test_a_command_is_limited_on_a_slope_and_comes_back_along_the_ramp(
     begin = time.time()
     robot.set(pitch=0.0)
     until(lambda: robot.last("/cmd_vel") == 1.0, "1 m/s passes again")
-    told = robot.ask(heard="/cmd_vel")
-    rising = [speed for _, speed in told if 0.2 < speed < 1.0]
+    reported = robot.ask(heard="/cmd_vel")
+    rising = [speed for _, speed in reported if 0.2 < speed < 1.0]
     assert 0 < len(rising) < 1.2 * 1.6 * (50 + 20)
     assert rising == sorted(rising)
-    assert next(at for at, speed in told if speed == 1.0) - begin > 1.5
+    assert next(at for at, speed in reported if speed == 1.0) - begin > 1.5
 
 
 def test_a_limit_holds_back_what_was_sent_before(robot: Robot, start: Start) -> None:
@@ -56,9 +56,11 @@ def test_a_blocked_topic_carries_zeros_without_any_command(robot: Robot, start: 
     until(lambda: bool(robot.state()), "the node runs")
     robot.ask(forget="/cmd_vel")
     until(lambda: robot.count("/cmd_vel") >= 2 * SOME, "it sends")
-    told = robot.ask(heard="/cmd_vel")[: 2 * SOME]
-    assert {speed for _, speed in told} == {0.0}
-    assert told[-1][0] - told[0][0] > SOME / 20 / 2, "20 in a second, or twice that after a pause"
+    reported = robot.ask(heard="/cmd_vel")[: 2 * SOME]
+    assert {speed for _, speed in reported} == {0.0}
+    assert reported[-1][0] - reported[0][0] > SOME / 20 / 2, (
+        "20 in a second, or twice that after a pause"
+    )
 
 
 def test_a_command_of_a_rule_takes_the_place_of_the_planners(robot: Robot, start: Start) -> None:

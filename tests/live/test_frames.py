@@ -22,8 +22,8 @@ from support.scans import message, plain_scan
 SUPPORT = Path(__file__).parents[1] / "support"
 RULES, SCANS = SUPPORT / "frames.ross", SUPPORT / "scanning.ross"
 NEAR = {"ros1": 0.03, "ros2": 0.2}
-"""Seconds by which instants may differ: time is told in steps; and in ROS 2, what is played comes
-late on a busy machine.
+"""Seconds by which instants may differ: time is reported in steps; and in ROS 2, what is played
+comes late on a busy machine.
 """
 
 
@@ -43,8 +43,8 @@ def test_a_drive_gives_the_same_verdicts(
     expected = replayed(RULES, recording, NEAR[ros.name])
     assert len(expected) == 22
     latched = tmp_path / "latched"
-    told = says(ros, programs[0], latched, lambda: ros.play(recording), len(expected))
-    assert told == expected
+    reported = says(ros, programs[0], latched, lambda: ros.play(recording), len(expected))
+    assert reported == expected
 
 
 def drive(store: Typestore) -> Iterator[Reading]:
@@ -78,8 +78,8 @@ def test_points_of_scans_give_the_same_verdicts(
     instants = [float(each[2].expected) - START_NS / 1e9 for each in expected]
     assert instants == pytest.approx([each[2] for each in VERDICTS], abs=0.02)
     latched = tmp_path / "latched"
-    told = says(ros, programs[1], latched, lambda: ros.play(recording), len(expected))
-    assert told == expected
+    reported = says(ros, programs[1], latched, lambda: ros.play(recording), len(expected))
+    assert reported == expected
 
 
 VERDICTS = [
@@ -102,7 +102,7 @@ POST = (3.0, 0.0)
 UPRIGHT = (0.0, 0.0, 0.0, 1.0)
 
 
-def test_transforms_that_lie_are_lost(ros: Ros, programs: Sequence[Path], tmp_path: Path) -> None:
+def test_transforms_that_lie_are_stale(ros: Ros, programs: Sequence[Path], tmp_path: Path) -> None:
     """While nobody knows where the robot is, nothing is known of what it sees."""
     kind = {"ros1": "bag", "ros2": "mcap directory"}[ros.name]
     recording = write_kind(tmp_path, kind, list(lying_drive(store_of(kind))))
@@ -112,14 +112,14 @@ def test_transforms_that_lie_are_lost(ros: Ros, programs: Sequence[Path], tmp_pa
         for rule, is_on, at in expected
         if rule == "near"
     ]
-    assert near == [(at, 2 - 2 * (n % 2)) for n, at in enumerate(LOST_AT_S)]
+    assert near == [(at, 2 - 2 * (n % 2)) for n, at in enumerate(STALE_AT_S)]
     latched = tmp_path / "latched"
-    told = says(ros, programs[1], latched, lambda: ros.play(recording), len(expected))
-    assert told == expected
+    reported = says(ros, programs[1], latched, lambda: ros.play(recording), len(expected))
+    assert reported == expected
 
 
-LOST_AT_S = (1.0, 1.5, 2.0, 2.5, 4.0, 4.5, 5.0, 5.5)
-"""When something is lost and is back, by turns."""
+STALE_AT_S = (1.0, 1.5, 2.0, 2.5, 4.0, 4.5, 5.0, 5.5)
+"""When something is stale and is back, by turns."""
 
 
 def lying_drive(store: Typestore) -> Iterator[Reading]:

@@ -56,7 +56,7 @@ def test_a_ramp_is_left_backwards_and_then_commands_flow_again(drive: Ears) -> N
     until(lambda: any(at > begin for at in standing(drive)), "it moves no more")
     drive.set(pitch=0.0)
     until(lambda: drive.last("/cmd_vel") == 0.4, "commands flow again")
-    until(lambda: drive.last(STATE)["active"] == [], "its state is told")
+    until(lambda: drive.last(STATE)["active"] == [], "its state is reported")
     stood = next(at for at in standing(drive) if at > begin)
     after = [(at, speed) for at, speed in drive.ask(heard="/cmd_vel") if at >= begin]
     assert {speed for at, speed in after if at < stood} == {-0.1}, "nothing of the planner's"
@@ -80,9 +80,9 @@ def test_high_speed_is_limited_until_it_is_over(drive: Ears) -> None:
     until(lambda: drive.last("/cmd_vel") == 0.8, "0.8 m/s is commanded")
     until(lambda: drive.last("/cmd_vel") == 0.2, "at most 0.2 m/s passes")
     until(lambda: drive.last("/cmd_vel") > 0.2, "the limit is lifted")
-    told = drive.ask(heard="/cmd_vel")
-    limited = next(at for at, speed in told if speed == 0.2)
-    lifted = next(at for at, speed in told if at > limited and speed > 0.2)
+    reported = drive.ask(heard="/cmd_vel")
+    limited = next(at for at, speed in reported if speed == 0.2)
+    lifted = next(at for at, speed in reported if at > limited and speed > 0.2)
     assert [speed for at, speed in drive.ask(heard="speed") if at < lifted][-1] <= 0.5
     drive.set(wanted=0.4)
     until(lambda: drive.last("/cmd_vel") == 0.4, "commands flow again")

@@ -29,7 +29,7 @@ def test_a_latched_rule_outlives_the_node(robot: Robot, start: Start) -> None:
     robot.passes(1.0)
     robot.set(pitch=40.0)
     robot.passes(0.0)
-    until(lambda: robot.state().get("active") == ["tilted", "fallen"], "the state is told")
+    until(lambda: robot.state().get("active") == ["tilted", "fallen"], "the state is reported")
     node.end()
     robot.ask(forget="/vehicle_safety/state")
     robot.set(pitch=0.0)
@@ -46,7 +46,7 @@ def test_verdicts_say_why_with_values_and_units(robot: Robot, start: Start) -> N
     robot.passes(1.0)
     robot.ask(forget="/vehicle_safety/verdicts")
     robot.set(pitch=15.0)
-    until(lambda: bool(robot.heard("/vehicle_safety/verdicts")), "a verdict is told")
+    until(lambda: bool(robot.heard("/vehicle_safety/verdicts")), "a verdict is reported")
     verdict = robot.heard("/vehicle_safety/verdicts")[0]
     assert (verdict["rule"], verdict["change"]) == ("tilted", 1)
     assert (
@@ -68,10 +68,10 @@ def test_an_exemption_ends_by_itself(robot: Robot, start: Start) -> None:
     assert robot.call("exempt", rule="tilted", time=2.0, reason="a test drive")["success"]
     until(lambda: max(robot.speeds(), default=0.0) > 0.2, "commands pass")
     until(lambda: robot.last("/cmd_vel") == 0.2, "the exemption is over")
-    told = robot.ask(heard="/cmd_vel")
-    passed = next(at for at, speed in told if speed > 0.2)
-    assert next(at for at, speed in told if at > passed and speed == 0.2) - begin > 2.0
-    until(lambda: robot.state().get("exempted") == [], "the state is told")
+    reported = robot.ask(heard="/cmd_vel")
+    passed = next(at for at, speed in reported if speed > 0.2)
+    assert next(at for at, speed in reported if at > passed and speed == 0.2) - begin > 2.0
+    until(lambda: robot.state().get("exempted") == [], "the state is reported")
     assert ["tilted"] in [each["exempted"] for each in robot.heard("/vehicle_safety/state")]
 
 

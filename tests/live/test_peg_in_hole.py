@@ -44,8 +44,8 @@ def running(ros: Ros, programs: Sequence[Path], tmp_path: Path) -> Iterator[tupl
 
 
 def active(arm: Ears) -> list[str] | None:
-    told = arm.last(STATE)
-    return None if told is None else list(told["active"])
+    reported = arm.last(STATE)
+    return None if reported is None else list(reported["active"])
 
 
 def test_an_arm_that_leaves_its_volume_goes_back_the_way_it_came(

@@ -17,8 +17,8 @@ from support.live_replay import replayed, says
 from support.recordings import START_NS, Reading, scan, stamped, store_of, write_kind
 
 NEAR = {"ros1": 0.03, "ros2": 0.2}
-"""Seconds by which instants may differ: time is told in steps; and in ROS 2, what is played comes
-late on a busy machine.
+"""Seconds by which instants may differ: time is reported in steps; and in ROS 2, what is played
+comes late on a busy machine.
 """
 
 

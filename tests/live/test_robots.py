@@ -54,27 +54,29 @@ def test_a_node_says_what_a_replay_says(
     activated = {rule for rule, change, _ in wanted if change != CLEARED}
     assert activated == {rule.name for rule in compile_file(robot.rules).machine.rules}
     played = {"ros1": of_ros1, "ros2": of_ros2}[ros.name](robot, tmp_path / "drive")
-    told = says(ros, programs[index], tmp_path / "latched", lambda: ros.play(played), len(wanted))
-    assert of_each_rule(told) == of_each_rule(wanted)
+    reported = says(
+        ros, programs[index], tmp_path / "latched", lambda: ros.play(played), len(wanted)
+    )
+    assert of_each_rule(reported) == of_each_rule(wanted)
 
 
 def of_ros2(robot: Robot, folder: Path) -> Path:
     """The topics of the robot that the rules read."""
     topics = {channel.topic for channel in compile_file(robot.rules).machine.channels}
-    store, told = simulated(robot.name)
-    write_bag(folder, store, (each for each in told if each[0] in topics))
+    store, reported = simulated(robot.name)
+    write_bag(folder, store, (each for each in reported if each[0] in topics))
     return folder
 
 
 def of_ros1(robot: Robot, path: Path) -> Path:
     """The same as a bag of ROS 1."""
     topics = {channel.topic for channel in compile_file(robot.rules).machine.channels}
-    ros2, told = simulated(robot.name)
+    ros2, reported = simulated(robot.name)
     ros1 = store_of(robot, Stores.ROS1_NOETIC)
     path = path.with_suffix(".bag")
     with rosbag1.Writer(path) as writer:
         connections: dict[str, Any] = {}
-        for topic, at_ns, kind, message in told:
+        for topic, at_ns, kind, message in reported:
             if topic in topics:
                 if topic not in connections:
                     connections[topic] = writer.add_connection(topic, kind, typestore=ros1)

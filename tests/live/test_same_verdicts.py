@@ -65,9 +65,11 @@ def test_a_node_says_what_the_training_said(
         for event in replay.events
         if isinstance(event, Verdict)
     ] == said
-    told = verdicts_of(ros, programs[0], tmp_path / "latched", lambda: ros.play(played), len(said))
-    assert "\n".join(map(of_message, told)) == "\n".join(each for _, each in said)
-    instants = [round(each["at"] * 1e9) - BEGIN_NS for each in told]
+    reported = verdicts_of(
+        ros, programs[0], tmp_path / "latched", lambda: ros.play(played), len(said)
+    )
+    assert "\n".join(map(of_message, reported)) == "\n".join(each for _, each in said)
+    instants = [round(each["at"] * 1e9) - BEGIN_NS for each in reported]
     assert instants == [pytest.approx(at_ns, rel=0, abs=NEAR_NS[ros.name]) for at_ns, _ in said]
 
 
@@ -91,10 +93,12 @@ def of_store(store: Any, message: Any) -> Any:
     )
 
 
-def of_message(told: Any) -> str:
+def of_message(reported: Any) -> str:
     """A verdict as a node tells it, as a line: all that it has in common with a `Verdict`."""
-    values = [[each["name"], each["value"], each["unit"]] for each in told["values"]]
-    return line(told["rule"], told["change"], told["categories"], told["clears"], values)
+    values = [[each["name"], each["value"], each["unit"]] for each in reported["values"]]
+    return line(
+        reported["rule"], reported["change"], reported["categories"], reported["clears"], values
+    )
 
 
 def of_verdict(machine: Machine, verdict: Verdict) -> str:

@@ -19,7 +19,7 @@ SOON = 0.2
 """Seconds in which a node that is not held up says what it has noticed."""
 
 CLEARED, ACTIVATED_WITHOUT_INPUT = 0, 2
-LOST = {"contact", "heavy", "next_fragile"}
+STALE = {"contact", "heavy", "next_fragile"}
 """The rules that are active while nobody knows which skills run, and something is touched."""
 
 Skill = tuple[str, list[tuple[str, str, float]]]
@@ -123,19 +123,19 @@ def test_silence_ends_an_exemption_within_the_timeout(begin: Begin) -> None:
     robot = begin("")
 
     def silence() -> float:
-        """Seconds from the last context to the verdict that it is lost."""
+        """Seconds from the last context to the verdict that it is stale."""
         robot.set(skills=[GLASS], is_talking=True)
         becomes(robot, {"contact_doing_Push"})
         robot.ask(forget="/skillful_safety/verdicts")
         robot.set(is_talking=False)
-        becomes(robot, LOST)
+        becomes(robot, STALE)
         passes(robot, 0.0)
-        told = robot.ask(heard="/skillful_safety/verdicts")
-        changes = {verdict["rule"]: verdict["change"] for _, verdict in told}
-        lost = dict.fromkeys(LOST, ACTIVATED_WITHOUT_INPUT)
-        assert changes == {"contact_doing_Push": CLEARED, **lost}
+        reported = robot.ask(heard="/skillful_safety/verdicts")
+        changes = {verdict["rule"]: verdict["change"] for _, verdict in reported}
+        stale = dict.fromkeys(STALE, ACTIVATED_WITHOUT_INPUT)
+        assert changes == {"contact_doing_Push": CLEARED, **stale}
         last, _ = robot.ask(last="context")
-        return float(max(at for at, _ in told) - last)
+        return float(max(at for at, _ in reported) - last)
 
     shortest = [silence()]
 
@@ -157,7 +157,7 @@ def test_a_robot_knows_nothing_of_the_skills_of_another(begin: Begin) -> None:
     passes(other, 0.0, "/robot2")
     other.set(digest=DIGEST, is_talking=True, skills=[GLASS])
     one.set(is_talking=False)
-    becomes(one, LOST, "/robot1")
+    becomes(one, STALE, "/robot1")
     becomes(other, {"contact_doing_Push"}, "/robot2")
 
 

@@ -1,4 +1,4 @@
-"""A node under load for long: its memory stays as it is, and no verdict is lost.
+"""A node under load for long: its memory stays as it is, and no verdict is stale.
 
 `--soak 600` makes it ten minutes; `--log-cli-level INFO` shows the figures.
 """
@@ -90,8 +90,8 @@ def ahead_of_others() -> Iterator[None]:
 
 def heard(ears: Ears) -> list[Change]:
     """What the node has said so far, but for losses: they come once the talker is silent."""
-    changes = [(told["rule"], told["change"]) for told in ears.heard(VERDICTS)]
-    return [each for each in changes if each[1] != ir.Change.ACTIVATED_LOST]
+    changes = [(reported["rule"], reported["change"]) for reported in ears.heard(VERDICTS)]
+    return [each for each in changes if each[1] != ir.Change.ACTIVATED_STALE]
 
 
 def replayed(folder: Path, recording: Path) -> list[Change]:

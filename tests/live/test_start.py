@@ -32,7 +32,7 @@ def test_nothing_passes_before_all_inputs_have_come(robot: Robot, start: Start) 
     robot.passes(1.0)
 
 
-def test_an_input_that_does_not_come_counts_as_lost(robot: Robot, start: Start) -> None:
+def test_an_input_that_does_not_come_counts_as_stale(robot: Robot, start: Start) -> None:
     robot.set(pitch=None)
     start(patience=0.5)
     until(lambda: robot.state().get("active") == ["tilted", "fallen"], "rules are active")
@@ -43,7 +43,10 @@ def test_a_grace_period_lets_commands_pass_as_the_rules_say(robot: Robot, start:
     robot.set(pitch=None)
     start(patience=0.2, grace_period=1.0)
     until(lambda: bool(robot.state().get("open")), "the filter opens")
-    until(lambda: "grace period" in robot.diagnoses().get("vehicle_safety: node", ""), "it is told")
+    until(
+        lambda: "grace period" in robot.diagnoses().get("vehicle_safety: node", ""),
+        "it is reported",
+    )
     robot.stays_at(0.0)  # the rules that lack the input still hold
 
 
@@ -64,9 +67,9 @@ def test_servers_that_are_not_there_are_named(ros: Ros, robot: Robot, start: Sta
         manager: "nobody offers /controller_manager/switch_controller",
     }
     until(lambda: missing.items() <= robot.diagnoses().items(), "they are named")
-    told = robot.heard("/diagnostics")
-    named = next(each for each in told if gripper in {one["name"] for one in each["status"]})
-    assert named["header"]["stamp"] - told[0]["header"]["stamp"] < SOON
+    reported = robot.heard("/diagnostics")
+    named = next(each for each in reported if gripper in {one["name"] for one in each["status"]})
+    assert named["header"]["stamp"] - reported[0]["header"]["stamp"] < SOON
     assert "vehicle_safety: action server /arm" not in robot.diagnoses()
     assert "vehicle_safety: service /lamp" not in robot.diagnoses()
     robot.ask(offer="planner")
@@ -81,9 +84,9 @@ def test_a_controller_that_is_not_there_is_named(robot: Robot, start: Start) -> 
     robot.ask(offer="controllers")
     start()
     robot.diagnosed("/controller_manager has no controller gravity")
-    told = robot.heard("/diagnostics")
-    named = next(each for each in told if "no controller" in str(each["status"]))
-    assert named["header"]["stamp"] - told[0]["header"]["stamp"] < SOON
+    reported = robot.heard("/diagnostics")
+    named = next(each for each in reported if "no controller" in str(each["status"]))
+    assert named["header"]["stamp"] - reported[0]["header"]["stamp"] < SOON
     robot.set(mode="held")
     until(lambda: robot.states("soften") == ["failed"], "it is not switched")
     robot.set(mode="driving", controllers=["effort", "gravity", "position"])

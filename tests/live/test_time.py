@@ -15,7 +15,7 @@ TIME_JUMP = 3
 
 
 def jumps(robot: Robot) -> list[str]:
-    """The jumps of time that were told."""
+    """The jumps of time that were reported."""
     return [each["cause"] for each in robot.heard(VERDICTS) if each["change"] == TIME_JUMP]
 
 
@@ -34,17 +34,17 @@ def test_an_exemption_does_not_outlive_a_jump_back(robot: Robot, start: Start) -
     robot.stays_at(0.2)
 
 
-def test_a_jump_forward_is_told(robot: Robot, start: Start) -> None:
+def test_a_jump_forward_is_reported(robot: Robot, start: Start) -> None:
     robot.set(clock=1000.0)
     start(use_sim_time=True)
     robot.passes(1.0)
     robot.hears_verdicts()
     robot.set(clock=2000.0)
     until(lambda: bool(jumps(robot)), "a verdict tells")
-    (told,) = jumps(robot)
-    jump = re.match(r"time jumped forward by (\S+) s", told)
+    (reported,) = jumps(robot)
+    jump = re.match(r"time jumped forward by (\S+) s", reported)
     # The clock has run on since it was set to 1000 s.
-    assert jump is not None, told
+    assert jump is not None, reported
     assert 500.0 < float(jump[1]) <= 1000.0
     until(lambda: robot.call("reset", rule="")["success"], "inputs that were lost are there again")
     robot.passes(1.0)
@@ -68,8 +68,8 @@ def test_nothing_passes_while_the_clock_stands_still_and_an_input_is_silent(
     robot.passes(0.0)
     robot.stays_at(0.0)
     robot.diagnosed("ROS time stands still")
-    lost = "input orientation (/imu/data) is older than its timeout"
-    until(lambda: lost in robot.call("why")["text"], "the input is lost")
+    stale = "input orientation (/imu/data) is older than its timeout"
+    until(lambda: stale in robot.call("why")["text"], "the input is stale")
     robot.set(clock=1010.0, pitch=0.0)
     until(lambda: robot.call("reset", rule="")["success"], "it is safe")
     robot.passes(1.0)

@@ -54,7 +54,7 @@ class Watching:
         return self._log.read_text("utf-8", "replace")
 
     def lines(self) -> list[Line]:
-        """All that was told, of JSON lines that are whole."""
+        """All that was reported, of JSON lines that are whole."""
         found = self.said().splitlines(keepends=True)
         return [json.loads(line) for line in found if line.startswith("{") and line[-1] == "\n"]
 
@@ -111,7 +111,7 @@ def watch(ros: Ros, tmp_path: Path) -> Iterator[Callable[..., Watching]]:
         each.process.wait(LIMIT)
 
 
-def test_what_skills_and_rules_do_is_told_as_they_do_it(
+def test_what_skills_and_rules_do_is_reported_as_they_do_it(
     begin: Callable[[str], Ears], watch: Callable[..., Watching]
 ) -> None:
     robot, watching = begin(""), watch("--format", "json")
@@ -137,7 +137,7 @@ def test_what_skills_and_rules_do_is_told_as_they_do_it(
     assert summary["rules"]["contact"]["times"] == 2
 
 
-def test_what_is_amiss_is_told_once_until_it_is_over(
+def test_what_is_amiss_is_reported_once_until_it_is_over(
     begin: Callable[[str], Ears],
     watch: Callable[..., Watching],
     started: list[Process],
@@ -160,7 +160,7 @@ def test_what_is_amiss_is_told_once_until_it_is_over(
     robot.set(is_talking=False)
     tells("CHK403")
     robot.set(is_talking=True, skills=[("Dance\x1b[2J" + "!" * 10_000, [])])
-    watching.until(lambda: is_over("CHK403"), "the context is told again")
+    watching.until(lambda: is_over("CHK403"), "the context is reported again")
     tells("CHK402")
     robot.set(skills=[])
     started.pop().end()
@@ -175,7 +175,7 @@ def test_what_is_amiss_is_told_once_until_it_is_over(
     assert "!" * 200 not in watching.said()
 
 
-def test_a_robot_in_a_namespace_is_told_alone_and_time_may_stand_still(
+def test_a_robot_in_a_namespace_is_reported_alone_and_time_may_stand_still(
     begin: Callable[[str], Ears], watch: Callable[..., Watching], ros: Ros
 ) -> None:
     robots = {"/robot1": begin("/robot1"), "/robot2": begin("/robot2")}
@@ -184,7 +184,7 @@ def test_a_robot_in_a_namespace_is_told_alone_and_time_may_stand_still(
         return all(each.last(f"{name}/{NODE}/state") for name, each in robots.items())
 
     until(have_begun, "the nodes have their clocks")
-    if ros.name == "ros1":  # for all who start after this; in ROS 2 each node is told by itself
+    if ros.name == "ros1":  # for all who start after this; in ROS 2 each node is reported by itself
         set_parameters(ros.variables, "crosscheck_live", {}, use_sim_time=True)
     watching = watch("--namespace", "robot1", "--format", "json")
     watching.until(lambda: bool(watching.changes("rule-activates")), "contact is active")

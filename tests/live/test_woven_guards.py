@@ -160,8 +160,8 @@ def becomes(robot: Ears, rules: list[str]) -> None:
     topic = f"/robot1/{NODE}/state"
 
     def is_so() -> bool:
-        told = robot.last(topic) or {}
-        return bool(told.get("open")) and told["active"] == rules
+        reported = robot.last(topic) or {}
+        return bool(reported.get("open")) and reported["active"] == rules
 
     until(is_so, f"{rules} are active, not {robot.last(topic)}")
 
@@ -209,14 +209,14 @@ def test_a_skill_waits_while_nobody_knows(
     ros: Ros, robot: Ears, node: Start, task: Start, notes: Path, how: int
 ) -> None:
     robot.set(force=0.0)
-    lost = node()
+    stale = node()
     becomes(robot, [])
     trip = task()
     says(trip, "standing")
     if how == signal.SIGKILL:
-        lost.end()
+        stale.end()
     else:
-        lost.running.send_signal(how)
+        stale.running.send_signal(how)
     is_noticed_at_once = how == signal.SIGKILL and ros.name == "ros1"
     time.sleep(1.0 if is_noticed_at_once else PATIENCE + 1.0)
     go(notes)
@@ -225,7 +225,7 @@ def test_a_skill_waits_while_nobody_knows(
     if how == signal.SIGKILL:
         node()
     else:
-        lost.running.send_signal(signal.SIGCONT)
+        stale.running.send_signal(signal.SIGCONT)
     succeeds(trip)
     assert said(notes) == ["init", "drive"]
 

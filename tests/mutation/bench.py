@@ -106,13 +106,13 @@ class Bench:
         found = c_replay.observations(self.machine, lines, sum(map(len, traces)) + 2 * len(traces))
         left = iter(found)
         wanted: list[Observation] = []
-        told: list[Observation] = []
+        reported: list[Observation] = []
         for trace in traces:
             wanted += observe(Interpreter(self.machine), trace)
             next(left)  # the state before it
-            told += islice(left, len(trace))
+            reported += islice(left, len(trace))
             next(left)  # the state after no columns at all
-        return wanted, told
+        return wanted, reported
 
     def expected_of_reactor(self) -> tuple[object, object]:
         """The same for the reactor."""

@@ -40,7 +40,7 @@ _LIMITS = (
         "place != guard_limits[g] && x <= limits[place]",
         "place != guard_limits[g] && x < limits[place]",
     ),
-    Fault("a limit of another number", "{1.0, TRUTH_SPEED_IN", "{1.5, TRUTH_SPEED_IN"),
+    Fault("a limit of another number", "{1.0, PROPOSITION_SPEED_IN", "{1.5, PROPOSITION_SPEED_IN"),
     Fault("`<` is taken for `<=`", "{0.39999999999999997, ", "{0.4, "),
     Fault(
         "a comparison is turned round below its limit",
@@ -48,9 +48,9 @@ _LIMITS = (
         "leaf_below[18] = {\n    FALSE, FALSE, FALSE, FALSE, FALSE, FALSE,",
     ),
     Fault(
-        "both ends of an interval are crossed and the truth flips once",
-        "TRUTH_SPEED_IN_0_5_1_M_S, TRUE, 1}",
-        "TRUTH_SPEED_IN_0_5_1_M_S, TRUE, 0}",
+        "both ends of an interval are crossed and the proposition flips once",
+        "PROPOSITION_SPEED_IN_0_5_1_M_S, TRUE, 1}",
+        "PROPOSITION_SPEED_IN_0_5_1_M_S, TRUE, 0}",
     ),
     Fault(
         "a crossed limit sets the opposite",
@@ -81,7 +81,7 @@ _DURATIONS = (
     Fault("nobody wakes for a duration", "    wake_by(m, m->held_due_ns[k]);\n", ""),
     Fault(
         "the next wake forgets durations",
-        "        if (m->held_due_ns[k] > m->now_ns && m->truth[held_nodes[k]] != TRUE)\n"
+        "        if (m->held_due_ns[k] > m->now_ns && m->truth_value[held_nodes[k]] != TRUE)\n"
         "            wake_ns = earlier(wake_ns, m->held_due_ns[k]);\n",
         "            ;\n",
     ),
@@ -90,7 +90,7 @@ _DURATIONS = (
         "            mark(m, held_nodes[k]);",
         "            ;",
     ),
-    Fault("since when a truth holds is not noted", "    m->since_ns[node] = t_ns;\n", ""),
+    Fault("since when a proposition holds is not noted", "    m->since_ns[node] = t_ns;\n", ""),
 )
 
 _TIME = (
@@ -174,12 +174,12 @@ _INPUTS = (
     ),
     Fault(
         "an age of a message that arrived is forgotten",
-        "    set_truth(m, age_leaf[k], value, t_ns);",
+        "    set_truth_value(m, age_leaf[k], value, t_ns);",
         "",
     ),
 )
 
-_TRUTHS = (
+_TRUTH_VALUES = (
     Fault(
         "`and` is false only if both are",
         "if (a == FALSE || b == FALSE)",
@@ -195,11 +195,15 @@ _TRUTHS = (
         "return a == TRUE ? (unsigned char)FALSE : a;",
         "return FALSE;",
     ),
-    Fault("`and` of the wrong operand", "both(m->truth[TRUTH_AGE_FIX_2_5_SEC], ", "both(TRUE, "),
-    Fault("who depends on a truth is not marked", "    m->dirty |= node_users[node];\n", ""),
     Fault(
-        "one who depends on a truth is not marked",
-        "BIT(TRUTH_NOT_SPEED_NOT_IN_0_5_1_M_S) | BIT(RULE_FAST)",
+        "`and` of the wrong operand",
+        "both(m->truth_value[PROPOSITION_AGE_FIX_2_5_SEC], ",
+        "both(TRUE, ",
+    ),
+    Fault("who depends on a proposition is not marked", "    m->dirty |= node_users[node];\n", ""),
+    Fault(
+        "one who depends on a proposition is not marked",
+        "BIT(PROPOSITION_NOT_SPEED_NOT_IN_0_5_1_M_S) | BIT(RULE_FAST)",
         "BIT(RULE_FAST)",
     ),
     Fault("marks are cleared together", "m->dirty &= m->dirty - 1;", "m->dirty = 0;"),
@@ -214,13 +218,13 @@ _RULES = (
     ),
     Fault(
         "two rules are swapped",
-        "m->truth[rule_condition[rule]];",
-        "m->truth[rule_condition[rule < 2 ? 1 - rule : rule]];",
+        "m->truth_value[rule_condition[rule]];",
+        "m->truth_value[rule_condition[rule < 2 ? 1 - rule : rule]];",
     ),
     Fault(
         "a rule clears without its release",
-        "        m->truth[rule_release[rule]] == TRUE)",
-        "        m->truth[rule_release[rule]] != UNSET)",
+        "        m->truth_value[rule_release[rule]] == TRUE)",
+        "        m->truth_value[rule_release[rule]] != UNSET)",
     ),
     Fault(
         "a rule clears while its condition is unknown",
@@ -229,13 +233,13 @@ _RULES = (
     ),
     Fault(
         "a latched rule clears by itself",
-        "TRUTH_NOT_SPEED_NOT_IN_0_5_1_M_S_FOR_1_SEC, LATCHED",
-        "TRUTH_NOT_SPEED_NOT_IN_0_5_1_M_S_FOR_1_SEC, TRUTH_TRUE_",
+        "PROPOSITION_NOT_SPEED_NOT_IN_0_5_1_M_S_FOR_1_SEC, LATCHED",
+        "PROPOSITION_NOT_SPEED_NOT_IN_0_5_1_M_S_FOR_1_SEC, PROPOSITION_TRUE_",
     ),
     Fault(
         "a reset clears whatever the condition",
-        "            m->truth[rule_condition[i]] == FALSE)",
-        "            m->truth[rule_condition[i]] != UNSET)",
+        "            m->truth_value[rule_condition[i]] == FALSE)",
+        "            m->truth_value[rule_condition[i]] != UNSET)",
     ),
     Fault("a reset clears another rule", "(unsigned)rule == i", "(unsigned)rule == i + 1"),
     Fault(
@@ -262,8 +266,8 @@ _NUMBERS = (
         "? 0.0 : unknowns != 0 || count == 0 ? NAN : 1.0",
         "? 0.0 : unknowns != 0 ? NAN : 1.0",
     ),
-    Fault("any needs two", "return truths != 0 ? 1.0", "return truths > 1 ? 1.0"),
-    Fault("the others are counted", "NAN : (double)truths", "NAN : (double)(count - truths)"),
+    Fault("any needs two", "return trues != 0 ? 1.0", "return propositions > 1 ? 1.0"),
+    Fault("the others are counted", "NAN : (double)trues", "NAN : (double)(count - propositions)"),
     Fault(
         "an unknown element counts as false",
         "return is_unknown ? UNKNOWN : value ? TRUE : FALSE",
@@ -303,7 +307,7 @@ _OSCILLATION = (
         "m->gap_end_ns[k] >= recent_windows[k]",
         "m->gap_end_ns[k] > recent_windows[k]",
     ),
-    Fault("a gap is never told", "        m->gap[k] = source;", ""),
+    Fault("a gap is never reported", "        m->gap[k] = source;", ""),
 )
 
 _EDGES = (
@@ -345,7 +349,7 @@ MONITOR = (
     *_DURATIONS,
     *_TIME,
     *_INPUTS,
-    *_TRUTHS,
+    *_TRUTH_VALUES,
     *_RULES,
     *_NUMBERS,
     *_OSCILLATION,
@@ -363,7 +367,7 @@ EQUIVALENT = (
     ),
     Equivalent(
         Fault("nothing is marked after a jump back", "        mark(m, node);", "        ;"),
-        "every truth was forgotten, and marks what rests on it when it is known again",
+        "every proposition was forgotten, and marks what rests on it when it is known again",
     ),
     Equivalent(
         Fault(
@@ -384,8 +388,8 @@ EQUIVALENT = (
     Equivalent(
         Fault(
             "unknown elements are counted",
-            "NAN : (double)truths",
-            "NAN : (double)(truths + unknowns)",
+            "NAN : (double)trues",
+            "NAN : (double)(trues + unknowns)",
         ),
         "there are none here: their number was compared with zero before",
     ),

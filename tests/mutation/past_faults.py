@@ -22,13 +22,13 @@ C = (
     Damage("a list that is too long is cut", "poses_count <= 3;", "true;"),
     Damage(
         "no elements are not known",
-        "return outcome(!is_known || (truths == 0 && unknowns != 0), truths != 0);",
-        "return outcome(!is_known || truths == 0, truths != 0);",
+        "return outcome(!is_known || (trues == 0 && unknowns != 0), trues != 0);",
+        "return outcome(!is_known || trues == 0, trues != 0);",
     ),
     Damage(
         "every one of none is false",
-        "is_open = truths + unknowns == count",
-        "is_open = truths + unknowns == count && count != 0",
+        "is_open = trues + unknowns == count",
+        "is_open = trues + unknowns == count && count != 0",
     ),
     Damage("unknown elements are not counted as such", "is_known && unknowns == 0 ?", "is_known ?"),
     Damage("the least of nothing is unknown", "MINIMUM_13 = INFINITY", "MINIMUM_13 = NAN"),
@@ -44,13 +44,13 @@ C = (
     ),
     Damage(
         "a since begins by itself",
-        "either(m->truth[begun], both(m->truth[held], before))",
-        "either(m->truth[begun], m->truth[held])",
+        "either(m->truth_value[begun], both(m->truth_value[held], before))",
+        "either(m->truth_value[begun], m->truth_value[held])",
     ),
     Damage(
         "a since forgets",
         "    m->since_before[k] = either(",
-        "    return m->truth[begun];\n    m->since_before[k] = either(",
+        "    return m->truth_value[begun];\n    m->since_before[k] = either(",
     ),
     Damage(
         "what is held before the start is not",
@@ -155,11 +155,11 @@ INTERPRETER: Mapping[str, Sequence[Damage]] = {
     "memory.py": (
         Damage(
             "what is held before the start is not",
-            "before=kleene.truth_of(truth.node.initially)",
+            "before=kleene.proposition_of(proposition.node.initially)",
             "before=TruthValue.FALSE",
         ),
         Damage("an edge is never over", "        self.before = value\n", ""),
-        Damage("a gap is never told", "return self.gap if is_near else", "return"),
+        Damage("a gap is never reported", "return self.gap if is_near else", "return"),
         Damage(
             "edges are kept over a jump",
             "        self.instants.clear()\n        self.gap, ",

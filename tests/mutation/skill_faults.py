@@ -41,9 +41,9 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "all_skills, next(iter(skill.parameters)), None, text",
         ),
         Damage(
-            "any number is a truth",
-            'is_truth = parameter.type == "bool"',
-            "is_truth = False",
+            "any number is a proposition",
+            'is_proposition = parameter.type == "bool"',
+            "is_proposition = False",
         ),
     ),
     "ir/skills.py": (
@@ -92,7 +92,9 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "bool(numbers) and all(each == numbers[0] for each in numbers[1:])",
             "bool(numbers)",
         ),
-        Damage("a truth is any number", "step.is_truth and numbers", "False and numbers"),
+        Damage(
+            "a proposition is any number", "step.is_proposition and numbers", "False and numbers"
+        ),
         Damage("a number of another property", "if p.property == step.property", "if p.property"),
     ),
     "lowering/skills.py": (
@@ -116,10 +118,8 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
             "ir.AgeReaches(self._inputs.input(used), timeout_ns)",
             "ir.AgeReaches(self._inputs.input(used), 2 * timeout_ns)",
         ),
-        Damage(
-            "a question without its limits", "found.skills, found.arguments", "found.skills, ()"
-        ),
-        Damage("a question of another file", "self._skills.file.digest", '"0" * 64'),
+        Damage("a query without its limits", "found.skills, found.arguments", "found.skills, ()"),
+        Damage("a query of another file", "self._skills.file.digest", '"0" * 64'),
     ),
     "lowering/contracts.py": (
         Damage(
@@ -165,7 +165,7 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
         ),
         Damage("an exemption has the contract", "        contracts=(),\n", ""),
         Damage(
-            "the use of an exemption is not told",
+            "the use of an exemption is not reported",
             'yield _made(rule, exemption, f"{name}_doing_{suffix}", rule.condition, ())',
             "pass",
         ),
@@ -199,8 +199,8 @@ COMPILER: Mapping[str, Sequence[Damage]] = {
         ),
         Damage(
             "skills run as they are declared",
-            "    own = _told_apart(",
-            "    return [(thing.type,)]\n    own = _told_apart(",
+            "    own = _distinguished(",
+            "    return [(thing.type,)]\n    own = _distinguished(",
         ),
         Damage(
             "calls of one skill are left out",
@@ -272,5 +272,7 @@ NODE: Sequence[Damage] = (
     ),
     Damage("a number of another argument", "        if (argument.parameter == parameter)\n", ""),
     Damage("a number of another property", "            if (each.property == property)\n", ""),
-    Damage("a truth is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"),
+    Damage(
+        "a proposition is any number", "number == 0.0 || number == 1.0 ? number : NAN", "number"
+    ),
 )

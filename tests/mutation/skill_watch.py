@@ -14,7 +14,7 @@ from pathlib import Path
 from random import Random
 
 from rossmarie import ir
-from rossmarie.ir.calls import covering, question_at
+from rossmarie.ir.calls import covering, query_at
 from rossmarie.ir.skills import SkillContext, answer
 from support.compiled import machine_of
 from support.exempted import differences, random_events, random_program
@@ -49,7 +49,7 @@ def answers() -> Iterator[str]:
             for _ in range(CONTEXTS):
                 context = any_context(random, world, worlds)
                 found = [answer(each, context) for each in asked.steps()]
-                wanted = [world.answer(each, context) for each in asked.questions]
+                wanted = [world.answer(each, context) for each in asked.queries]
                 if repr(found) != repr(wanted):
                     yield f"{found}, and not {wanted}"
 
@@ -64,13 +64,13 @@ def calls() -> Iterator[str]:
             asked = asked_of(random, world, Path(folder))
             for _ in range(CONTEXTS):
                 context = honest_context(random, world)
-                pairs = zip(asked.steps(), asked.questions, strict=True)
+                pairs = zip(asked.steps(), asked.queries, strict=True)
                 given = {step: world.answer(each, context) == 1 for step, each in pairs}
                 flags = {step: yes for step, yes in given.items() if isinstance(step, ir.Doing)}
                 chosen = covering(asked.machine.calls, flags)
                 running = () if chosen is None else tuple(each.running for each in chosen)
-                told = SkillContext.of(world.digest, running)
-                if chosen is None or any(answer(s, told) != yes for s, yes in flags.items()):
+                reported = SkillContext.of(world.digest, running)
+                if chosen is None or any(answer(s, reported) != yes for s, yes in flags.items()):
                     yield f"{flags}"
 
 
@@ -85,7 +85,7 @@ def _of_two_classes(folder: Path) -> Iterator[str]:
     head = HEAD.replace(str(FILE), str(folder / "skills.json"))
     condition = "doing Push(Object: toys.Box) or doing Push(Object: Chest)"
     machine = machine_of(f"{head} rule it: if {condition} then {{ stop; }};")
-    box, chests = (step for slot in machine.slots if (step := question_at(slot.path)) is not None)
+    box, chests = (step for slot in machine.slots if (step := query_at(slot.path)) is not None)
     if covering(machine.calls, {box: True, chests: False}) is None:
         yield "a box that is no chest"
 

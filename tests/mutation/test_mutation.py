@@ -59,12 +59,12 @@ def test_what_changes_nothing_is_not_noticed(bench: Bench, equivalent: Equivalen
 
 
 @pytest.mark.deep
-def test_the_rates_are_told(
+def test_the_rates_are_reported(
     noticed: Noticed, record_property: Callable[[str, object], None]
 ) -> None:
-    lines = ["seeded faults that are noticed"]
+    lines = ["mutants that are noticed"]
     for who, faults in ((GENERATED_TESTS, MONITOR), (TRACES, FAULTS)):
         found = [fault for fault in faults if who in noticed[fault]]
         lines.append(f"  by {who}: {len(found)} of {len(faults)}")
-    record_property("told", "\n".join(lines))
+    record_property("reported", "\n".join(lines))
     assert set().union(*noticed.values()) == {GENERATED_TESTS, TRACES}

@@ -1,5 +1,5 @@
 """Every fault of rules that know skills is noticed, whoever has it: the compiler, the Python that
-answers questions, or the C++ of nodes.
+answers queries, or the C++ of nodes.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ EXAMPLES = (
     "rossmarie/test_fixtures.py",
     "rossmarie/testing/test_skills.py",
 )
-"""Tests of skills by examples, which are told apart from those by random rules and messages."""
+"""Tests of skills by examples, which are distinguished from those by random rules and messages."""
 
 FAULTS = [(file, damage) for file, found in COMPILER.items() for damage in found]
 IN_EACH_RUN = FAULTS[::8]
@@ -99,7 +99,7 @@ def test_an_undamaged_copy_is_as_it_should_be(tmp_path: Path) -> None:
 
 
 @pytest.mark.deep
-def test_the_rates_are_told(
+def test_the_rates_are_reported(
     noticed: Mapping[Fault, frozenset[str]],
     tmp_path: Path,
     record_property: Callable[[str, object], None],
@@ -111,11 +111,11 @@ def test_the_rates_are_told(
         copies.append(copied(folder, *each))
     with ThreadPoolExecutor(2) as pool:
         by_examples = sum(pool.map(fails_examples, copies))
-    lines = ["seeded faults of rules that know skills, that are noticed"]
+    lines = ["mutants of rules that know skills, that are noticed"]
     lines.append(f"  by tests of examples: {by_examples} of {len(FAULTS)}")
     by_random = sum(map(bool, noticed.values()))
     lines.append(f"  by random rules and messages: {by_random} of {len(FAULTS)}")
-    record_property("told", "\n".join(lines))
+    record_property("reported", "\n".join(lines))
     assert by_examples > len(FAULTS) / 2
 
 
@@ -140,7 +140,7 @@ def is_noticed(asked: Sequence[Asked], folder: Path, damage: Damage | None) -> b
     worlds = [each.world for each in asked]
     contexts = [any_context(random, each, worlds) for each in worlds * 60]
     wanted = [
-        [each.world.answer(one, context) for each in asked for one in each.questions]
+        [each.world.answer(one, context) for each in asked for one in each.queries]
         for context in contexts
     ]
     steps = [step for each in asked for step in each.steps()]

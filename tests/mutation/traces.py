@@ -38,7 +38,7 @@ Make = Callable[[ir.Machine, Random, int], ChannelValues]
 
 
 class _Recorder:
-    """An engine that notes what it is told."""
+    """An engine that notes what it is reported."""
 
     def __init__(self) -> None:
         self.steps: list[Step] = []
@@ -135,8 +135,8 @@ def _number(random: Random, limits: Sequence[float]) -> float:
 
 def chosen_traces(machine: ir.Machine) -> list[list[Step]]:
     """Traces for cases that chance meets too seldom: a limit that is reached, an unknown beside
-    a truth, a swing that is just wide enough, a number that leaps over an interval and stays there,
-    and an edge that falls out of its window before any other timer.
+    a proposition, a swing that is just wide enough, a number that leaps over an interval and stays
+    there, and an edge that falls out of its window before any other timer.
     """
     swinging = [
         Update(n * 5 * _TICK, _messages(machine, {"/imu": (0.0, 0.0, 0.0, 1.0, y)}))

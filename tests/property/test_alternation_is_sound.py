@@ -46,21 +46,21 @@ def publishing(values: list[float], periods: list[int | None]) -> Reactions:
 def conditions(draw: st.DrawFn, draft: Draft, x: int, y: int) -> int:
     """A condition on what rules publish, and on what comes from outside."""
     above = draft.above(x, draw(st.sampled_from((-0.5, 0.0, 0.5))))
-    below = draft.truth(ir.Not(above))
+    below = draft.proposition(ir.Not(above))
     one = draw(st.sampled_from((above, below)))
     outside = draft.above(y, draw(numbers))
-    other = draw(st.sampled_from((outside, draft.truth(ir.Not(outside)))))
-    aged = draft.truth(ir.AgeReaches(0, draw(durations)))
-    nodes: tuple[ir.TruthNode, ...] = (
-        draft.truths[one].node,
+    other = draw(st.sampled_from((outside, draft.proposition(ir.Not(outside)))))
+    aged = draft.proposition(ir.AgeReaches(0, draw(durations)))
+    nodes: tuple[ir.PropositionNode, ...] = (
+        draft.propositions[one].node,
         ir.And((one, other)),
         ir.Or((one, other)),
         ir.Held(one, draw(durations)),
-        ir.And((one, draft.truth(ir.Held(other, draw(durations))))),
+        ir.And((one, draft.proposition(ir.Held(other, draw(durations))))),
         ir.And((one, aged)),
         ir.Or((aged, other)),
     )
-    return draft.truth(draw(st.sampled_from(nodes)))
+    return draft.proposition(draw(st.sampled_from(nodes)))
 
 
 @unhurried

@@ -45,45 +45,50 @@ unhurried = settings(
 )
 
 
-def whole_truths(machine: ir.Machine) -> tuple[int, ...]:
-    arrays = ir.element_arrays(machine).truths
+def whole_propositions(machine: ir.Machine) -> tuple[int, ...]:
+    arrays = ir.element_arrays(machine).propositions
     return tuple(index for index, array in enumerate(arrays) if array is None)
 
 
 def watching(machine: ir.Machine) -> Interpreter:
-    """A monitor whose watches are all truths."""
-    return Interpreter(replace(machine, watches=whole_truths(machine)))
+    """A monitor whose watches are all propositions."""
+    return Interpreter(replace(machine, watches=whole_propositions(machine)))
 
 
 def values_of(machine: ir.Machine, monitor: Interpreter) -> dict[int, TruthValue]:
-    """What all truths are worth."""
-    return dict(zip(whole_truths(machine), monitor.watches, strict=True))
+    """What all propositions are worth."""
+    return dict(zip(whole_propositions(machine), monitor.watches, strict=True))
 
 
 def is_settled(machine: ir.Machine, values: Mapping[int, TruthValue], *roots: int) -> bool:
     """Whether each `for` has matured whose condition is true, of all or of what some rest on."""
-    below = {truth for root in roots for truth in ir.reachable_truths(machine, root)} or values
+    below = {
+        proposition for root in roots for proposition in ir.reachable_propositions(machine, root)
+    } or values
     held = [
-        (truth, node.operand)
-        for truth in below
-        if isinstance(node := machine.truths[truth].node, ir.Held)
+        (proposition, node.operand)
+        for proposition in below
+        if isinstance(node := machine.propositions[proposition].node, ir.Held)
     ]
     return all(
-        values[truth] is TruthValue.TRUE
-        for truth, operand in held
+        values[proposition] is TruthValue.TRUE
+        for proposition, operand in held
         if values[operand] is TruthValue.TRUE
     )
 
 
 def evaluations(case: Case) -> list[dict[int, TruthValue]]:
-    """The values of all truths right after each event, each combination once."""
+    """The values of all propositions right after each event, each combination once."""
     machine, trace = case
     monitor = watching(machine)
     seen = []
     for step in trace:
         take(monitor, step)
         seen.append(monitor.watches)
-    return [dict(zip(whole_truths(machine), values, strict=True)) for values in dict.fromkeys(seen)]
+    return [
+        dict(zip(whole_propositions(machine), values, strict=True))
+        for values in dict.fromkeys(seen)
+    ]
 
 
 @unhurried
@@ -94,9 +99,14 @@ def test_every_evaluation_is_a_state(case: Case) -> None:
         inquiry = Inquiry(machine)
         for settled in (False, True) if is_settled(machine, values) else (False,):
             state = ArbitraryState(inquiry.asked, settled=settled)
-            claim = z3.And([state.truth(truth).is_value(values[truth]) for truth in values])
+            predicate = z3.And(
+                [
+                    state.proposition(proposition).is_value(values[proposition])
+                    for proposition in values
+                ]
+            )
             orders = list(inquiry.orders(state))
-            answer = ask([*state.facts, *orders], claim)
+            answer = ask([*state.facts, *orders], predicate)
             assert answer.outcome is not Outcome.IMPOSSIBLE, (values, state.facts)
 
 
@@ -177,21 +187,21 @@ def forgiving(draw: st.DrawFn) -> ir.Machine:
     growing.inputs()
     for _ in range(draw(st.integers(1, 4))):
         growing.signal()
-        growing.truth()
+        growing.proposition()
     draft = growing.draft
     used = draw(st.integers(0, len(draft.inputs) - 1))
-    aged = draft.truth(ir.AgeReaches(used, draw(st.integers(1, 4)) * TICK))
-    one, other = growing.one_of(growing.truths), growing.one_of(growing.truths)
-    young = draft.truth(ir.Not(aged))
-    either = draft.truth(ir.Or((one, other)))
-    nodes: tuple[ir.TruthNode, ...] = (
+    aged = draft.proposition(ir.AgeReaches(used, draw(st.integers(1, 4)) * TICK))
+    one, other = growing.one_of(growing.propositions), growing.one_of(growing.propositions)
+    young = draft.proposition(ir.Not(aged))
+    either = draft.proposition(ir.Or((one, other)))
+    nodes: tuple[ir.PropositionNode, ...] = (
         ir.And((young, one)),
         ir.And((either, young)),
-        ir.Not(draft.truth(ir.Or((aged, one)))),
-        ir.Held(draft.truth(ir.And((young, one, other))), 2 * TICK),
-        ir.Or((draft.truth(ir.And((young, one))), other)),
+        ir.Not(draft.proposition(ir.Or((aged, one)))),
+        ir.Held(draft.proposition(ir.And((young, one, other))), 2 * TICK),
+        ir.Or((draft.proposition(ir.And((young, one))), other)),
     )
-    draft.rule(draft.truth(draw(st.sampled_from(nodes))))
+    draft.rule(draft.proposition(draw(st.sampled_from(nodes))))
     return draft.machine("forgiving")
 
 
@@ -207,33 +217,33 @@ def test_the_loss_of_an_input_does_nothing_to_rules_of_which_that_is_said(
     ]
     assume(found)
     loss = data.draw(st.sampled_from(found))
-    lost = machine.inputs[loss.input].channel
+    stale = machine.inputs[loss.input].channel
     monitor = watching(machine)
-    monitor.update(0, {lost: data.draw(channel_values(machine, lost))})
-    others = [channel for channel in range(len(machine.channels)) if channel != lost]
+    monitor.update(0, {stale: data.draw(channel_values(machine, stale))})
+    others = [channel for channel in range(len(machine.channels)) if channel != stale]
     calm = 0
     for tick in range(1, 24):
         sent = {channel: data.draw(channel_values(machine, channel)) for channel in others}
         monitor.update(tick * TICK, sent) if sent else monitor.advance(tick * TICK)
         values = values_of(machine, monitor)
         is_over = tick * TICK >= (loss.after_ns or 0) and is_settled(machine, values)
-        if is_over and _are_known(machine, monitor, lost):
+        if is_over and _are_known(machine, monitor, stale):
             calm += 1
             condition = values[machine.rules[0].condition]
             assert condition in (TruthValue.FALSE, TruthValue.UNKNOWN)
     assume(calm)
 
 
-def _are_known(machine: ir.Machine, monitor: Interpreter, lost: int) -> bool:
+def _are_known(machine: ir.Machine, monitor: Interpreter, stale: int) -> bool:
     """Whether all numbers of the messages that the rule rests on are, but for one channel."""
-    slots = ir.supports(machine).truths[machine.rules[0].condition].slots
+    slots = ir.supports(machine).propositions[machine.rules[0].condition].slots
     reads = {
         signal.node.slot: monitor.signals[index]
         for index, signal in enumerate(machine.signals)
         if isinstance(signal.node, ir.Read)
     }
     channels = {slot: machine.inputs[machine.slots[slot].input].channel for slot in slots}
-    return not any(channels[slot] != lost and math.isnan(reads[slot]) for slot in slots)
+    return not any(channels[slot] != stale and math.isnan(reads[slot]) for slot in slots)
 
 
 @st.composite
@@ -241,16 +251,16 @@ def conditions(draw: st.DrawFn, draft: Draft, x: int, y: int) -> int:
     """A condition on two numbers."""
     above = draft.above(x, draw(st.sampled_from((-0.5, 0.0, 0.5))))
     other = draft.above(y, draw(numbers))
-    below = draft.truth(ir.Not(above))
-    nodes: tuple[ir.TruthNode, ...] = (
-        draft.truths[above].node,
-        draft.truths[below].node,
+    below = draft.proposition(ir.Not(above))
+    nodes: tuple[ir.PropositionNode, ...] = (
+        draft.propositions[above].node,
+        draft.propositions[below].node,
         ir.And((below, other)),
         ir.Or((above, other)),
         ir.Held(above, draw(durations)),
-        ir.And((above, draft.truth(ir.Held(other, draw(durations))))),
+        ir.And((above, draft.proposition(ir.Held(other, draw(durations))))),
     )
-    return draft.truth(draw(st.sampled_from(nodes)))
+    return draft.proposition(draw(st.sampled_from(nodes)))
 
 
 COMMANDED = replace(
@@ -271,17 +281,17 @@ def test_a_limit_that_holds_its_rule_does(data: st.DataObject) -> None:
     timeout_ns = data.draw(timeouts)
     x, y = draft.read(timeout_ns), draft.read()
     condition = data.draw(conditions(draft, x, y))
-    calm = draft.truth(ir.Held(draft.truth(ir.Not(condition)), data.draw(durations)))
+    calm = draft.proposition(ir.Held(draft.proposition(ir.Not(condition)), data.draw(durations)))
     moving = draft.above(x, data.draw(st.sampled_from((0.5, 1.0))))
     rule = draft.rules[draft.rule(condition, data.draw(st.sampled_from((None, calm, moving))))]
     low, high = data.draw(st.sampled_from(((0.0, 1.0), (-1.0, 0.0), (0.0, 0.5), (-0.5, 0.0))))
     machine = replace(draft.machine(), reactions=COMMANDED)
     kept = [Kept(0, 0, 0, low, high)]
 
-    def claim(state: ArbitraryState) -> z3.BoolRef:
+    def predicate(state: ArbitraryState) -> z3.BoolRef:
         return z3.And(is_ended(state, 0), is_within(state, kept))
 
-    assume(Inquiry(machine).is_impossible(claim, settled=True))
+    assume(Inquiry(machine).is_impossible(predicate, settled=True))
     monitor = watching(machine)
     was_active = False
     inside = st.one_of(st.sampled_from((low, high)), st.floats(low, high))
@@ -302,17 +312,21 @@ def test_what_is_never_true_at_a_rate_never_is(data: st.DataObject) -> None:
     draft = Draft()
     x, y = draft.read(data.draw(timeouts)), draft.read()
     condition = data.draw(conditions(draft, x, y))
-    young = draft.truth(ir.Not(draft.truth(ir.AgeReaches(0, data.draw(durations)))))
-    both = draft.truth(ir.And((condition, young)))
-    draft.truth(ir.Held(data.draw(st.sampled_from((condition, both))), data.draw(durations)))
-    draft.truth(ir.Oscillates(x, data.draw(st.integers(1, 4)), data.draw(durations), 0.0))
+    young = draft.proposition(ir.Not(draft.proposition(ir.AgeReaches(0, data.draw(durations)))))
+    both = draft.proposition(ir.And((condition, young)))
+    draft.proposition(ir.Held(data.draw(st.sampled_from((condition, both))), data.draw(durations)))
+    draft.proposition(ir.Oscillates(x, data.draw(st.integers(1, 4)), data.draw(durations), 0.0))
     draft.above(draft.signal(ir.Sampled(ir.Sampling.RATE, x)), 0.0)
     draft.above(draft.signal(ir.Sampled(ir.Sampling.PREVIOUS, x)), 0.0)
     gap = data.draw(durations)
     sending = replace(draft.channels[0], gaps_ns=(gap, 2 * gap))
     machine = replace(draft.machine(), channels=(sending, draft.channels[1]))
     inquiry = Inquiry(machine)
-    never = [truth for truth in whole_truths(machine) if never_at_rate(inquiry, truth)]
+    never = [
+        proposition
+        for proposition in whole_propositions(machine)
+        if never_at_rate(inquiry, proposition)
+    ]
     assume(never)
     monitor = watching(machine)
     at_ns = 0
@@ -321,7 +335,9 @@ def test_what_is_never_true_at_a_rate_never_is(data: st.DataObject) -> None:
         next_ns = at_ns + gap + data.draw(st.sampled_from((0, 0, 0, 1, TICK)))
         while at_ns < next_ns:
             values = values_of(machine, monitor)
-            assert [truth for truth in never if values[truth] is TruthValue.TRUE] == []
+            assert [
+                proposition for proposition in never if values[proposition] is TruthValue.TRUE
+            ] == []
             at_ns = min(at_ns + TICK, next_ns)
             if at_ns < next_ns:
                 monitor.advance(at_ns)
@@ -340,11 +356,13 @@ def test_a_field_of_whole_numbers_may_hold_all_of_them(data: st.DataObject) -> N
         ir.Read(draft.slot(draft.input(draft.channel()), ir.Kind.REAL, scale, offset, limits))
     )
     raw = data.draw(st.one_of(st.sampled_from(limits), st.integers(*map(int, limits)).map(float)))
-    equal = draft.truth(ir.Compare(ir.Comparison.EQUAL, x, draft.constant(raw * scale + offset)))
+    equal = draft.proposition(
+        ir.Compare(ir.Comparison.EQUAL, x, draft.constant(raw * scale + offset))
+    )
     beyond = draft.above(x, limits[1] * scale + offset)
     inquiry = Inquiry(draft.machine())
-    assert not inquiry.is_impossible(lambda state: state.truth(equal).true)
-    assert inquiry.is_impossible(lambda state: state.truth(beyond).true)
+    assert not inquiry.is_impossible(lambda state: state.proposition(equal).true)
+    assert inquiry.is_impossible(lambda state: state.proposition(beyond).true)
 
 
 def test_a_state_is_asked_of_one_machine_at_a_time() -> None:

@@ -25,15 +25,15 @@ class Counting(Interpreter):
 
     def forget(self) -> None:
         self.evaluations = 0
-        self.matured = [0] * len(self._machine.truths)
+        self.matured = [0] * len(self._machine.propositions)
 
     def _evaluate(self, at_ns: int, updated: frozenset[int] = frozenset()) -> list[ir.Event]:
-        before = [value is ir.TruthValue.TRUE for value in self._memory.truths]
+        before = [value is ir.TruthValue.TRUE for value in self._memory.truth_values]
         events = super()._evaluate(at_ns, updated)
         self.evaluations += 1
-        for index, truth in enumerate(self._machine.truths):
-            is_true = self._memory.truths[index] is ir.TruthValue.TRUE
-            if isinstance(truth.node, ir.Held) and is_true and not before[index]:
+        for index, proposition in enumerate(self._machine.propositions):
+            is_true = self._memory.truth_values[index] is ir.TruthValue.TRUE
+            if isinstance(proposition.node, ir.Held) and is_true and not before[index]:
                 self.matured[index] += 1
         return events
 
@@ -44,12 +44,14 @@ def timer_cases(draw: st.DrawFn) -> Case:
     draft = Draft()
     guarded, number = draft.read(8 * TICK), draft.read()
     ticks = st.integers(1, 12).map(lambda count: count * TICK)
-    truths = [draft.above(guarded, 0.0), draft.above(number, 0.0)]
-    truths += [draft.truth(ir.Oscillates(x, 1, draw(ticks), 0.0)) for x in (guarded, number)]
+    propositions = [draft.above(guarded, 0.0), draft.above(number, 0.0)]
+    propositions += [
+        draft.proposition(ir.Oscillates(x, 1, draw(ticks), 0.0)) for x in (guarded, number)
+    ]
     for age_ns in draw(st.lists(ticks, min_size=1, max_size=6)):
-        truths.append(draft.truth(ir.AgeReaches(0, age_ns)))
+        propositions.append(draft.proposition(ir.AgeReaches(0, age_ns)))
     for _ in range(draw(st.integers(3, 20))):
-        some = st.one_of(st.sampled_from(truths), st.sampled_from(truths[-3:]))
+        some = st.one_of(st.sampled_from(propositions), st.sampled_from(propositions[-3:]))
         nodes = st.one_of(
             st.builds(ir.Not, some),
             st.builds(ir.And, st.tuples(some, some)),
@@ -58,8 +60,8 @@ def timer_cases(draw: st.DrawFn) -> Case:
             st.builds(ir.Since, some, some),
             st.builds(ir.Recurs, some, st.integers(1, 3), st.integers(1, 3 * TICK)),
         )
-        truths.append(draft.truth(draw(nodes)))
-    draft.rule(truths[-1])
+        propositions.append(draft.proposition(draw(nodes)))
+    draft.rule(propositions[-1])
     machine = draft.machine()
     return machine, draw(traces(machine, max_steps=6))
 
@@ -69,14 +71,14 @@ def timer_cases(draw: st.DrawFn) -> Case:
 def test_nothing_falls_due_more_often_than_the_bound_says(case: Case) -> None:
     machine, trace = case
     most = ir.most_evaluations(machine)
-    of_truths = [count for _, count in ir.wakes(machine)][len(machine.inputs) :]
+    of_propositions = [count for _, count in ir.wakes(machine)][len(machine.inputs) :]
     interpreter = Counting(machine)
     silence = Advance(max(step.at_ns for step in trace) + SILENCE_NS)
     for step in (*trace, silence):
         interpreter.forget()
         take(interpreter, step)
         assert interpreter.evaluations <= most
-        pairs = zip(interpreter.matured, of_truths, strict=True)
+        pairs = zip(interpreter.matured, of_propositions, strict=True)
         assert all(matured <= count for matured, count in pairs)
 
 
@@ -86,15 +88,17 @@ def chain(levels: int) -> ir.Machine:
     """
     draft = Draft()
     while_ns = SECOND
-    condition = draft.truth(ir.AgeReaches(draft.input(draft.channel()), 2 * SECOND))
+    condition = draft.proposition(ir.AgeReaches(draft.input(draft.channel()), 2 * SECOND))
     for _ in range(levels):
         while_ns //= 2
-        opposite = draft.truth(ir.Not(condition))
+        opposite = draft.proposition(ir.Not(condition))
         risen, fallen = (
-            draft.truth(ir.And((now, draft.truth(ir.Not(draft.truth(ir.Held(now, while_ns)))))))
+            draft.proposition(
+                ir.And((now, draft.proposition(ir.Not(draft.proposition(ir.Held(now, while_ns))))))
+            )
             for now in (condition, opposite)
         )
-        condition = draft.truth(ir.Or((risen, fallen)))
+        condition = draft.proposition(ir.Or((risen, fallen)))
     draft.rule(condition)
     return draft.machine()
 

@@ -170,7 +170,7 @@ def test_margins_are_the_robustness_of_what_rules_require(
     machine = compiled(made, tmp_path_factory.mktemp("rules"))
     used = re.findall(r"\b(?:x|y|scan)\b", " ".join(each.text for each in made))
     observe: Declared = {name: OBSERVE[name] for name in used}
-    told = list(interpreted(machine, observe, course))
+    reported = list(interpreted(machine, observe, course))
     for guard in (Guard(machine, observe, {}), in_python(machine, observe)):
         batch = guard.batch(1)
         for at_ns, seen in enumerate(course):
@@ -179,7 +179,7 @@ def test_margins_are_the_robustness_of_what_rules_require(
             batch.observe(at_ns, np.array([seen]))
             margin = guard.margin
             np.testing.assert_array_equal(margin, wanted)
-            np.testing.assert_array_equal(margin, told[at_ns])
+            np.testing.assert_array_equal(margin, reported[at_ns])
             assert batch.margin.tobytes() == margin.tobytes()
             assert not active[margin > 0.0].any()
             assert active[margin < 0.0].all()

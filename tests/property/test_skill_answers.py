@@ -1,4 +1,4 @@
-"""Questions about skills are answered as S58 says, for any message; and a machine holds those
+"""Queries about skills are answered as S58 says, for any message; and a machine holds those
 answers for possible that some skills give.
 """
 
@@ -37,7 +37,7 @@ def asking(seed: int, folder: Path) -> tuple[Random, Asked]:
 
 
 def wanted(asked: Asked, context: SkillContext) -> list[float]:
-    return [asked.world.answer(each, context) for each in asked.questions]
+    return [asked.world.answer(each, context) for each in asked.queries]
 
 
 @settings(max_examples=examples(2))
@@ -57,10 +57,12 @@ def test_messages_of_libraries_answer_the_same(folder: Path, seed: int) -> None:
     named = NamedValues(asked.machine)
     for ros in (ROS1, ROS2):
         context = any_context(random, asked.world)
-        told = cast("SkillMessage", message(ros, 0, context)[1])
-        assert repr([answer(each, told) for each in asked.steps()]) == repr(wanted(asked, context))
-        if named.questions.is_context("skill_context", told):
-            (values,) = named.messages({"skill_context": told}).values()
+        reported = cast("SkillMessage", message(ros, 0, context)[1])
+        assert repr([answer(each, reported) for each in asked.steps()]) == repr(
+            wanted(asked, context)
+        )
+        if named.queries.is_context("skill_context", reported):
+            (values,) = named.messages({"skill_context": reported}).values()
             assert repr(list(values.slots.values())) == repr(wanted(asked, context))
 
 
@@ -74,5 +76,5 @@ def test_what_skills_answer_is_what_some_calls_answer(folder: Path, seed: int) -
         flags = {step: yes == 1 for step, yes in answers.items() if isinstance(step, ir.Doing)}
         chosen = covering(asked.machine.calls, flags)
         assert chosen is not None, (flags, context)
-        told = SkillContext.of(asked.world.digest, [call.running for call in chosen])
-        assert {step: answer(step, told) == 1.0 for step in flags} == flags
+        reported = SkillContext.of(asked.world.digest, [call.running for call in chosen])
+        assert {step: answer(step, reported) == 1.0 for step in flags} == flags

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
-from rossmarie.testing.cone import Told, cone_of, told_by
+from rossmarie.testing.cone import Reported, cone_of, reported_by
 from rossmarie.testing.coverage import Watcher
 from rossmarie.testing.margins import moved, thresholds
 from rossmarie.testing.places import compared_with_constants, seen_by
@@ -19,7 +19,7 @@ from support.machines import Update, machines, traces
 from support.testing import compiled
 
 
-def reference(machine: ir.Machine, trace: list[Update], end_ns: int) -> list[Told]:
+def reference(machine: ir.Machine, trace: list[Update], end_ns: int) -> list[Reported]:
     interpreter = Interpreter(machine)
     events = [event for step in trace for event in interpreter.update(step.at_ns, step.messages)]
     events += interpreter.advance(end_ns)
@@ -46,7 +46,9 @@ def machine(tmp_path_factory: pytest.TempPathFactory) -> ir.Machine:
 
 
 def assert_same(machine: ir.Machine, data: st.DataObject) -> None:
-    found = [each for each in thresholds(machine) if cone_of(machine, each.truths) is not None]
+    found = [
+        each for each in thresholds(machine) if cone_of(machine, each.propositions) is not None
+    ]
     assume(found)
     threshold = data.draw(st.sampled_from(found))
     trace = [step for step in data.draw(traces(machine)) if isinstance(step, Update)]
@@ -55,7 +57,7 @@ def assert_same(machine: ir.Machine, data: st.DataObject) -> None:
     watcher = Watcher(machine, kept=compared_with_constants(machine))
     steps = [Step(step.at_ns, step.messages) for step in trace]
     history = watcher.watch(steps, end_ns, from_zero=False)
-    cone = cone_of(machine, threshold.truths)
+    cone = cone_of(machine, threshold.propositions)
     assert cone is not None
     if threshold.constant is None:
         value = data.draw(st.integers(1, 12)) * TICK / 1e9
@@ -64,11 +66,11 @@ def assert_same(machine: ir.Machine, data: st.DataObject) -> None:
         value = data.draw(st.sampled_from(seen) if seen else st.sampled_from(NUMBERS))
     candidate = moved(machine, threshold, value)
     usual, wanted = (reference(each, trace, end_ns) for each in (machine, candidate))
-    assert list(told_by(cone, candidate, history)) == [
-        told for told in wanted if told[0] in cone.rules
+    assert list(reported_by(cone, candidate, history)) == [
+        reported for reported in wanted if reported[0] in cone.rules
     ]
-    assert [told for told in wanted if told[0] not in cone.rules] == [
-        told for told in usual if told[0] not in cone.rules
+    assert [reported for reported in wanted if reported[0] not in cone.rules] == [
+        reported for reported in usual if reported[0] not in cone.rules
     ]
 
 

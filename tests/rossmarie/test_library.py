@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver.testing import run_test_file
-from rossmarie.driver.verifying import prove, questions_of
+from rossmarie.driver.verifying import prove, queries_of
 from rossmarie.testing.goals import Aspect
 from rossmarie.verification.prover import Prover, Verdict
 from support.command_line import run
@@ -95,6 +95,6 @@ def test_the_generated_tests_are_those_of_the_rules(path: Path, bless: bool) -> 
 @needs(PROVER)
 @of_rules
 def test_the_generated_c_of_a_file_is_proved(path: Path) -> None:
-    proofs = prove(questions_of(path), Prover(), seconds=120)
+    proofs = prove(queries_of(path), Prover(), seconds=120)
     unproved = [each for each in proofs.outcomes if each.verdict is not Verdict.PROVED]
     assert [outcome.check.about for outcome in unproved] == []

@@ -21,7 +21,7 @@ def modules() -> Iterator[dict[str, Any]]:
 
 
 class Bench:
-    """One question to the model: zones, readings by the degrees of their beams, a command."""
+    """One query to the model: zones, readings by the degrees of their beams, a command."""
 
     def __init__(self, modules: dict[str, Any]) -> None:
         self._course, self._model = modules["course"], modules["nav2_model"]

@@ -48,7 +48,7 @@ class Arm(Ears):
         self._joints.publish(JointState(name=["elbow"], velocity=[speed]))
 
     def _end_of(self, pose):
-        """The skill holds its pose until it is told otherwise."""
+        """The skill holds its pose until it is reported otherwise."""
         self._is_retracted = pose == RETRACTED
         self.touches = self.touches and not (self._is_retracted and self.gives_way)
         return "succeeds" if self._is_retracted else None

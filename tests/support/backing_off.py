@@ -136,5 +136,5 @@ def active(state: Ears) -> list[str]:
 
 def tasks(state: Ears) -> dict[str, str]:
     """The states of the trees that rules have asked for."""
-    told = (state.last("/stuck_safety/state") or {}).get("tasks", ())
-    return {task["action"]: task["state"] for task in told}
+    reported = (state.last("/stuck_safety/state") or {}).get("tasks", ())
+    return {task["action"]: task["state"] for task in reported}

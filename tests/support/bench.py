@@ -45,8 +45,8 @@ class Bench:
         wake_ns = self.monitor.next_wake()
         return None if wake_ns is None else wake_ns / SECOND
 
-    def truth(self, index: int) -> TruthValue | None:
-        return self.monitor._memory.truths[index]
+    def proposition(self, index: int) -> TruthValue | None:
+        return self.monitor._memory.truth_values[index]
 
     def signal(self, index: int) -> float:
         return self.monitor._memory.signals[index]
@@ -56,7 +56,7 @@ def ns(seconds: float) -> int:
     return round(seconds * SECOND)
 
 
-def told(events: Sequence[Event]) -> list[tuple[int, float, Change]]:
+def reported(events: Sequence[Event]) -> list[tuple[int, float, Change]]:
     """Rule, instant in seconds and change of the verdicts."""
     return [
         (event.rule, event.at_ns / SECOND, event.change)

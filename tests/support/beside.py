@@ -19,7 +19,7 @@ _SOON = st.sampled_from((None, TICK, 2 * TICK, 3 * TICK))
 
 @st.composite
 def machines_beside(draw: st.DrawFn) -> ir.Machine:
-    """Each rule looks at one question to the elements, or at one result of them."""
+    """Each rule looks at one query to the elements, or at one result of them."""
     growing = Growing(draw)
     draft = growing.draft
     array_input, list_input = (draft.input(draft.channel(), draw(_LATE)) for _ in "al")
@@ -32,25 +32,25 @@ def machines_beside(draw: st.DrawFn) -> ir.Machine:
     numbers = [draft.signal(ir.Read(draft.slot(used))) for used in (array_input, *others)]
     numbers.append(draft.apply(ir.Function.ADD, *draw(st.permutations(numbers))[:2]))
     for _ in range(draw(st.integers(1, 3))):
-        truth = _question(draw, growing, elements, numbers)
+        proposition = _query(draw, growing, elements, numbers)
         if draw(st.booleans()):
-            truth = draft.truth(ir.Held(truth, draw(durations)))
-        draft.rule(truth)
+            proposition = draft.proposition(ir.Held(proposition, draw(durations)))
+        draft.rule(proposition)
     return draft.machine("beside")
 
 
-def _question(draw: st.DrawFn, growing: Growing, elements: list[int], numbers: list[int]) -> int:
+def _query(draw: st.DrawFn, growing: Growing, elements: list[int], numbers: list[int]) -> int:
     draft = growing.draft
     element, number = draw(st.sampled_from(elements)), draw(st.sampled_from(numbers))
     comparison = draw(st.sampled_from(ir.Comparison))
-    below = draft.truth(ir.Compare(comparison, element, number))
+    below = draft.proposition(ir.Compare(comparison, element, number))
     if draw(st.booleans()):
         limit = draft.constant(draw(_limits))
-        own = draft.truth(ir.Compare(ir.Comparison.LESS, element, limit))
-        below = draft.truth(ir.Or((below, own)))
+        own = draft.proposition(ir.Compare(ir.Comparison.LESS, element, limit))
+        below = draft.proposition(ir.Or((below, own)))
     match draw(st.sampled_from(("quantified", "count", "fold", "rate"))):
         case "quantified":
-            return draft.truth(ir.Quantified(draw(st.sampled_from(ir.Quantifier)), below))
+            return draft.proposition(ir.Quantified(draw(st.sampled_from(ir.Quantifier)), below))
         case "count":
             return draft.above(draft.signal(ir.Count(below)), 0.0)
         case "fold":

@@ -23,11 +23,11 @@ def _line(number: int) -> Span:
     return Span(_FILE, start, start + len(lines[number - 1]) - 1)
 
 
-def _placed(draft: Draft, truths: dict[int, int], rules: dict[int, int]) -> None:
-    """Give truths and rules their lines and the words that stand there."""
-    for index, number in truths.items():
+def _placed(draft: Draft, propositions: dict[int, int], rules: dict[int, int]) -> None:
+    """Give propositions and rules their lines and the words that stand there."""
+    for index, number in propositions.items():
         span = _line(number)
-        draft.truths[index] = replace(draft.truths[index], span=span, text=span.text)
+        draft.propositions[index] = replace(draft.propositions[index], span=span, text=span.text)
     for index, number in rules.items():
         draft.rules[index] = replace(draft.rules[index], span=_line(number))
 
@@ -38,10 +38,12 @@ def thresholds() -> ir.Machine:
     channel = draft.channel()
     speed = draft.signal(ir.Read(draft.slot(draft.input(channel))), "speed", "m/s")
     docked = draft.signal(ir.Read(draft.slot(draft.input(channel), ir.Kind.FLAG)), "docked")
-    fast = draft.truth(ir.Held(draft.above(speed, 0.5), 2 * SECOND), "drive.fast")
-    away = draft.truth(ir.Not(draft.truth(ir.Flag(docked))))
-    slow = draft.truth(ir.Between(speed, draft.constant(0.1), draft.constant(0.2)), "drive.slow")
-    draft.rule(draft.truth(ir.And((fast, away))))
+    fast = draft.proposition(ir.Held(draft.above(speed, 0.5), 2 * SECOND), "drive.fast")
+    away = draft.proposition(ir.Not(draft.proposition(ir.Flag(docked))))
+    slow = draft.proposition(
+        ir.Between(speed, draft.constant(0.1), draft.constant(0.2)), "drive.slow"
+    )
+    draft.rule(draft.proposition(ir.And((fast, away))))
     draft.rule(slow, latched=True)
     _placed(draft, {fast: 1, slow: 2}, {0: 3, 1: 3})
     return draft.machine("thresholds")
@@ -52,10 +54,10 @@ def timeouts() -> ir.Machine:
     draft = Draft()
     speed = draft.read(SECOND // 5)
     battery = draft.read(SECOND)
-    low = draft.truth(ir.Compare(Comparison.LESS, battery, draft.constant(11.5)))
-    stale = draft.truth(ir.AgeReaches(1, 3 * SECOND), "battery.stale")
-    calm = draft.truth(ir.Held(draft.truth(ir.Not(draft.above(speed, 1.0))), SECOND))
-    draft.rule(draft.truth(ir.Or((low, stale))), calm)
+    low = draft.proposition(ir.Compare(Comparison.LESS, battery, draft.constant(11.5)))
+    stale = draft.proposition(ir.AgeReaches(1, 3 * SECOND), "battery.stale")
+    calm = draft.proposition(ir.Held(draft.proposition(ir.Not(draft.above(speed, 1.0))), SECOND))
+    draft.rule(draft.proposition(ir.Or((low, stale))), calm)
     return draft.machine("timeouts")
 
 
@@ -66,10 +68,10 @@ def arrays() -> ir.Machine:
     near = draft.above(ranges, 0.5)
     nearest = draft.signal(ir.Fold(ir.Folding.MINIMUM, ranges), "min(ranges)", "m")
     crowd = draft.above(draft.signal(ir.Count(near), "count(ranges > 0.5 m)"), 3.0)
-    some = draft.truth(ir.Quantified(ir.Quantifier.ANY, near))
-    every = draft.truth(ir.Quantified(ir.Quantifier.ALL, near))
-    close = draft.truth(ir.Compare(Comparison.LESS, nearest, draft.constant(0.3)))
-    draft.rule(draft.truth(ir.Or((close, crowd, draft.truth(ir.And((some, every)))))))
+    some = draft.proposition(ir.Quantified(ir.Quantifier.ANY, near))
+    every = draft.proposition(ir.Quantified(ir.Quantifier.ALL, near))
+    close = draft.proposition(ir.Compare(Comparison.LESS, nearest, draft.constant(0.3)))
+    draft.rule(draft.proposition(ir.Or((close, crowd, draft.proposition(ir.And((some, every)))))))
     return draft.machine("arrays")
 
 
@@ -84,18 +86,18 @@ def memories() -> ir.Machine:
     before = draft.signal(
         ir.Sampled(ir.Sampling.PREVIOUS, pitch), "previous(orientation.pitch())", "rad"
     )
-    rising = draft.truth(ir.Compare(Comparison.GREATER, pitch, before))
+    rising = draft.proposition(ir.Compare(Comparison.GREATER, pitch, before))
     median = draft.signal(
         ir.Sampled(ir.Sampling.MEDIAN, pitch, SECOND), "median(orientation.pitch(), 1 sec)", "rad"
     )
     draft.rule(draft.above(median, 0.2))
-    jolt = draft.truth(ir.Oscillates(x, 3, SECOND // 4, 0.1))
-    draft.rule(draft.truth(ir.And((rising, draft.above(rate, 0.5)))))
+    jolt = draft.proposition(ir.Oscillates(x, 3, SECOND // 4, 0.1))
+    draft.rule(draft.proposition(ir.And((rising, draft.above(rate, 0.5)))))
     draft.rule(jolt)
     mean = draft.signal(ir.Sampled(ir.Sampling.MEAN, x, SECOND), "mean(x, 1 sec)")
     smooth = draft.signal(ir.Sampled(ir.Sampling.LOW_PASS, x, SECOND // 5), "low_pass(x, 0.2 sec)")
-    draft.rule(draft.truth(ir.And((draft.above(mean, 0.3), draft.above(smooth, 0.4)))))
-    draft.rule(draft.truth(ir.Recurs(jolt, 2, 10 * SECOND)))
+    draft.rule(draft.proposition(ir.And((draft.above(mean, 0.3), draft.above(smooth, 0.4)))))
+    draft.rule(draft.proposition(ir.Recurs(jolt, 2, 10 * SECOND)))
     return draft.machine("memories")
 
 
@@ -121,7 +123,7 @@ def reacting() -> ir.Machine:
     draft = Draft()
     channel = draft.channel()
     speed = draft.signal(ir.Read(draft.slot(draft.input(channel, SECOND))), "speed", "m/s")
-    fast, standing = draft.above(speed, 0.5), draft.truth(ir.Not(draft.above(speed, 0.0)))
+    fast, standing = draft.above(speed, 0.5), draft.proposition(ir.Not(draft.above(speed, 0.0)))
     draft.rule(fast)
     draft.rule(fast, latched=True)
     return replace(

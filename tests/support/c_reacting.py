@@ -99,10 +99,10 @@ int main(void)
 """
 
 _WATCH = """\
-enum NAME_truth NAME_watch(const NAME_monitor *m, int watch)
+enum NAME_proposition NAME_watch(const NAME_monitor *m, int watch)
 {
     (void)m;
-    return (enum NAME_truth)watched[watch];
+    return (enum NAME_proposition)watched[watch];
 }
 """
 

@@ -33,7 +33,7 @@ static void print(void *user, const NAME_event *e)
     }
     printf("verdict %d %" PRId64 " %d", e->rule, e->at_ns, e->change);
     for (int i = 0; i < NAME_rules[e->rule].term_count; i++)
-        printf(" %d %" PRId64, e->truths[i], e->since_ns[i]);
+        printf(" %d %" PRId64, e->propositions[i], e->since_ns[i]);
     for (int i = 0; i < NAME_rules[e->rule].value_count; i++) {
         uint64_t bits;
         memcpy(&bits, &e->values[i], sizeof bits);
@@ -327,11 +327,11 @@ def _verdict(machine: ir.Machine, words: list[str]) -> object:
     rule = machine.rules[index]
     values_at = 3 + 2 * len(rule.terms)
     inputs_at = values_at + len(rule.signals)
-    truths = tuple(ir.TruthValue(int(word)) for word in words[3:values_at:2])
+    propositions = tuple(ir.TruthValue(int(word)) for word in words[3:values_at:2])
     since_ns = tuple(int(word) for word in words[4:values_at:2])
     values = tuple(_bits(word) for word in words[values_at:inputs_at])
     inputs = tuple(ir.InputState(int(word)) for word in words[inputs_at:])
-    return (index, at_ns, ir.Change(change), truths, since_ns, values, inputs)
+    return (index, at_ns, ir.Change(change), propositions, since_ns, values, inputs)
 
 
 def _bits(word: str) -> str:

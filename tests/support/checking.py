@@ -10,7 +10,7 @@ from rossmarie.driver.analyze import analyze_file
 from support import expectations
 
 THOROUGH = "// rossmarie check --thorough"
-"""What stands in rules of which all questions are asked."""
+"""What stands in rules of which all queries are asked."""
 
 
 def findings(path: Path) -> tuple[Diagnostic, ...]:

@@ -42,12 +42,12 @@ def machine_of_condition(condition: str) -> ir.Machine:
 def condition(text: str, kind: type[Node]) -> tuple[ir.Machine, Node]:
     """The machine of one condition, and what stands at its top."""
     machine = machine_of_condition(text)
-    return machine, truth_node(machine, machine.rules[0].condition, kind)
+    return machine, proposition_node(machine, machine.rules[0].condition, kind)
 
 
-def truth_node(machine: ir.Machine, index: int, kind: type[Node]) -> Node:
-    """A truth, which is of this kind."""
-    node = machine.truths[index].node
+def proposition_node(machine: ir.Machine, index: int, kind: type[Node]) -> Node:
+    """A boolean, which is of this kind."""
+    node = machine.propositions[index].node
     assert isinstance(node, kind)
     return node
 

@@ -53,12 +53,12 @@ class Run:
     chance: random.Random
     names: dict[str, int] = field(default_factory=lambda: dict(OWN))
     false_starts: list[tuple[SkillCall, bool]] = field(default_factory=list)
-    """Children that could not start, and whether that need not be told: a retry had started them,
-    or a later tick where others stand in.
+    """Children that could not start, and whether that need not be reported: a retry had started
+    them, or a later tick where others stand in.
     """
     started: list[SkillCall] = field(default_factory=list)
     broken_holds: list[Clause] = field(default_factory=list)
-    """Of the compound, when a child started; what a further try ends is not told."""
+    """Of the compound, when a child started; what a further try ends is not reported."""
     is_broken: bool = False
     """Whether the compound would have failed by what it holds."""
 

@@ -25,7 +25,7 @@ class Draft:
     arrays: list[ir.Array] = field(default_factory=list)
     texts: tuple[str, ...] = ()
     signals: list[ir.Signal] = field(default_factory=list)
-    truths: list[ir.Truth] = field(default_factory=list)
+    propositions: list[ir.Proposition] = field(default_factory=list)
     rules: list[ir.Rule] = field(default_factory=list)
     lists: list[ir.List] = field(default_factory=list)
     calls: tuple[ir.SkillCall, ...] = ()
@@ -58,9 +58,9 @@ class Draft:
         self.slots.append(ir.Slot(used, path, kind, scale, offset, "", limits))
         return len(self.slots) - 1
 
-    def question(self, used: int, step: ir.SkillStep) -> int:
-        """A slot that is a question to the skills that run."""
-        is_flag = isinstance(step, ir.Doing) or step.is_truth
+    def query(self, used: int, step: ir.SkillStep) -> int:
+        """A slot that is a query to the skills that run."""
+        is_flag = isinstance(step, ir.Doing) or step.is_boolean
         kind = ir.Kind.FLAG if is_flag else ir.Kind.REAL
         self.slots.append(ir.Slot(used, (step,), kind, 1.0, 0.0, ""))
         return len(self.slots) - 1
@@ -120,18 +120,20 @@ class Draft:
         """A signal that stands for the elements of an array on a channel of its own."""
         return self.signal(ir.Element(self.array(self.input(self.channel(), timeout_ns))))
 
-    def truth(self, node: ir.TruthNode, name: str | None = None, text: str | None = None) -> int:
-        shown = f"truth_{len(self.truths)}" if text is None else text
-        self.truths.append(ir.Truth(node, name, shown, NOWHERE))
-        return len(self.truths) - 1
+    def proposition(
+        self, node: ir.PropositionNode, name: str | None = None, text: str | None = None
+    ) -> int:
+        shown = f"proposition_{len(self.propositions)}" if text is None else text
+        self.propositions.append(ir.Proposition(node, name, shown, NOWHERE))
+        return len(self.propositions) - 1
 
     def above(self, signal: int, limit: float) -> int:
-        return self.truth(ir.Compare(ir.Comparison.GREATER, signal, self.constant(limit)))
+        return self.proposition(ir.Compare(ir.Comparison.GREATER, signal, self.constant(limit)))
 
     def rule(self, condition: int, release: int | None = None, *, latched: bool = False) -> int:
         """A rule; released as soon as its condition is false if nothing else is said."""
         if release is None and not latched:
-            release = self.truth(ir.Literal(True))
+            release = self.proposition(ir.Literal(True))
         machine = self.machine()
         rule = ir.Rule(
             name=f"rule_{len(self.rules) + 1}",
@@ -142,7 +144,7 @@ class Draft:
             documentation=None,
             terms=ir.rule_terms(machine, condition),
             signals=ir.rule_signals(machine, condition),
-            inputs=tuple(sorted(ir.supports(machine).truths[condition].inputs)),
+            inputs=tuple(sorted(ir.supports(machine).propositions[condition].inputs)),
             span=NOWHERE,
             head=NOWHERE,
         )
@@ -158,7 +160,7 @@ class Draft:
             tuple(self.arrays),
             self.texts,
             tuple(self.signals),
-            tuple(self.truths),
+            tuple(self.propositions),
             tuple(self.rules),
             lists=tuple(self.lists),
             calls=self.calls,

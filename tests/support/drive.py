@@ -47,9 +47,9 @@ class Drive(Ears):
         self._planner.publish(command)
 
     def _commanded(self):
-        told = self.heard.get("/cmd_vel")
-        is_fresh = told and time.time() - told[-1][0] < PATIENCE
-        return told[-1][1] if is_fresh else 0.0
+        reported = self.heard.get("/cmd_vel")
+        is_fresh = reported and time.time() - reported[-1][0] < PATIENCE
+        return reported[-1][1] if is_fresh else 0.0
 
 
 if __name__ == "__main__":

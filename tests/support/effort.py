@@ -1,4 +1,4 @@
-"""How the effort of some work grows with its size, told on a busy machine as on a quiet one."""
+"""How the effort of some work grows with its size, reported on a busy machine as on a quiet one."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from rossmarie.interpreter import Interpreter
 from rossmarie.ir.skills import SkillContext, answer
 from support.compiled import machine_of
 from support.rule_skills import DIGEST, FILE, content, running
-from support.skill_worlds import Question, World
+from support.skill_worlds import Query, World
 
 TICK = 10**8
 CONTEXT_NS = 10 * TICK
@@ -25,13 +25,13 @@ MOST_EVENTS = 24
 
 F, T, U, L = range(4)  # S1
 
-QUESTIONS = (
-    Question("Move"),
-    Question("Drive", (("Target", "skiros.Shelf"),)),
-    Question("Push"),
-    Question("Push", (("Object", "skiros.Fragile"),)),
-    Question("Push", (("Object", "skiros.Box"),)),
-    Question("Insert", (("Object", "skiros.Product"),)),
+QUERIES = (
+    Query("Move"),
+    Query("Drive", (("Target", "skiros.Shelf"),)),
+    Query("Push"),
+    Query("Push", (("Object", "skiros.Fragile"),)),
+    Query("Push", (("Object", "skiros.Box"),)),
+    Query("Insert", (("Object", "skiros.Product"),)),
 )
 RUNNING = (
     running("Move"),
@@ -49,7 +49,7 @@ WORLD = World(content())
 class Exemption:
     """`unless doing ...`, and what holds instead: nothing, an action, or another condition."""
 
-    question: Question
+    query: Query
     instead: str
 
 
@@ -57,7 +57,7 @@ class Exemption:
 class Program:
     """One rule about a force, and whether its input has a timeout."""
 
-    scope: tuple[Question, ...]
+    scope: tuple[Query, ...]
     exemptions: tuple[Exemption, ...]
     is_latched: bool
     has_timeout: bool
@@ -65,7 +65,7 @@ class Program:
     def text(self) -> str:
         scope = f" while {', '.join(map(words, self.scope))}" if self.scope else ""
         exempted = "".join(
-            f" unless {words(each.question)}{INSTEAD[each.instead]}" for each in self.exemptions
+            f" unless {words(each.query)}{INSTEAD[each.instead]}" for each in self.exemptions
         )
         return f"""
         skills "{FILE}" timeout 1 sec;
@@ -93,9 +93,9 @@ INSTEAD = {
 }
 
 
-def words(question: Question) -> str:
-    limits = ", ".join(f"{name}: {kind}" for name, kind in question.limits)
-    return f"doing {question.skill}({limits})" if limits else f"doing {question.skill}"
+def words(query: Query) -> str:
+    limits = ", ".join(f"{name}: {kind}" for name, kind in query.limits)
+    return f"doing {query.skill}({limits})" if limits else f"doing {query.skill}"
 
 
 @dataclass(frozen=True)
@@ -103,14 +103,14 @@ class Event:
     """A message about the force, one about skills, or silence, after some ticks."""
 
     ticks: int
-    told: float | SkillContext | None
+    reported: float | SkillContext | None
 
 
 def random_program(random: Random) -> Program:
     """A rule with any scopes and exemptions."""
-    exempted = random.sample(QUESTIONS, random.randrange(4))
+    exempted = random.sample(QUERIES, random.randrange(4))
     exemptions = [Exemption(each, random.choice(sorted(INSTEAD))) for each in exempted]
-    scope = random.sample(QUESTIONS, random.choice((0, 0, 1, 2)))
+    scope = random.sample(QUERIES, random.choice((0, 0, 1, 2)))
     is_latched, has_timeout = random.random() < 0.25, random.random() < 0.5
     return Program(tuple(scope), tuple(exemptions), is_latched, has_timeout)
 
@@ -118,12 +118,12 @@ def random_program(random: Random) -> Program:
 def random_events(random: Random) -> list[Event]:
     """Messages in any order, with silence between them, and those of another export."""
     return [
-        Event(random.choice((0, 1, 1, 2, 4, 8, 12)), _random_told(random))
+        Event(random.choice((0, 1, 1, 2, 4, 8, 12)), _random_reported(random))
         for _ in range(random.randrange(MOST_EVENTS))
     ]
 
 
-def _random_told(random: Random) -> float | SkillContext | None:
+def _random_reported(random: Random) -> float | SkillContext | None:
     match random.randrange(5):
         case 0 | 1:
             digest = DIGEST if random.random() < 0.8 else "00" * 32
@@ -161,12 +161,12 @@ class Model:
     active: list[bool] = field(default_factory=list)
 
     def happens(self, at_ns: int, event: Event) -> None:
-        """Time passes, with the instants at which something is lost, and then it is told."""
+        """Time passes, with the instants at which something is stale, and then it is reported."""
         for due_ns in sorted(self._due(at_ns)):
             self._evaluate(due_ns)
-        match event.told:
-            case SkillContext() as told:
-                self.context, self.context_ns = told, at_ns
+        match event.reported:
+            case SkillContext() as reported:
+                self.context, self.context_ns = reported, at_ns
             case float(force):
                 self.force, self.force_ns = force, at_ns
             case None:
@@ -189,10 +189,10 @@ class Model:
     def _conditions(self, at_ns: int) -> Iterator[int]:
         program = self.program
         scope = [either([self._asked(each, at_ns) for each in program.scope] or [T])]
-        exempted = [self._asked(each.question, at_ns) for each in program.exemptions]
+        exempted = [self._asked(each.query, at_ns) for each in program.exemptions]
         yield both([self._above(LIMIT, at_ns), *scope, *map(opposite, exempted)])
         for each in program.exemptions:
-            kept = [*scope, self._kept(each.question, at_ns)]
+            kept = [*scope, self._kept(each.query, at_ns)]
             yield both([self._above(LIMIT, at_ns), *kept])
             if each.instead == "condition":
                 yield both([self._above(OTHER_LIMIT, at_ns), *kept])
@@ -203,19 +203,19 @@ class Model:
             return L if self.program.has_timeout else U
         return int(self.force > limit)
 
-    def _asked(self, question: Question, at_ns: int) -> int:
+    def _asked(self, query: Query, at_ns: int) -> int:
         """D(S) of S59."""
-        return L if self._is_late(at_ns) in (T, U) or (flag := self._flag(question)) == U else flag
+        return L if self._is_late(at_ns) in (T, U) or (flag := self._flag(query)) == U else flag
 
-    def _kept(self, question: Question, at_ns: int) -> int:
+    def _kept(self, query: Query, at_ns: int) -> int:
         """K(S) of S59."""
-        return both([self._flag(question), opposite(self._is_late(at_ns))])
+        return both([self._flag(query), opposite(self._is_late(at_ns))])
 
     def _is_late(self, at_ns: int) -> int:
         return U if self.context_ns is None else int(at_ns - self.context_ns >= CONTEXT_NS)
 
-    def _flag(self, question: Question) -> int:
-        found = math.nan if self.context is None else WORLD.answer(question, self.context)
+    def _flag(self, query: Query) -> int:
+        found = math.nan if self.context is None else WORLD.answer(query, self.context)
         return U if math.isnan(found) else int(found)
 
 
@@ -224,10 +224,10 @@ class Model:
 
 def _sent(machine: ir.Machine, event: Event) -> dict[int, ir.ChannelValues]:
     topics = [channel.topic for channel in machine.channels]
-    match event.told:
-        case SkillContext() as told:
+    match event.reported:
+        case SkillContext() as reported:
             answers = {
-                index: answer(slot.path[0], told)
+                index: answer(slot.path[0], reported)
                 for index, slot in enumerate(machine.slots)
                 if isinstance(slot.path[0], ir.Doing)
             }

@@ -20,7 +20,7 @@ from rossmarie.core import (
     sampling_row,
 )
 from support.drafts import SECOND, Draft
-from support.skill_contexts import QUESTIONS, calls_told
+from support.skill_contexts import QUERIES, calls_reported
 
 TICK = SECOND // 10
 
@@ -72,8 +72,8 @@ class Growing:
         self.numbers: list[int] = [self.draft.constant(1.0)]
         self.element_numbers: dict[int, list[int]] = {}
         self.element_texts: dict[int, list[int]] = {}
-        self.truths: list[int] = []
-        self.questions: list[int] = []
+        self.propositions: list[int] = []
+        self.queries: list[int] = []
 
     def one_of(self, choices: Sequence[int]) -> int:
         # Later nodes are preferred a little, so that machines grow deep as well as wide.
@@ -96,14 +96,14 @@ class Growing:
         channel = self.draft.skill_channel()
         for _ in range(self.draw(st.integers(1, 2))):
             used = self.draft.input(channel, self.draw(timeouts))
-            for step in self.draw(st.lists(st.sampled_from(QUESTIONS), max_size=3, unique=True)):
-                slot = self.draft.question(used, step)
+            for step in self.draw(st.lists(st.sampled_from(QUERIES), max_size=3, unique=True)):
+                slot = self.draft.query(used, step)
                 if isinstance(step, ir.Doing):
-                    self.questions.append(slot)
-                elif not step.is_truth:
+                    self.queries.append(slot)
+                elif not step.is_boolean:
                     self.numbers.append(self.draft.signal(ir.Read(slot)))
         steps = [slot.path[0] for slot in self.draft.slots if isinstance(slot.path[0], ir.Doing)]
-        self.draft.calls = calls_told(steps) if self.draw(st.booleans()) else ()
+        self.draft.calls = calls_reported(steps) if self.draw(st.booleans()) else ()
 
     def _fields(self, used: int) -> None:
         # Of an input without fields only the age is read.
@@ -203,7 +203,7 @@ class Growing:
         return self.draft.signal(ir.Fold(folding, self._element_number(self._array())))
 
     def _count(self) -> int:
-        return self.draft.signal(ir.Count(self._element_truth(self._array())))
+        return self.draft.signal(ir.Count(self._element_proposition(self._array())))
 
     # --- elements ---
 
@@ -230,7 +230,7 @@ class Growing:
         known.append(self.draft.apply(function, *operands))
         return known[-1]
 
-    def _element_truth(self, array: int, depth: int = 2) -> int:
+    def _element_proposition(self, array: int, depth: int = 2) -> int:
         shapes = ["compare", "between", "flag", "not", "and", "or"] if depth else ["compare"]
         if array in self.element_texts:
             shapes += ["text", "text"]
@@ -238,29 +238,31 @@ class Growing:
             case "text":
                 text = self.draw(st.sampled_from(self.element_texts[array]))
                 literal = self.draft.constant(float(self.draw(st.integers(0, 1))))
-                return self.draft.truth(ir.Compare(self.draw(equalities), text, literal))
+                return self.draft.proposition(ir.Compare(self.draw(equalities), text, literal))
             case "between":
                 ends = sorted((self.draw(finite), self.draw(finite)))
                 low, high = (self.draft.constant(end) for end in ends)
                 if self.draw(st.integers(0, 3)) == 0:
                     low, high = self._beside(), self._beside()
                 number = self._element_number(array)
-                return self.draft.truth(ir.Between(number, low, high))
+                return self.draft.proposition(ir.Between(number, low, high))
             case "flag":
-                return self.draft.truth(ir.Flag(self.element_numbers[array][0]))
+                return self.draft.proposition(ir.Flag(self.element_numbers[array][0]))
             case "not":
-                return self.draft.truth(ir.Not(self._element_truth(array, depth - 1)))
+                return self.draft.proposition(ir.Not(self._element_proposition(array, depth - 1)))
             case ("and" | "or") as word:
-                operands = tuple(self._element_truth(array, depth - 1) for _ in range(2))
-                return self.draft.truth(ir.And(operands) if word == "and" else ir.Or(operands))
+                operands = tuple(self._element_proposition(array, depth - 1) for _ in range(2))
+                return self.draft.proposition(
+                    ir.And(operands) if word == "and" else ir.Or(operands)
+                )
             case _:
                 comparison = self.draw(st.sampled_from(ir.Comparison))
                 number = self._element_number(array)
-                return self.draft.truth(ir.Compare(comparison, number, self._beside()))
+                return self.draft.proposition(ir.Compare(comparison, number, self._beside()))
 
-    # --- truths ---
+    # --- propositions ---
 
-    def truth(self) -> None:
+    def proposition(self) -> None:
         grow = [self._compare, self._compare, self._between, self._age, self._oscillates]
         if self.element_numbers:
             grow += [self._quantified, self._quantified]
@@ -268,19 +270,19 @@ class Growing:
             grow += [self._flag_or_text]
         if self._slots_of(ir.Kind.TEXT):
             grow += [self._inside]
-        if self.truths:
+        if self.propositions:
             grow += [self._not, self._and, self._or, self._held, self._held, self._literal]
             grow += [self._since]
             grow += [self._recurs, self._recurs]
-        if self.questions:
+        if self.queries:
             grow += [self._doing, self._kept]
-        self.truths.append(self.draw(st.sampled_from(grow))())
+        self.propositions.append(self.draw(st.sampled_from(grow))())
 
     def _name(self) -> str | None:
-        return f"entity.c{len(self.draft.truths)}" if self.draw(st.booleans()) else None
+        return f"entity.c{len(self.draft.propositions)}" if self.draw(st.booleans()) else None
 
-    def _add(self, node: ir.TruthNode) -> int:
-        return self.draft.truth(node, self._name())
+    def _add(self, node: ir.PropositionNode) -> int:
+        return self.draft.proposition(node, self._name())
 
     def _literal(self) -> int:
         return self._add(ir.Literal(self.draw(st.booleans())))
@@ -307,7 +309,7 @@ class Growing:
 
     def _quantified(self) -> int:
         quantifier = self.draw(st.sampled_from(ir.Quantifier))
-        return self._add(ir.Quantified(quantifier, self._element_truth(self._array())))
+        return self._add(ir.Quantified(quantifier, self._element_proposition(self._array())))
 
     def _flag_or_text(self) -> int:
         slots = [i for i, slot in enumerate(self.draft.slots) if slot.kind is not ir.Kind.REAL]
@@ -323,21 +325,21 @@ class Growing:
         return self._add(ir.Flag(self._of_region(Measure.INSIDE)))
 
     def _doing(self) -> int:
-        slot = self.draw(st.sampled_from(self.questions))
+        slot = self.draw(st.sampled_from(self.queries))
         return self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
 
     def _kept(self) -> int:
-        """An exemption rests on this: a skill runs, as told in time (S59)."""
-        slot = self.draw(st.sampled_from(self.questions))
+        """An exemption rests on this: a skill runs, as reported in time (S59)."""
+        slot = self.draw(st.sampled_from(self.queries))
         flag = self._add(ir.Flag(self.draft.signal(ir.Read(slot))))
         late = self._add(ir.AgeReaches(self.draft.slots[slot].input, self.draw(durations)))
         return self._add(ir.And((flag, self._add(ir.Not(late)))))
 
     def _not(self) -> int:
-        return self._add(ir.Not(self.one_of(self.truths)))
+        return self._add(ir.Not(self.one_of(self.propositions)))
 
     def _operands(self) -> tuple[int, ...]:
-        return tuple(self.one_of(self.truths) for _ in range(self.draw(st.integers(2, 3))))
+        return tuple(self.one_of(self.propositions) for _ in range(self.draw(st.integers(2, 3))))
 
     def _and(self) -> int:
         return self._add(ir.And(self._operands()))
@@ -347,35 +349,35 @@ class Growing:
 
     def _recurs(self) -> int:
         count = self.draw(st.integers(1, 3))
-        return self._add(ir.Recurs(self.one_of(self.truths), count, self.draw(durations)))
+        return self._add(ir.Recurs(self.one_of(self.propositions), count, self.draw(durations)))
 
     def _held(self) -> int:
         initially = self.draw(st.booleans())
-        return self._add(ir.Held(self.one_of(self.truths), self.draw(durations), initially))
+        return self._add(ir.Held(self.one_of(self.propositions), self.draw(durations), initially))
 
     def _since(self) -> int:
-        return self._add(ir.Since(self.one_of(self.truths), self.one_of(self.truths)))
+        return self._add(ir.Since(self.one_of(self.propositions), self.one_of(self.propositions)))
 
     def rule(self) -> None:
-        if bool(self.questions) and self.draw(st.booleans()):
+        if bool(self.queries) and self.draw(st.booleans()):
             self._exempted()
             return
-        condition = self.one_of(self.truths)
+        condition = self.one_of(self.propositions)
         match self.draw(st.sampled_from(("at once", "when", "for", "latched"))):
             case "at once":
                 self.draft.rule(condition)
             case "when":
-                self.draft.rule(condition, self.one_of(self.truths))
+                self.draft.rule(condition, self.one_of(self.propositions))
             case "for":
-                opposite = self.draft.truth(ir.Not(condition))
-                calm = self.draft.truth(ir.Held(opposite, self.draw(durations)))
+                opposite = self.draft.proposition(ir.Not(condition))
+                calm = self.draft.proposition(ir.Held(opposite, self.draw(durations)))
                 self.draft.rule(condition, calm)
             case _:
                 self.draft.rule(condition, latched=True)
 
     def _exempted(self) -> None:
         """A rule, and the one that stands for an exemption of it (S60)."""
-        condition = self.one_of(self.truths)
+        condition = self.one_of(self.propositions)
         calm = self._not() if self.draw(st.booleans()) else None
         parts = (condition, self._add(ir.Not(self._doing())))
         exempted = self.draft.rule(self._add(ir.And(parts)), calm)

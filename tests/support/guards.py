@@ -77,7 +77,7 @@ class GuardCase:
 
 @st.composite
 def guard_cases(draw: st.DrawFn) -> GuardCase:
-    """Several courses of events for one machine, which costs a compilation."""
+    """Several traces for one machine, which costs a compilation."""
     machine = draw(guarded_machines())
     return GuardCase(machine, [draw(_courses(machine)) for _ in range(_COURSES)])
 
@@ -147,10 +147,10 @@ def take(guard: GuardEngine, machine: ir.Machine, step: Step) -> None:
 
 
 def _observed(guard: GuardEngine, machine: ir.Machine, at_ns: int) -> GuardObservation:
-    told = guard.take()
+    reported = guard.take()
     return GuardObservation(
-        tuple(exactly(event) for event in told.events),
-        tuple(told.orders),
+        tuple(exactly(event) for event in reported.events),
+        tuple(reported.orders),
         guard.active,
         guard.states,
         guard.next_wake(),

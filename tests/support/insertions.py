@@ -58,10 +58,10 @@ def wandering(seed: int) -> Policy:
 def recorded(arm: LearningArm, policy: Policy, seed: int, path: Path) -> list[Event]:
     """Run an episode and record it; gives what the wrapper around the environment said."""
     carrier, events = InProcess(), list[Event]()
-    told = OnTopics(gymnasium.make("heron/PegInHole-v1", disable_env_checker=True), carrier)
+    reported = OnTopics(gymnasium.make("heron/PegInHole-v1", disable_env_checker=True), carrier)
     recorder = Recorder()
-    recorder.listen(carrier, told.now_ns)
-    env: Any = guarded(told, arm)
+    recorder.listen(carrier, reported.now_ns)
+    env: Any = guarded(reported, arm)
     env.get_wrapper_attr("guard").on_event = events.append
     seen, _ = env.reset(seed=seed)
     step, is_over = 0, False

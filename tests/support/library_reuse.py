@@ -46,7 +46,7 @@ class _Use:
 
 
 @dataclass(frozen=True)
-class _Told:
+class _Reported:
     """A robot, and what its rules say."""
 
     robot: Robot
@@ -121,13 +121,18 @@ def _actions(path: Path) -> dict[str, str]:
 
 def page() -> str:
     """The whole page."""
-    told = [_Told(robot) for robot in robots()]
+    reported = [_Reported(robot) for robot in robots()]
     files = [path for path in library_files() if rules_of(path)]
-    parts = [_rules(told, files), _files(told, files), _own(told), _recoveries(told, files)]
+    parts = [
+        _rules(reported, files),
+        _files(reported, files),
+        _own(reported),
+        _recoveries(reported, files),
+    ]
     return _HEAD + "".join("\n" + "\n".join(part) + "\n" for part in parts)
 
 
-def _rules(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
+def _rules(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     every = sum(len(rules_of(path)) for path in files)
     yield "## Rules"
     yield ""
@@ -136,7 +141,7 @@ def _rules(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
         "| Not used else | Own |"
     )
     yield "|---|---|---|---|---|---|"
-    for each in told:
+    for each in reported:
         changed = sum(len(use.changed) for use in each.uses.values())
         used = sum(len(rules_of(use.path)) for use in each.uses.values())
         own = len(rules_of(each.robot.rules))
@@ -144,28 +149,28 @@ def _rules(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
         lacking = sum(len(rules_of(path)) for path in left if each.lacks(path))
         numbers = (used - changed, changed, lacking, every - used - lacking, own)
         yield f"| {each.robot.name} | {' | '.join(map(str, numbers))} |"
-    anywhere = {name for each in told for name in each.uses}
+    anywhere = {name for each in reported for name in each.uses}
     used = sum(len(rules_of(path)) for path in files if name_of(path) in anywhere)
-    several = {name for name in anywhere if sum(name in each.uses for each in told) > 1}
+    several = {name for name in anywhere if sum(name in each.uses for each in reported) > 1}
     shared = sum(len(rules_of(path)) for path in files if name_of(path) in several)
     yield ""
     yield f"Of {every} rules of the library {used} are used by a robot, {shared} by several."
 
 
-def _files(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
+def _files(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     yield "## Files of the library"
     yield ""
     yield "Numbers that an import gives stand in the table; a dash says that the file is not used."
     yield ""
-    yield f"| File | {' | '.join(each.robot.name for each in told)} |"
-    yield f"|---|{'---|' * len(told)}"
+    yield f"| File | {' | '.join(each.robot.name for each in reported)} |"
+    yield f"|---|{'---|' * len(reported)}"
     for path in files:
-        cells = (_cell(each.uses.get(name_of(path))) for each in told)
+        cells = (_cell(each.uses.get(name_of(path))) for each in reported)
         yield f"| {name_of(path)} | {' | '.join(cells)} |"
     yield ""
     yield "Files that a robot does not use, and why:"
     yield ""
-    for each in told:
+    for each in reported:
         for path in files:
             if name_of(path) not in each.uses:
                 yield f"- {each.robot.name}, {name_of(path)}: {_reason(each, path)}."
@@ -177,24 +182,24 @@ def _cell(use: _Use | None) -> str:
     return ", ".join(f"`{name}`" for name in sorted(use.numbers)) or "as it is"
 
 
-def _reason(told: _Told, path: Path) -> str:
-    lacking = told.lacks(path)
-    if name_of(path) in told.reasons:
-        return told.reasons[name_of(path)]
+def _reason(reported: _Reported, path: Path) -> str:
+    lacking = reported.lacks(path)
+    if name_of(path) in reported.reasons:
+        return reported.reasons[name_of(path)]
     if lacking:
         return "it has no " + ", and no ".join(lacking)
     return "nothing stands in the way, and its rules do not import it"
 
 
-def _own(told: Sequence[_Told]) -> Iterator[str]:
+def _own(reported: Sequence[_Reported]) -> Iterator[str]:
     yield "## Rules that one robot has"
     yield ""
-    for each in told:
+    for each in reported:
         names = [f"`{rule.name.text}`" for rule in rules_of(each.robot.rules) if rule.name]
         yield f"- {each.robot.name}: {', '.join(names) or 'none'}"
 
 
-def _recoveries(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
+def _recoveries(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     yield "## Recoveries"
     yield ""
     yield "The actions of the rules of the library. A rule says whether its recovery depends on the"
@@ -215,7 +220,7 @@ def _recoveries(told: Sequence[_Told], files: Sequence[Path]) -> Iterator[str]:
     for name, found in sorted(tasks.items()):
         rules = {each for group in found.values() for each in group}
         users = [
-            each for each in told if any(rule.partition(" ")[0] in each.uses for rule in rules)
+            each for each in reported if any(rule.partition(" ")[0] in each.uses for rule in rules)
         ]
         robots_ = ", ".join(each.robot.name for each in users) or "-"
         replaced = ", ".join(each.robot.name for each in users if name in each.replaced) or "-"

@@ -18,7 +18,7 @@ LIMIT = 60.0
 """Seconds in which has to come what comes at all; many, as the machine may be busy."""
 
 SOME = 10
-"""Commands by which a speed is told from a passing one; planners send 50 in a second."""
+"""Commands by which a speed is distinguished from a passing one; planners send 50 in a second."""
 
 Wanted: TypeAlias = ir.Machine | Path
 """What is to be built: the node of a machine, or a package of this repository."""
@@ -137,7 +137,7 @@ class Faults:
 
 
 class Ears(Process):
-    """A node that remembers what it hears, and questions to it."""
+    """A node that remembers what it hears, and queries to it."""
 
     def ask(self, **request: object) -> Any:
         assert self.running.stdin is not None
@@ -206,18 +206,18 @@ class Robot(Ears):
             self.passes(1.0)
 
     def state(self) -> Any:
-        """The last state that was told; empty before the first."""
+        """The last state that was reported; empty before the first."""
         return self.last("/vehicle_safety/state") or {}
 
     def states(self, action: str) -> list[str]:
-        """What has become of the tasks of an action, as far as the node has told."""
+        """What has become of the tasks of an action, as far as the node has reported."""
         tasks = self.state().get("tasks", ())
         return [task["state"] for task in tasks if task["action"] == action]
 
     def diagnoses(self) -> dict[str, str]:
-        """The last diagnostics that the node told: their messages, by name."""
-        told = self.last("/diagnostics")
-        return {one["name"]: one["message"] for one in told["status"]} if told else {}
+        """The last diagnostics that the node reported: their messages, by name."""
+        reported = self.last("/diagnostics")
+        return {one["name"]: one["message"] for one in reported["status"]} if reported else {}
 
     def passes(self, speed: float) -> None:
         """Wait until commands come through at this speed."""

@@ -44,7 +44,7 @@ def says(
 ) -> Changes:
     """The changes of rules that a node tells of what is played, `count` or more."""
     heard = verdicts_of(ros, program, latched, play, count)
-    return [(told["rule"], told["change"], told["at"]) for told in heard]
+    return [(reported["rule"], reported["change"], reported["at"]) for reported in heard]
 
 
 def verdicts_of(

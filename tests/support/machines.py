@@ -21,7 +21,7 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from support.drafts import SECOND
 from support.growing import EXTREMES, NUMBERS, TICK, Growing
-from support.skill_contexts import CONTEXTS, told
+from support.skill_contexts import CONTEXTS, reported
 
 NAN = float("nan")
 INFINITY = float("inf")
@@ -38,10 +38,10 @@ def machines(draw: st.DrawFn, max_nodes: int = 14) -> ir.Machine:
     for _ in range(draw(st.integers(1, max_nodes))):
         growing.signal()
     for _ in range(draw(st.integers(1, max_nodes))):
-        growing.truth()
+        growing.proposition()
     for _ in range(draw(st.integers(1, 3))):
         growing.rule()
-    watches = draw(st.lists(st.sampled_from(growing.truths), max_size=2))
+    watches = draw(st.lists(st.sampled_from(growing.propositions), max_size=2))
     return replace(growing.draft.machine("random"), watches=tuple(watches))
 
 
@@ -152,7 +152,7 @@ def _answers(draw: st.DrawFn, machine: ir.Machine, channel: int) -> ir.ChannelVa
     """Answers of skills that run; some are of another export, some too large."""
     number = draw(st.integers(0, len(CONTEXTS) - 1))
     slots = {
-        index: told(slot.path[0], number)
+        index: reported(slot.path[0], number)
         for index, slot in enumerate(machine.slots)
         if machine.inputs[slot.input].channel == channel
         and isinstance(slot.path[0], ir.Doing | ir.Quantity)
@@ -267,5 +267,5 @@ def exactly(event: ir.Event) -> object:
     if isinstance(event, ir.TimeJump):
         return event
     values = tuple("nan" if x != x else struct.pack("<d", x).hex() for x in event.values)
-    return (event.rule, event.at_ns, event.change, event.truths, event.since_ns, values,
+    return (event.rule, event.at_ns, event.change, event.truth_values, event.since_ns, values,
             event.inputs)  # fmt: skip

@@ -189,6 +189,6 @@ PAIRS = [
     ("bolt", "nut", ["shoved bolt", "shoved bolt", "lifted nut"]),
     ("feather", "bolt", ["left feather", "shoved bolt", "shoved bolt"]),
 ]
-"""`One` and `Two` of the task there, and what is told. SkiROS2's master takes `lift` only: there
-the nut is lifted, and all else fails.
+"""`One` and `Two` of the task there, and what is reported. SkiROS2's master takes `lift` only:
+there the nut is lifted, and all else fails.
 """

@@ -297,4 +297,4 @@ PARTS = (
     *(PEERS, RTLOLA_IN_RUST),
     *(A_DRIVE, TRACES, ONTOLOGIES, ROOT, MOUNTS, PERMISSIONS, X86, PROC, FULL_DEVICE),
 )
-"""All of them, in the order in which they are told."""
+"""All of them, in the order in which they are reported."""

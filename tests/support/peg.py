@@ -66,13 +66,13 @@ class Peg(Ears):
         if self.permits is None:
             self._contact.publish(Bool(data=False))
         else:
-            self._context.publish(self._told())
+            self._context.publish(self._reported())
         self._object.publish(DetectedObject(dist=1.0))
         self._inertia.publish(Float64(data=0.0))
         self._wanted.publish(Twist(linear=Vector3(x=self.speed, y=0.0, z=0.0)))
         self._pushed.publish(Wrench(force=Vector3(x=0.0, y=0.0, z=self.push)))
 
-    def _told(self):
+    def _reported(self):
         context, skill = SkillContext(), RunningSkill()
         skill.skill, skill.goal = "Insert", "Insert 1"
         for kind in self.permits:

@@ -1,6 +1,6 @@
 """Reactions written down by hand: a draft grows task by task, and a bench drives its reactor.
 
-Times are in seconds, and orders are told in words: `start 0`, `stop 1`, `overruled 2 by 0`.
+Times are in seconds, and orders are reported in words: `start 0`, `stop 1`, `overruled 2 by 0`.
 """
 
 from __future__ import annotations
@@ -147,7 +147,7 @@ def reacting(found: ir.Reactions, watches: int) -> ir.Machine:
     flags = []
     for _ in range(len(found.plans) + watches):
         slot = draft.slot(used, ir.Kind.FLAG)
-        flags.append(draft.truth(ir.Flag(draft.signal(ir.Read(slot)))))
+        flags.append(draft.proposition(ir.Flag(draft.signal(ir.Read(slot)))))
     for flag in flags[: len(found.plans)]:
         draft.rule(flag)
     watched = tuple(flags[len(found.plans) :])
@@ -175,13 +175,13 @@ class ReactorBench:
     def react(self, seconds: float, *engaged: int) -> list[str]:
         """The orders, if these rules are engaged and no others."""
         which = [rule in engaged for rule in range(self._rules)]
-        return told(self.reactor.react(ns(seconds), which, self.watches))
+        return reported(self.reactor.react(ns(seconds), which, self.watches))
 
     def succeed(self, seconds: float, task: int) -> list[str]:
-        return told(self.reactor.report(ns(seconds), task, True, self.watches))
+        return reported(self.reactor.report(ns(seconds), task, True, self.watches))
 
     def fail(self, seconds: float, task: int) -> list[str]:
-        return told(self.reactor.report(ns(seconds), task, False, self.watches))
+        return reported(self.reactor.report(ns(seconds), task, False, self.watches))
 
     def state(self, task: int) -> State:
         return self.reactor.states[task]
@@ -196,7 +196,7 @@ class ReactorBench:
         return (found.factor, found.low, found.high)
 
 
-def told(orders: Sequence[ir.Order]) -> list[str]:
+def reported(orders: Sequence[ir.Order]) -> list[str]:
     """Orders in words."""
     return [
         f"{order.kind.value} {order.task}" + ("" if order.by is None else f" by {order.by}")

@@ -1,4 +1,4 @@
-"""A condition on a pose, and its truth where the pose is."""
+"""A condition on a pose, and its proposition where the pose is."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ class PoseWatch:
         self._at_ns = 0
 
     def at(self, x: float, y: float, frame: str | None = None) -> TruthValue:
-        """The truth of the condition of the rule at a position in m."""
+        """The proposition of the condition of the rule at a position in m."""
         self._at_ns += 1
         named = next(iter(self._frames)) if frame is None else frame
         known = {"x": x, "y": y, "frame_id": self._frames[named]}
         slots = {n: known[str(slot.path[-1])] for n, slot in enumerate(self.machine.slots)}
         self._monitor.update(self._at_ns, {0: ChannelValues(slots)})
-        found = self._monitor._memory.truths[self.machine.rules[0].condition]
+        found = self._monitor._memory.truth_values[self.machine.rules[0].condition]
         assert found is not None
         return found

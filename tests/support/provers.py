@@ -1,4 +1,4 @@
-"""Provers for tests: the real one, and one that answers as it is told."""
+"""Provers for tests: the real one, and one that answers as it is reported."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from dslkit.writing import write_texts
 from rossmarie import ir
-from rossmarie.driver.verifying import Questions, prove
+from rossmarie.driver.verifying import Queries, prove
 from rossmarie.report.proofs import Proofs
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
@@ -27,7 +27,7 @@ from support.damage import damaged
 from support.parts import PROVER, require
 
 SECONDS = 120
-"""No solver is given more of a processor for one question."""
+"""No solver is given more of a processor for one query."""
 
 NO_CHANGE = ("", "")
 
@@ -38,15 +38,13 @@ def real_prover() -> Prover:
     return Prover()
 
 
-def proofs_of_reactor(
-    prover: Prover, questions: Questions, old: str, new: str, *names: str
-) -> Proofs:
-    """Ask the questions about a reactor whose names begin so, after a change of its C."""
-    files = questions.files if not old else damaged(questions.files, "reactor", old, new)
-    program = questions.programs[1]
+def proofs_of_reactor(prover: Prover, queries: Queries, old: str, new: str, *names: str) -> Proofs:
+    """Ask the queries about a reactor whose names begin so, after a change of its C."""
+    files = queries.files if not old else damaged(queries.files, "reactor", old, new)
+    program = queries.programs[1]
     checks = tuple(check for check in program.checks if check.name.startswith(names))
     assert checks
-    changed = replace(questions, files=files, programs=(replace(program, checks=checks),))
+    changed = replace(queries, files=files, programs=(replace(program, checks=checks),))
     return prove(changed, prover, seconds=SECONDS)
 
 

@@ -61,7 +61,7 @@ def machine(
         texts=tuple(texts),
         lists=tuple(lists),
         signals=(),
-        truths=(),
+        propositions=(),
         rules=(),
     )
 

@@ -28,7 +28,7 @@ from rossmarie.report import render_timeline, verdict_lines, write_table
 _compiled = cache(compile_file)
 
 
-def told(rules: Path, recording: Path) -> list[str]:
+def reported(rules: Path, recording: Path) -> list[str]:
     """All that a replay says: findings, table, verdicts and timeline. It is not said by which
     monitor: there, all replays are alike.
     """
@@ -60,7 +60,7 @@ def message_by_message() -> Iterator[None]:
         patch.setattr(BagRecording, "_read", _each_update)
         patch.setattr(csv_table, "batched", lambda _, updates: updates)
         patch.setattr(replaying, "begun_together", lambda _, updates: _begun_together(updates))
-        patch.setattr(replaying, "_told", lambda updates, *_: updates)
+        patch.setattr(replaying, "_reported", lambda updates, *_: updates)
         patch.setattr(replaying, "taking", _OneByOne)
         yield
 

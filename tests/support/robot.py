@@ -1,5 +1,5 @@
 # mypy: ignore-errors
-"""A robot and its planner for live tests: a ROS node that is told what to do by lines of JSON.
+"""A robot and its planner for live tests: a ROS node that is reported what to do by lines of JSON.
 
 What differs between the generations of ROS stands in `ros1_robot.py` and `ros2_robot.py`.
 """
@@ -24,10 +24,10 @@ RECOVERY = 99  # the goal of the rules
 
 
 class Robot(Ears):
-    """Publishes what it is told, and remembers what it hears.
+    """Publishes what it is reported, and remembers what it hears.
 
     `ACTION` is the type of its goals; `SWITCHED` are the fields in which a controller manager
-    is told what to start and what to stop.
+    is reported what to start and what to stop.
     """
 
     def __init__(self, *arguments):
@@ -88,7 +88,7 @@ class Robot(Ears):
         if not self.frozen:
             self._stamp_s = time.time() if self.clock is None else self.clock
         self._publish_pitch(self.pitch, self._stamp_s)
-        # Much older, as the one before may be lost on a busy machine.
+        # Much older, as the one before may be stale on a busy machine.
         self._publish_pitch(self.belated, self._stamp_s - 1.0)
         if self.near is not None:
             self._scan = self._scan or self.sensor("/scan", LaserScan)

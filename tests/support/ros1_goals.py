@@ -11,7 +11,7 @@ import rospy
 class Server:
     """Pursues a goal until it is cancelled, or until `end_of` says how it ends.
 
-    A goal is told by one of its fields.
+    A goal is reported by one of its fields.
     """
 
     def __init__(self, ears, server, action, field, end_of):

@@ -137,7 +137,7 @@ class Ros1:
         """The next master, which knows nobody who was killed; it has started meanwhile.
 
         The one before would go on asking the ports of the dead. Whoever listens there next may
-        wait for the rest of a question that it does not understand, and meanwhile accept nobody
+        wait for the rest of a query that it does not understand, and meanwhile accept nobody
         else: so does a node of rospy.
         """
         self._master.end()

@@ -18,7 +18,7 @@ RIGHTS = {
     "reply": looking.get_service_names_and_types_by_node,
     "request": looking.get_client_names_and_types_by_node,
 }
-told = None
+reported = None
 while True:
     try:
         found = {
@@ -27,8 +27,8 @@ while True:
         }
     except rclpy.node.NodeNameNonExistentError:
         found = {}
-    if found != told:
+    if found != reported:
         sys.stdout.write(json.dumps(found) + "\n")
         sys.stdout.flush()
-        told = found
+        reported = found
     time.sleep(0.1)

@@ -25,7 +25,7 @@ action stop;
 action slow;
 input force = topic /force : std_msgs/Float32 in N;
 """
-"""Rules about these skills, and about a force that is never lost."""
+"""Rules about these skills, and about a force that is never stale."""
 
 
 def put_skills(folder: Path) -> None:

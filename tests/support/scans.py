@@ -45,12 +45,12 @@ class Made:
         found = [
             readable(reading)
             for beam, reading in zip(turned, self.scan.ranges, strict=True)
-            if 0 < (beam or 360) <= width and told(reading)
+            if 0 < (beam or 360) <= width and reported(reading)
         ]
         return found or None
 
 
-def told(reading: float) -> bool:
+def reported(reading: float) -> bool:
     """Say whether a reading tells something."""
     return math.isinf(reading) or reading >= LOW
 

@@ -1,4 +1,4 @@
-"""Random messages that tell which skills run, those that nobody can read among them, and questions
+"""Random messages that tell which skills run, those that nobody can read among them, and queries
 to them.
 """
 
@@ -43,7 +43,7 @@ def random_context(random: Random) -> SkillContext:
 
 
 def random_lie(random: Random, context: SkillContext) -> SkillContext:
-    """The same with something that makes it unreadable for some questions, or for all."""
+    """The same with something that makes it unreadable for some queries, or for all."""
     lies = [
         replace(context, digest=random.choice(["", "c0ffe", "c0ffee0"])),
         replace(context, running=crowd(65, RunningSkill("Drive"))),
@@ -59,16 +59,16 @@ def random_lie(random: Random, context: SkillContext) -> SkillContext:
     return random.choice(lies)
 
 
-def random_question(random: Random) -> SkillStep:
-    """A question: one in five for a truth that is an argument."""
+def random_query(random: Random) -> SkillStep:
+    """A query: one in five for a boolean that is an argument."""
     skills = _some(random, SKILLS)
     if random.random() < 0.6:
         parameters = sorted(random.sample(PARAMETERS, random.randrange(3)))
         limits = tuple((each, _some(random, CLASSES)) for each in parameters)
         return Doing(DIGEST, skills, limits, is_ahead=random.random() < 0.3)
     properties = random.choice([None, *PROPERTIES])
-    is_truth = random.random() < 0.5
-    return Quantity(DIGEST, skills, random.choice(PARAMETERS), properties, is_truth=is_truth)
+    is_boolean = random.random() < 0.5
+    return Quantity(DIGEST, skills, random.choice(PARAMETERS), properties, is_boolean=is_boolean)
 
 
 def crowd(count: int, each: Each) -> tuple[Each, ...]:
@@ -113,17 +113,17 @@ def _argument(random: Random, parameter: str) -> SkillArgument:
 # --- for random machines ---------------------------------------------------------------------
 
 _CHOSEN = Random(63)
-QUESTIONS = tuple(random_question(_CHOSEN) for _ in range(24))
+QUERIES = tuple(random_query(_CHOSEN) for _ in range(24))
 CONTEXTS = tuple(random_context(_CHOSEN) for _ in range(60))
 
 
 @cache
-def told(step: SkillStep, number: int) -> float:
-    """What one of these contexts answers to a question."""
+def reported(step: SkillStep, number: int) -> float:
+    """What one of these contexts answers to a query."""
     return answer(step, CONTEXTS[number])
 
 
-def calls_told(steps: Sequence[Doing]) -> tuple[SkillCall, ...]:
+def calls_reported(steps: Sequence[Doing]) -> tuple[SkillCall, ...]:
     """Calls of skills, one for each combination of answers that a skill in these contexts gives."""
     found: dict[tuple[bool, ...], SkillCall] = {}
     for skill in (each for context in CONTEXTS for each in (*context.running, *context.ahead)):

@@ -1,4 +1,4 @@
-"""Answers of the C++ of nodes to questions about skills, in a program that reads messages."""
+"""Answers of the C++ of nodes to queries about skills, in a program that reads messages."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 import rossmarie
 from rossmarie.ir import SkillStep
 from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext
-from rossmarie.targets.ros.messages import skill_question
+from rossmarie.targets.ros.messages import skill_query
 from support.c_compiler import run
 
 RUNTIME = Path(rossmarie.__file__).parent / "runtime" / "ros"
@@ -19,14 +19,14 @@ STRICT = ("-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wsha
 
 def of_node(
     folder: Path,
-    questions: Sequence[SkillStep],
+    queries: Sequence[SkillStep],
     contexts: Sequence[SkillContext],
     runtime: Path = RUNTIME,
     options: Sequence[str] = STRICT,
 ) -> list[list[float]]:
-    """The answers of a node to all questions, for each of the messages."""
-    asked = "".join(f"{skill_question(each)},\n" for each in questions)
-    (folder / "questions.inc").write_text(asked, encoding="utf-8")
+    """The answers of a node to all queries, for each of the messages."""
+    asked = "".join(f"{skill_query(each)},\n" for each in queries)
+    (folder / "queries.inc").write_text(asked, encoding="utf-8")
     program = folder / "skills"
     run(["g++", *options, f"-I{runtime}", f"-I{folder}", SOURCE, "-o", program])
     text = "\n".join(map(_line_of, contexts))

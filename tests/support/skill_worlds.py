@@ -1,4 +1,4 @@
-"""Random files of skills, questions about them, and the answers that S58 and S67 of
+"""Random files of skills, queries about them, and the answers that S58 and S67 of
 docs/explanation/semantics.md give: from the file and the message alone, by nothing of ours.
 """
 
@@ -25,17 +25,17 @@ _ASKED = ("float", "int", "bool")
 
 
 @dataclass(frozen=True)
-class Question:
-    """A question as rules write it: for a truth the classes of parameters, in `limits`, and whether
-    it is about what can start next (`is_ahead`); for a number its `parameter`, and the `property`
-    of the thing that is it. `is_truth` tells that the number is one of a truth.
+class Query:
+    """A query as rules write it: for a boolean the classes of parameters, in `limits`, and
+    whether it is about what can start next (`is_ahead`); for a number its `parameter`, and the
+    `property` of the thing that is it. `is_boolean` tells that the number is one of a boolean.
     """
 
     skill: str
     limits: tuple[tuple[str, str], ...] = ()
     parameter: str | None = None
     property: str | None = None
-    is_truth: bool = False
+    is_boolean: bool = False
     is_ahead: bool = False
 
 
@@ -73,32 +73,32 @@ class World:
 
     # --- S58 -------------------------------------------------------------------------------------
 
-    def answer(self, question: Question, context: SkillContext) -> float:
+    def answer(self, query: Query, context: SkillContext) -> float:
         """The answer that S58 and S67 say."""
         if context.digest != self.digest or not _is_as_defined(context):
             return math.nan
-        if question.is_ahead:
+        if query.is_ahead:
             if not context.is_ahead_known:
                 return math.nan
-            return float(any(self._may_be_done(question, each) for each in context.ahead))
-        if question.parameter is None:
-            return float(any(self._is_done(question, each) for each in context.running))
-        asked = [each for each in context.running if self.is_skill(each.skill, question.skill)]
-        return _one_of(question, asked[0]) if len(asked) == 1 else math.nan
+            return float(any(self._may_be_done(query, each) for each in context.ahead))
+        if query.parameter is None:
+            return float(any(self._is_done(query, each) for each in context.running))
+        asked = [each for each in context.running if self.is_skill(each.skill, query.skill)]
+        return _one_of(query, asked[0]) if len(asked) == 1 else math.nan
 
-    def _is_done(self, question: Question, running: RunningSkill) -> bool:
-        if not self.is_skill(running.skill, question.skill):
+    def _is_done(self, query: Query, running: RunningSkill) -> bool:
+        if not self.is_skill(running.skill, query.skill):
             return False
-        for parameter, wanted in question.limits:
+        for parameter, wanted in query.limits:
             classes = [each.type for each in running.arguments if each.parameter == parameter]
             if not any(self.is_class(each, wanted) for each in classes):
                 return False
         return True
 
-    def _may_be_done(self, question: Question, ahead: RunningSkill) -> bool:
-        told = {each.parameter for each in ahead.arguments}
-        limits = tuple(each for each in question.limits if each[0] in told)
-        return self._is_done(replace(question, limits=limits), ahead)
+    def _may_be_done(self, query: Query, ahead: RunningSkill) -> bool:
+        reported = {each.parameter for each in ahead.arguments}
+        limits = tuple(each for each in query.limits if each[0] in reported)
+        return self._is_done(replace(query, limits=limits), ahead)
 
 
 def _leads(known: Mapping[str, Any], name: str, wanted: str, passed: set[str]) -> bool:
@@ -118,20 +118,20 @@ def _is_as_defined(context: SkillContext) -> bool:
     return max(map(len, lists)) <= MOST
 
 
-def _one_of(question: Question, running: RunningSkill) -> float:
-    """The number, however often it is told: of a thing once for each of its classes."""
-    found = [each for each in running.arguments if each.parameter == question.parameter]
+def _one_of(query: Query, running: RunningSkill) -> float:
+    """The number, however often it is reported: of a thing once for each of its classes."""
+    found = [each for each in running.arguments if each.parameter == query.parameter]
     numbers = [each.number for each in found]
-    if question.property is not None:
+    if query.property is not None:
         numbers = [
             one.number
             for each in found
             for one in each.properties
-            if one.property == question.property
+            if one.property == query.property
         ]
     if not numbers or any(each != numbers[0] for each in numbers):
         return math.nan
-    return math.nan if question.is_truth and numbers[0] not in (0, 1) else numbers[0]
+    return math.nan if query.is_boolean and numbers[0] not in (0, 1) else numbers[0]
 
 
 # --- files of skills -----------------------------------------------------------------------------
@@ -142,7 +142,7 @@ def random_world(random: Random) -> World:
     that mean the same.
     """
     classes: list[dict[str, Any]] = []
-    is_small = random.random() < 0.4  # then questions meet at the same classes
+    is_small = random.random() < 0.4  # then queries meet at the same classes
     for number in range(3 if is_small else random.randint(3, 8)):
         above = [each["name"] for each in classes]
         name = f"{random.choice(('kit', 'toys'))}.C{number}"
@@ -210,7 +210,7 @@ def _skill(
     }
 
 
-# --- questions -----------------------------------------------------------------------------------
+# --- queries -----------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -219,41 +219,41 @@ class Asked:
 
     world: World
     machine: ir.Machine
-    questions: tuple[Question, ...]
+    queries: tuple[Query, ...]
 
     def steps(self) -> tuple[ir.SkillStep, ...]:
-        """The questions as the machine has them."""
+        """The queries as the machine has them."""
         steps = (slot.path[0] for slot in self.machine.slots)
         return tuple(each for each in steps if isinstance(each, ir.Doing | ir.Quantity))
 
 
 def asked_of(random: Random, world: World, folder: Path) -> Asked:
-    """The machine of rules that ask some questions about a file of skills, which is written."""
+    """The machine of rules that ask some queries about a file of skills, which is written."""
     file = folder / f"{world.digest[:12]}.json"
     file.write_text(json.dumps(world.content), encoding="utf-8")
     lines = [f'skills "{file}" timeout 1 sec;', "action stop;"]
-    words: dict[str, Question] = {}
+    words: dict[str, Query] = {}
     skills = sorted(world.skills)
-    if random.random() < 0.5:  # questions about one skill are told apart by classes alone
+    if random.random() < 0.5:  # queries about one skill are distinguished by classes alone
         skills = [random.choice(skills)]
     for number in range(random.randint(2, 5)):
-        question = random_question(random, world, skills)
-        text = _text(random, question, world)
+        query = random_query(random, world, skills)
+        text = _text(random, query, world)
         if text in words:
             continue
-        words[text] = question
+        words[text] = query
         asked = text
-        if question.parameter is not None:
+        if query.parameter is not None:
             lines.append(f"input n{number} = doing {text};")
-            asked = f"n{number}" if question.is_truth else f"n{number} > 0.5"
+            asked = f"n{number}" if query.is_boolean else f"n{number} > 0.5"
         lines.append(f"rule r{number}: if {asked} then {{ stop; }};")
     machine = machine_of("\n".join(lines))
-    questions = tuple(words[str(slot.path[0])] for slot in machine.slots)
-    return Asked(world, machine, questions)
+    queries = tuple(words[str(slot.path[0])] for slot in machine.slots)
+    return Asked(world, machine, queries)
 
 
-def random_question(random: Random, world: World, skills: Sequence[str]) -> Question:
-    """A question that rules may ask about one of some skills."""
+def random_query(random: Random, world: World, skills: Sequence[str]) -> Query:
+    """A query that rules may ask about one of some skills."""
     skill = random.choice(skills)
     numbers = list(_numbers(world, skill))
     if numbers and random.random() < 0.4:
@@ -270,28 +270,28 @@ def random_question(random: Random, world: World, skills: Sequence[str]) -> Ques
             ]
             limits.append((name, random.choice(random.choice((possible, beside or possible)))))
     random.shuffle(limits)
-    return Question(skill, tuple(limits), is_ahead=random.random() < 0.3)
+    return Query(skill, tuple(limits), is_ahead=random.random() < 0.3)
 
 
-def _numbers(world: World, skill: str) -> Iterator[Question]:
+def _numbers(world: World, skill: str) -> Iterator[Query]:
     things = world.things(skill)
     for parameter in world.skills[skill]["parameters"]:
         name, type_ = parameter["name"], parameter["type"]
         if type_ in _ASKED:
-            yield Question(skill, (), name, None, type_ == "bool")
+            yield Query(skill, (), name, None, type_ == "bool")
         for each in world.properties.values() if name in things else ():
             if any(world.is_class(one, type_) or world.is_class(type_, one) for one in each["of"]):
-                yield Question(skill, (), name, each["name"], each["type"] == "bool")
+                yield Query(skill, (), name, each["name"], each["type"] == "bool")
 
 
-def _text(random: Random, question: Question, world: World) -> str:
-    """The question in the words of rules; that of a number without `doing`."""
-    if question.parameter is not None:
-        behind = "" if question.property is None else f".{question.property.rpartition('.')[2]}"
-        return f"{question.skill}.{question.parameter}{behind}"
-    limits = [f"{name}: {_class(random, wanted, world)}" for name, wanted in question.limits]
-    word = "ahead" if question.is_ahead else "doing"
-    return f"{word} {question.skill}" + (f"({', '.join(limits)})" if limits else "")
+def _text(random: Random, query: Query, world: World) -> str:
+    """The query in the words of rules; that of a number without `doing`."""
+    if query.parameter is not None:
+        behind = "" if query.property is None else f".{query.property.rpartition('.')[2]}"
+        return f"{query.skill}.{query.parameter}{behind}"
+    limits = [f"{name}: {_class(random, wanted, world)}" for name, wanted in query.limits]
+    word = "ahead" if query.is_ahead else "doing"
+    return f"{word} {query.skill}" + (f"({', '.join(limits)})" if limits else "")
 
 
 def _class(random: Random, name: str, world: World) -> str:

@@ -26,9 +26,9 @@ NODE = SPACE + "/skillful_safety"
 
 
 class Skillful(Ears):
-    """Publishes what it is told, and remembers what it hears. `skills` are pairs of a skill and its
-    arguments, which are triples of a parameter, a class and a weight (kg). All of them permit what
-    `permits` names.
+    """Publishes what it is reported, and remembers what it hears. `skills` are pairs of a skill and
+    its arguments, which are triples of a parameter, a class and a weight (kg). All of them permit
+    what `permits` names.
     """
 
     def __init__(self, *arguments):

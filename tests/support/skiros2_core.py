@@ -119,14 +119,14 @@ class Core:
         self.instanciator = SkillInstanciator(self.wm)
 
     def run(self, type_name, label, most_ticks=50, **given):
-        """Run a task with one skill: its state at the end, and what its nodes have told."""
-        told, states = [], []
+        """Run a task with one skill: its state at the end, and what its nodes have reported."""
+        reported, states = [], []
         for state, visitor in self.ticks(type_name, label, most_ticks, **given):
             states.append(state.name)
             for _, each in visitor.snapshot():
                 if each["msg"] not in ("", "Start", "End"):
-                    told.append(f"{each['label']} {each['state'].name} {each['msg'].strip()}")
-        return states[-1], told
+                    reported.append(f"{each['label']} {each['state'].name} {each['msg'].strip()}")
+        return states[-1], reported
 
     def ticks(self, type_name, label, most_ticks, **given):
         """The state after each tick of a task with one skill, and what visits its nodes."""

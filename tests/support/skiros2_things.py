@@ -194,7 +194,7 @@ TREES = [
     ("Take(Other=params.Object), Look(Object=params.Unset)", True, ["nut", "nothing"]),
     ("Look(Object=params.Unset), Look()", True, ["nothing", "nut"]),
 ]
-"""Trees, whether they succeed in SkiROS2, and what is told there by those that succeed."""
+"""Trees, whether they succeed in SkiROS2, and what is reported there by those that succeed."""
 
 
 IDS = [tree for tree, _, _ in TREES]

@@ -142,7 +142,7 @@ ENDINGS = {
     "with a number": "import sys; sys.exit(3)",
     "with nothing": "import sys; print('fine', end=''); sys.exit()",
     "with a sentence": "import sys; sys.exit('that is wrong')",
-    "at once": "import os; print('lost'); os._exit(7)",
+    "at once": "import os; print('stale'); os._exit(7)",
     "with what was left for its end": (
         "import atexit, sys; atexit.register(print, 'last'); print('first'); sys.exit(4)"
     ),
@@ -154,7 +154,7 @@ ENDINGS = {
         "import os, resource; resource.setrlimit(resource.RLIMIT_CORE, (0, 0));"
         "print('said', flush=True); os.abort()"
     ),
-    "with its output closed": "import os; print('lost'); os.close(1)",
+    "with its output closed": "import os; print('stale'); os.close(1)",
     "with more than pipes hold": (
         "import sys; print('o' * 1_000_000); print('e' * 1_000_000, file=sys.stderr)"
     ),
@@ -171,7 +171,7 @@ def test_it_ends_as_a_process_of_its_own(script: Path, code: str) -> None:
 
 
 @pytest.mark.parametrize("code", ["raise ValueError('oh')", "raise KeyboardInterrupt"])
-def test_an_error_is_told_with_its_place(script: Path, code: str) -> None:
+def test_an_error_is_reported_with_its_place(script: Path, code: str) -> None:
     script.write_text(f"def fail():\n    {code}\n\nprint('before')\nfail()\n")
     found, asked = run(script), alone(sys.executable, script)
     assert (found.returncode, found.stdout) == (asked.returncode, asked.stdout)

@@ -35,7 +35,7 @@ from support.parts import Part
 
 THERE = Part("hands", lambda: None, "grow them")
 AWAY = Part("wings", lambda: "no feathers", "make wings")
-GONE = Part("a tail", lambda: "lost", "apt-get install tail")
+GONE = Part("a tail", lambda: "stale", "apt-get install tail")
 PARTS = (THERE, AWAY, GONE)
 """
 SKIPPING = """\
@@ -75,12 +75,12 @@ import no_such_module
 
 def test_nothing(): pass
 """
-MISSING = ["skipped: wings (no feathers)", "skipped: a tail (lost)"]
-TOLD = [
+MISSING = ["skipped: wings (no feathers)", "skipped: a tail (stale)"]
+REPORTED = [
     *MISSING,
     "not run on this machine:",
     "  3 tests: wings (no feathers). To have it: make wings",
-    "  1 test and 2 files: a tail (lost). To have it: apt-get install tail",
+    "  1 test and 2 files: a tail (stale). To have it: apt-get install tail",
     "  1 test: it rains",
     "2 deep tests left to `make deep`",
 ]
@@ -108,7 +108,7 @@ ALONE = {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
 """No plugin but those that are named; the suite starts faster."""
 
 
-def told(suite: Path, *arguments: str) -> list[str]:
+def reported(suite: Path, *arguments: str) -> list[str]:
     """What a run prints, without the progress of its tests and without how long it took."""
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-p", "xdist", "-p", "no:cacheprovider", *arguments],
@@ -124,35 +124,35 @@ def without_workers(lines: Sequence[str]) -> list[str]:
 
 
 @pytest.mark.parametrize("workers", ["0", "2"])
-def test_each_reason_is_told_with_its_number_of_tests(suite: Path, workers: str) -> None:
-    assert without_workers(told(suite, "skipping", "-n", workers)) == TOLD
+def test_each_reason_is_reported_with_its_number_of_tests(suite: Path, workers: str) -> None:
+    assert without_workers(reported(suite, "skipping", "-n", workers)) == REPORTED
 
 
 def test_nothing_is_left_of_a_deep_run(suite: Path) -> None:
-    assert told(suite, "skipping", "--deep", "-k", "not dive") == TOLD[:-1]
+    assert reported(suite, "skipping", "--deep", "-k", "not dive") == REPORTED[:-1]
 
 
-def test_where_nothing_was_skipped_that_is_told(suite: Path) -> None:
-    assert told(suite, "running") == [*MISSING, "no test was skipped on this machine"]
+def test_where_nothing_was_skipped_that_is_reported(suite: Path) -> None:
+    assert reported(suite, "running") == [*MISSING, "no test was skipped on this machine"]
 
 
-def test_where_nothing_is_missing_that_is_told(suite: Path, tmp_path: Path) -> None:
+def test_where_nothing_is_missing_that_is_reported(suite: Path, tmp_path: Path) -> None:
     (tmp_path / "small_parts.py").write_text(PARTS.replace("AWAY, GONE", ""), encoding="utf-8")
     for name in ("pytest.ini", "conftest.py", "running/test_running.py"):
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text((suite / name).read_text("utf-8"), encoding="utf-8")
-    assert told(tmp_path, "running") == [
+    assert reported(tmp_path, "running") == [
         "skipped: nothing, no part is missing",
         "no test was skipped on this machine",
     ]
 
 
-def test_of_a_single_file_only_the_end_is_told(suite: Path) -> None:
-    assert told(suite, "skipping/test_skipping.py::test_wag") == [
+def test_of_a_single_file_only_the_end_is_reported(suite: Path) -> None:
+    assert reported(suite, "skipping/test_skipping.py::test_wag") == [
         "not run on this machine:",
-        "  1 test: a tail (lost). To have it: apt-get install tail",
+        "  1 test: a tail (stale). To have it: apt-get install tail",
     ]
 
 
 def test_a_list_of_tests_has_nothing_else_in_it(suite: Path) -> None:
-    assert told(suite, "running", "--collect-only") == ["running/test_running.py::test_it"]
+    assert reported(suite, "running", "--collect-only") == ["running/test_running.py::test_it"]

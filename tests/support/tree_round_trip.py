@@ -26,7 +26,9 @@ COMPUTED = "something computed"
 
 
 class _Value:
-    """The value of a parameter of the compound: both answers are tried where its truth is asked."""
+    """The value of a parameter of the compound: both answers are tried where its proposition is
+    asked.
+    """
 
     def __init__(self, key: str, answers: dict[str, bool]) -> None:
         self.key, self._answers = key, answers

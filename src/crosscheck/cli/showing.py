@@ -25,7 +25,7 @@ def run_show(
         output.try_file(svg)
     skills = list(pictured(loaded(rules, systems, message_folders)))
     if svg is None:
-        typer.echo("\n\n".join(map(_told, skills)))
+        typer.echo("\n\n".join(map(_reported, skills)))
         return
     output.save(svg, svg_of(skills))
     output.tell_written(svg)
@@ -47,7 +47,7 @@ def run_impact(
     typer.echo("\n".join(lines) if lines else f"nothing depends on {skill}")
 
 
-def _told(skill: Pictured) -> str:
+def _reported(skill: Pictured) -> str:
     parts = (
         ("has in its tree", skill.children),
         ("uses", skill.uses),

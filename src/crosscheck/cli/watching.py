@@ -16,7 +16,7 @@ from crosscheck.cli.output import output
 from crosscheck.live.facts import facts_of
 from crosscheck.live.model import Change
 from crosscheck.live.ros import Ears, NoRosError, listen
-from crosscheck.live.watch import Told, Watch
+from crosscheck.live.watch import Reported, Watch
 from dslkit import signals
 from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_json import finding
@@ -27,7 +27,7 @@ _ABSENCE = 1.0
 """Seconds between two looks from which on nobody has listened: the process was held up."""
 
 
-Print = Callable[[Told], None]
+Print = Callable[[Reported], None]
 
 
 def run_live(
@@ -73,7 +73,7 @@ def _listen(ears: Ears, watch: Watch, has_to_end: Callable[[], bool], tell: Prin
         _tell_all(watch.take(*heard) if heard else watch.pass_time(now), tell)
 
 
-def _tell_all(found: Sequence[Told], tell: Print) -> None:
+def _tell_all(found: Sequence[Reported], tell: Print) -> None:
     for each in found:
         tell(each)
 
@@ -85,13 +85,13 @@ def _now() -> datetime:
 # --- text ----------------------------------------------------------------------------------------
 
 
-def _tell_text(told: Told) -> None:
+def _tell_text(reported: Reported) -> None:
     at = f"{_now():%H:%M:%S.%f}"[:-3]
-    if isinstance(told, Diagnostic):
-        typer.echo(f"{at}  {told.code}:")
-        output.print_findings([told])
+    if isinstance(reported, Diagnostic):
+        typer.echo(f"{at}  {reported.code}:")
+        output.print_findings([reported])
     else:
-        typer.echo(f"{at}  {told.text}")
+        typer.echo(f"{at}  {reported.text}")
 
 
 def _summary(watch: Watch) -> list[str]:
@@ -114,12 +114,16 @@ def _times(count: int) -> str:
 # --- JSON ----------------------------------------------------------------------------------------
 
 
-def _tell_json(told: Told) -> None:
+def _tell_json(reported: Reported) -> None:
     line = {"time": _now().isoformat(timespec="milliseconds")}
-    if isinstance(told, Change):
-        typer.echo(json.dumps({**line, "change": told.kind.value, "text": told.text, **told.names}))
+    if isinstance(reported, Change):
+        typer.echo(
+            json.dumps(
+                {**line, "change": reported.kind.value, "text": reported.text, **reported.names}
+            )
+        )
     else:
-        typer.echo(json.dumps({**line, "finding": finding(told)}))
+        typer.echo(json.dumps({**line, "finding": finding(reported)}))
 
 
 def _json_of(watch: Watch) -> object:

@@ -29,7 +29,7 @@ class NotExported(Error, code="CHK402", name="skill-not-exported"):
 class SilentContext(Error, code="CHK403", name="silent-context"):
     """Nobody tells which skills run."""
 
-    title = "nobody has told on {topic} for {seconds:.3g} s which skills run"
+    title = "nobody has reported on {topic} for {seconds:.3g} s which skills run"
     label = "these rules wait no longer than {timeout:g} s"
     note = "exemptions have ended, and `while` holds"
     help = "look after the skill manager: does it run, does it name this file as its context?"

@@ -19,7 +19,7 @@ from dslkit.source import Span
 NODE_PATIENCE = 3.0
 """Seconds after which a node is silent: it tells its diagnostics once a second."""
 
-Told = Change | Diagnostic
+Reported = Change | Diagnostic
 _Call = tuple[str, str]
 """A skill, and the name of the call of it."""
 
@@ -33,7 +33,7 @@ class Watch:
         self._node = Source(NODE_PATIENCE, start)
         self._exempted: frozenset[str] = frozenset()
         self._taken: frozenset[tuple[str, str, str]] = frozenset()
-        self._told: set[type[Template]] = set()
+        self._reported: set[type[Template]] = set()
         self.skills: Tally[_Call] = Tally()
         self.rules: Tally[str] = Tally()
         self.takings: dict[tuple[str, str, str], int] = {}
@@ -43,11 +43,11 @@ class Watch:
 
     # --- what happens -----------------------------------------------------------------------------
 
-    def take(self, at: float, message: Message) -> list[Told]:
+    def take(self, at: float, message: Message) -> list[Reported]:
         """Take a message; gives all that it tells that is new."""
         return [*self.pass_time(at), *self._counted(self._take(message))]
 
-    def _take(self, message: Message) -> Iterator[Told]:
+    def _take(self, message: Message) -> Iterator[Reported]:
         match message:
             case Context():
                 yield from self._take_context(message)
@@ -57,12 +57,12 @@ class Watch:
                 if self._node.has_spoken:
                     self._node.speaks(self.now)
 
-    def pass_time(self, at: float) -> list[Told]:
+    def pass_time(self, at: float) -> list[Reported]:
         """Let time go on; gives all that is new although nobody speaks."""
         self.now = max(self.now, at)
         return self._counted(self._silences())
 
-    def _silences(self) -> Iterator[Told]:
+    def _silences(self) -> Iterator[Reported]:
         context, node = self._context.silence(self.now), self._node.silence(self.now)
         if context is not None:
             yield from self._context_is_silent(context)
@@ -74,9 +74,9 @@ class Watch:
         self._context.heard += seconds
         self._node.heard += seconds
 
-    def end(self, at: float) -> list[Told]:
-        """End; gives all that is new. A source that was never heard is told, however short the time
-        was.
+    def end(self, at: float) -> list[Reported]:
+        """End; gives all that is new. A source that was never heard is reported, however short the
+        time was.
         """
         found = self.pass_time(at)
         if not self._context.has_spoken:
@@ -95,9 +95,9 @@ class Watch:
 
     # --- skills -----------------------------------------------------------------------------------
 
-    def _take_context(self, context: Context) -> Iterator[Told]:
+    def _take_context(self, context: Context) -> Iterator[Reported]:
         self._context.speaks(self.now)
-        yield from self._over(errors.SilentContext, f"{self._facts.topic} is told again")
+        yield from self._over(errors.SilentContext, f"{self._facts.topic} is reported again")
         yield from self._unusable(context)
         if context.problem is not None:
             yield from self._forget_skills(self.now)
@@ -111,7 +111,7 @@ class Watch:
         yield from self._not_exported()
         yield from self._compare_takings()
 
-    def _unusable(self, context: Context) -> Iterator[Told]:
+    def _unusable(self, context: Context) -> Iterator[Reported]:
         digest = self._facts.robot.skills.digest
         reason = context.problem
         if reason is None and context.digest != digest:
@@ -136,7 +136,7 @@ class Watch:
         text = f"{call[0]} ends after {self.skills.end(call, self.now):.3g} s"
         return Change(Kind.SKILL_ENDS, text, {"skill": call[0], "goal": call[1]})
 
-    def _not_exported(self) -> Iterator[Told]:
+    def _not_exported(self) -> Iterator[Reported]:
         known = self._facts.robot.skills.skills
         unknown = sorted({skill for skill, _ in self.skills.since if skill not in known})
         if unknown:
@@ -145,7 +145,7 @@ class Watch:
         else:
             yield from self._over(errors.NotExported, "the rules know all that runs")
 
-    def _context_is_silent(self, seconds: float) -> Iterator[Told]:
+    def _context_is_silent(self, seconds: float) -> Iterator[Reported]:
         facts = self._facts
         silent = errors.SilentContext(topic=facts.topic, seconds=seconds, timeout=facts.timeout)
         yield from self._tell(errors.SilentContext, silent.at(facts.declaration))
@@ -161,7 +161,7 @@ class Watch:
 
     # --- rules ------------------------------------------------------------------------------------
 
-    def _take_state(self, state: NodeState) -> Iterator[Told]:
+    def _take_state(self, state: NodeState) -> Iterator[Reported]:
         self._node.speaks(self.now)
         yield from self._over(errors.SilentNode, f"{self._facts.node} is heard again")
         yield from self._other_rules(state)
@@ -174,7 +174,7 @@ class Watch:
         yield from self._operators(frozenset(state.exempted) & self._facts.rules.keys())
         yield from self._compare_takings()
 
-    def _other_rules(self, state: NodeState) -> Iterator[Told]:
+    def _other_rules(self, state: NodeState) -> Iterator[Reported]:
         others = sorted({*state.active, *state.exempted} - self._facts.rules.keys())
         if others:
             wrong = errors.OtherRules(node=self._facts.node, rules=listed(others))
@@ -207,7 +207,7 @@ class Watch:
             yield Change(Kind.OPERATOR_EXEMPTS, f"an operator exempts {name}", {"rule": name})
         self._exempted = exempted
 
-    def _node_is_silent(self, seconds: float) -> Iterator[Told]:
+    def _node_is_silent(self, seconds: float) -> Iterator[Reported]:
         silent = errors.SilentNode(node=self._facts.node, seconds=seconds)
         rules = Span(self._facts.robot.modules[-1].file, 0, 0)
         yield from self._tell(errors.SilentNode, silent.at(rules))
@@ -239,22 +239,22 @@ class Watch:
     # --- findings ---------------------------------------------------------------------------------
 
     def _tell(self, kind: type[Template], found: Diagnostic) -> Iterator[Diagnostic]:
-        """A finding, unless it is told already, and not over."""
-        if kind not in self._told:
-            self._told.add(kind)
+        """A finding, unless it is reported already, and not over."""
+        if kind not in self._reported:
+            self._reported.add(kind)
             yield found
 
     def _over(self, kind: type[Template], text: str) -> Iterator[Change]:
-        if kind in self._told:
-            self._told.remove(kind)
+        if kind in self._reported:
+            self._reported.remove(kind)
             yield Change(Kind.OVER, text, {"code": kind.code})
 
-    def _counted(self, found: Iterable[Told]) -> list[Told]:
-        told = [*found]
-        wrong = [each for each in told if isinstance(each, Diagnostic)]
+    def _counted(self, found: Iterable[Reported]) -> list[Reported]:
+        reported = [*found]
+        wrong = [each for each in reported if isinstance(each, Diagnostic)]
         self.findings += len(wrong)
         self.has_errors |= any(each.severity is Severity.ERROR for each in wrong)
-        return told
+        return reported
 
 
 def _short(digest: str) -> str:

@@ -1,4 +1,4 @@
-"""Questions about paths, and the way to show them. Unlike the methods of `Path`, these never raise:
+"""Queries about paths, and the way to show them. Unlike the methods of `Path`, these never raise:
 a text that no path can be (too long, a NUL in it) leads nowhere.
 """
 

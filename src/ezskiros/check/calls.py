@@ -99,7 +99,7 @@ class _Checker:
         yield missing.at(self._named_implementation(), *labels, help=help)
 
     def _native(self, left: type) -> Diagnostic:
-        """It is told where it is, and so once for all trees that need it."""
+        """It is reported where it is, and so once for all trees that need it."""
         found = errors.NativeImplementation(implementation=left.__name__, skill=self.skill.name)
         return found.at(class_span(left))
 

@@ -18,7 +18,7 @@ class Axiom(NamedTuple):
     text: str
     iris: tuple[str, ...]
 
-    def told(self, model: Model) -> str:
+    def reported(self, model: Model) -> str:
         """As a clause of a sentence."""
         return self.text.format(*(spelled_iri(iri, model) for iri in self.iris))
 
@@ -47,8 +47,8 @@ class Clash:
 
     def reason(self, model: Model) -> str:
         """All that is to be said of it, in one sentence."""
-        told = dict.fromkeys(axiom.told(model) for axiom in self.axioms)
-        return "; ".join([*told, *filter(None, [self.why])])
+        reported = dict.fromkeys(axiom.reported(model) for axiom in self.axioms)
+        return "; ".join([*reported, *filter(None, [self.why])])
 
     def declared(self) -> Iterable[str]:
         """Give all that the ontology says something of, each once."""

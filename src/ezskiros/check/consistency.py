@@ -2,7 +2,7 @@
 
 When a skill starts its pre-conditions hold, and its hold-conditions too; after it its
 post-conditions hold. What these exclude of what was before, they end: only that they end a
-hold-condition is told. The classes of things never change.
+hold-condition is reported. The classes of things never change.
 """
 
 from __future__ import annotations
@@ -72,17 +72,17 @@ class _Consistency:
             yield from self._ended((*skill.hold, *skill.post), [*before, *after])
 
     def _checked(
-        self, moment: Moment, clauses: Sequence[Clause], told: list[Said]
+        self, moment: Moment, clauses: Sequence[Clause], reported: list[Said]
     ) -> Iterator[Diagnostic]:
         places = places_of(clauses)
         world = self._world(places)
         for fact, reason in world.facts.items():
             self._facts.setdefault(fact, reason)
-        for clash in _new(world.clashes(), told):
+        for clash in _new(world.clashes(), reported):
             yield self._findings.found(clash, moment, places)
         ors = [each for each in clauses if len(alternatives(each.statement)) > 1]
         if ors and not self._is_impossible(world):
-            yield from self._alternatives(moment, ors, places, told)
+            yield from self._alternatives(moment, ors, places, reported)
 
     def _world(self, said: Iterable[Statement]) -> World:
         return World(self._declared, self._model, said)
@@ -131,7 +131,7 @@ class _Consistency:
         moment: Moment,
         ors: Sequence[Clause],
         places: Places,
-        told: list[Said],
+        reported: list[Said],
     ) -> Iterator[Diagnostic]:
         """Each `or` of which nothing is left, by what is certain and what is left of others."""
         ways: list[Literals] = [()]
@@ -147,8 +147,8 @@ class _Consistency:
             if left:
                 ways = left
                 others.append(clause)
-            elif frozenset({clause.statement}) not in told:
-                told.append(frozenset({clause.statement}))
+            elif frozenset({clause.statement}) not in reported:
+                reported.append(frozenset({clause.statement}))
                 yield self._none_left(clause, moment, places, others)
 
     def _is_impossible(self, world: World) -> bool:
@@ -184,18 +184,18 @@ class _Consistency:
 
     # --- the end of what is held
 
-    def _ended(self, clauses: Sequence[Clause], told: list[Said]) -> Iterator[Diagnostic]:
+    def _ended(self, clauses: Sequence[Clause], reported: list[Said]) -> Iterator[Diagnostic]:
         places = places_of(clauses)
         clashes = (each for each in self._world(places).clashes() if _is_error(each))
-        for clash in _new(clashes, told):
+        for clash in _new(clashes, reported):
             yield self._findings.ended(clash, places)
 
 
-def _new(clashes: Iterable[Clash], told: list[Said]) -> Iterator[Clash]:
-    """Those of which no part has been told."""
+def _new(clashes: Iterable[Clash], reported: list[Said]) -> Iterator[Clash]:
+    """Those of which no part has been reported."""
     for clash in clashes:
-        if not any(each <= clash.said for each in told):
-            told.append(clash.said)
+        if not any(each <= clash.said for each in reported):
+            reported.append(clash.said)
             yield clash
 
 

@@ -204,7 +204,7 @@ class _Dataflow:
 
     def _races(self, children: Iterable[Node]) -> Names:
         """Values that one child of a parallel writes and another one reads at the same time."""
-        told = set()
+        reported = set()
         by_child = [list(calls(child)) for child in children]
         for index, own in enumerate(by_child):
             others = [call for other in by_child[:index] + by_child[index + 1 :] for call in other]
@@ -214,8 +214,8 @@ class _Dataflow:
                     writer = written.get(shared.shared)
                     if writer is not None and reads(shared.parameter):
                         self._tell_race(call, writer, shared)
-                        told.add(shared.shared)
-        return frozenset(told)
+                        reported.add(shared.shared)
+        return frozenset(reported)
 
     def _tell_race(self, call: SkillCall, writer: SkillCall, shared: Shared) -> None:
         found = errors.ReadBesides(

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.implementation import SkillImplementation, State
-from ezskiros.skills.methods import told_states
+from ezskiros.skills.methods import reported_states
 from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, children
 from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
@@ -65,7 +65,7 @@ class Outcomes:
         if not isinstance(node, SkillCall):
             return any(self.is_long(child) for child in children(node))
         return any(
-            each in self._long if each in self._trees else "step" in (told_states(each) or ())
+            each in self._long if each in self._trees else "step" in (reported_states(each) or ())
             for each in self._library.doing(node)
         )
 
@@ -76,8 +76,8 @@ class Outcomes:
     def _succeeds(self, implementation: type[SkillImplementation]) -> bool:
         if implementation in self._trees:
             return implementation in self._succeeding
-        told = told_states(implementation)
-        return told is None or "success" in told
+        reported = reported_states(implementation)
+        return reported is None or "success" in reported
 
 
 def _joined(flow: Flow, results: Sequence[Results]) -> Results:

@@ -21,9 +21,9 @@ def check_own_conditions(
     if skill is None or refined is None or refined is skill or ontology is None:
         return
     for check in (check_relations, check_consistency):
-        told = {(each.code, each.primary.span) for each in check(skill, ontology)}
+        reported = {(each.code, each.primary.span) for each in check(skill, ontology)}
         for found in check(refined, ontology):
             # That only some things of the class can fulfil a condition is why it is asked.
             is_choice = found.code == MayNotFit.code
-            if not is_choice and (found.code, found.primary.span) not in told:
+            if not is_choice and (found.code, found.primary.span) not in reported:
                 yield found

@@ -17,7 +17,7 @@ from dslkit.source import Span
 from dslkit.source.call_site import node_span
 from ezskiros.check import tree_errors as errors
 from ezskiros.skills.implementation import SkillImplementation
-from ezskiros.skills.methods import Written, own_method, told_state, written
+from ezskiros.skills.methods import Written, own_method, reported_state, written
 from ezskiros.skills.own_conditions import METHOD
 from ezskiros.skills.syntax import attributes_in, class_span, definition
 
@@ -111,7 +111,7 @@ def _wrong_returns(implementation: str, method: str, found: Written) -> Iterator
 
 def _wrong_progress(found: Written, value: ast.expr) -> Iterator[Diagnostic]:
     """Report what `self.success(5)` says that is no text, or no number where one is expected."""
-    name = told_state(value)
+    name = reported_state(value)
     arguments = value.args if isinstance(value, ast.Call) and name else []
     for argument, (wanted, called) in zip(arguments, _PROGRESS, strict=False):
         given = argument.value if isinstance(argument, ast.Constant) else None

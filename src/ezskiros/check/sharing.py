@@ -31,15 +31,15 @@ def _clashes(tree: Tree, library: Library) -> Iterator[Diagnostic]:
     """Names that are none of the compound, and of other types for two children."""
     own = {each.name for each in tree.skill.parameters}
     first: dict[str, Parameter] = {}
-    told: set[tuple[Span, Span]] = set()
+    reported: set[tuple[Span, Span]] = set()
     for call in calls(tree.root):
         for shared in all_shared(call, library):
             parameter = shared.parameter
             known = first.setdefault(shared.shared, parameter)
             pair = (known.span, parameter.span)
-            if shared.shared in own or _can_share(known, parameter, library) or pair in told:
+            if shared.shared in own or _can_share(known, parameter, library) or pair in reported:
                 continue
-            told.add(pair)
+            reported.add(pair)
             found = errors.NameClash(
                 shared=shared.shared, one=_spelled(known), other=_spelled(parameter)
             )
@@ -76,7 +76,7 @@ def _dropped(
     call: SkillCall, skill: SkillInterface, tree: Tree, library: Library
 ) -> Iterator[Diagnostic]:
     """Report what is passed under a name that the child has itself, for something else. What does
-    not fit at all is told elsewhere.
+    not fit at all is reported elsewhere.
     """
     for shared in shared_names(call, skill):
         name, other = shared.parameter.name, skill.parameter(shared.shared)

@@ -13,7 +13,7 @@ from ezskiros.check.spelled import spelled_iri
 from ezskiros.check.world_errors import ImpossibleThing
 from ezskiros.ontology.model import Model, Union
 
-IsTold: TypeAlias = Callable[[str, Union], bool]
+IsReported: TypeAlias = Callable[[str, Union], bool]
 
 
 class Need(NamedTuple):
@@ -24,19 +24,19 @@ class Need(NamedTuple):
 
 
 def class_clashes(
-    facts: Facts, classes: KnownClasses, model: Model, is_told: IsTold | None = None
+    facts: Facts, classes: KnownClasses, model: Model, is_reported: IsReported | None = None
 ) -> Iterator[Clash]:
     """Things of which nothing can be of all classes that they have to be of.
 
-    Classes that are empty by themselves are a fault of the ontology. `is_told` knows the needs that
-    the class of a parameter does not fit, which `check_relations` tells.
+    Classes that are empty by themselves are a fault of the ontology. `is_reported` knows the needs
+    that the class of a parameter does not fit, which `check_relations` tells.
     """
     if not model.has_disjoint_classes:
         return
     for thing, needs in _needs(facts, classes, model).items():
         for one, other in combinations(needs, 2):
             if model.exclude(one, other) and not (
-                is_told and (is_told(thing, one) or is_told(thing, other))
+                is_reported and (is_reported(thing, one) or is_reported(thing, other))
             ):
                 first, second = (_named(each, model) for each in (one, other))
                 why = f"`{thing}` would be a {first} and a {second}, and nothing is both"

@@ -58,7 +58,7 @@ class Context:
         self._publish = None if setting.simulate else _publish(setting.clock)
 
     @contextmanager
-    def told(self) -> Iterator[None]:
+    def reported(self) -> Iterator[None]:
         """Within, it is told of."""
         from ezskiros.context.voice import Voice
 
@@ -91,7 +91,7 @@ class Context:
 
 
 def _publish(clock: Callable[[], float]) -> Publish | None:
-    """The way to publish on ROS; None if there is no ROS, which is told."""
+    """The way to publish on ROS; None if there is no ROS, which is reported."""
     from ezskiros.context.ros import NoRosError, connect
 
     try:

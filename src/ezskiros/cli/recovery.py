@@ -15,7 +15,7 @@ if TYPE_CHECKING:  # loaded only where it is needed
 
 @contextmanager
 def recoveries(export: Export, task: InterruptibleTask) -> Iterator[None]:
-    """Within, rules can ask for trees over ROS; if they cannot, the reason is told."""
+    """Within, rules can ask for trees over ROS; if they cannot, the reason is reported."""
     from ezskiros.context.recovery_ros import serve
     from ezskiros.context.ros import NoRosError
     from ezskiros.engine.recovery_goals import RecoveryGoals, TaskHost

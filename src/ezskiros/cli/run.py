@@ -210,8 +210,8 @@ class _Run:
         self._is_interrupted = False
 
     def to_the_end(self, *, is_asked: bool, trace: Path | None) -> Outcome:
-        """Run the task until it has a result or is stopped. With an export its context is told, and
-        rules can ask for trees.
+        """Run the task until it has a result or is stopped. With an export its context is reported,
+        and rules can ask for trees.
         """
         from ezskiros.engine.task import run
         from ezskiros.engine.tracing import Trace
@@ -235,7 +235,7 @@ class _Run:
             wait: Callable[[float], object] = time.sleep
             if self._export is not None:
                 self._context = Context(self._export, self.task, self._note)
-                stack.enter_context(self._context.told())
+                stack.enter_context(self._context.reported())
                 wait = self._context.wait
                 if not self._setting.simulate:
                     stack.enter_context(recoveries(self._export, self.task))

@@ -129,7 +129,7 @@ class ActiveRules:
     def __init__(self, guards: Guards, clock: Callable[[], float] = time.monotonic) -> None:
         self._guards, self.clock = guards, clock
         self._state: _State | None = None
-        self._sign = self._lost = -float("inf")
+        self._sign = self._stale = -float("inf")
 
     def hear_state(self, message: Any) -> None:
         """A `State` of the node; one that nobody can read says nothing."""
@@ -144,8 +144,8 @@ class ActiveRules:
         self._sign = self.clock()
 
     def lose(self, at: float) -> None:
-        """The node was not there at a time: what it has told before is worth nothing."""
-        self._lost = at
+        """The node was not there at a time: what it has reported before is worth nothing."""
+        self._stale = at
 
     def reason_to_wait(self, skill: str) -> str | None:
         """The reason for which a skill waits; None if it may start."""
@@ -168,7 +168,7 @@ class ActiveRules:
 
     def _is_valid(self, state: _State) -> bool:
         last_sign = max(self._sign, state.heard)
-        return state.heard > self._lost and self.clock() - last_sign <= PATIENCE
+        return state.heard > self._stale and self.clock() - last_sign <= PATIENCE
 
 
 def _several(names: list[str]) -> str:

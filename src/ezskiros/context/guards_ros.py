@@ -59,7 +59,7 @@ def _in_ros1(
         raise NoRosError("no ROS master answers")
     if not rospy.core.is_initialized():
         rospy.init_node(_NODE, anonymous=True, disable_signals=True)
-    told = rospy.Subscriber(guards.topic, state, rules.hear_state, tcp_nodelay=True)
+    reported = rospy.Subscriber(guards.topic, state, rules.hear_state, tcp_nodelay=True)
     hear = signs(rules, rospy.resolve_name(guards.node))
     diagnosed = rospy.Subscriber(_DIAGNOSTICS, diagnostics, hear, tcp_nodelay=True)
     has_ended = threading.Event()
@@ -67,14 +67,14 @@ def _in_ros1(
     def look() -> None:
         while not has_ended.wait(_LOOK):
             before = rules.clock()
-            if not is_connected(told):
+            if not is_connected(reported):
                 rules.lose(before)
 
     threading.Thread(target=look, daemon=True).start()
 
     def stop() -> None:
         has_ended.set()
-        told.unregister()
+        reported.unregister()
         diagnosed.unregister()
 
     return stop

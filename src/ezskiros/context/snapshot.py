@@ -140,10 +140,10 @@ class Snapshots:
         """The snapshot of what runs now, and of what can start next, None if nobody knows that.
         Only the thread that ticks may ask for it.
         """
-        told = None if ahead is None else tuple(dict.fromkeys(map(self._ahead, ahead)))
-        if told is not None and len(told) > MOST_AHEAD:
-            told = None
-        return Snapshot(self._digest, tuple(map(self._running, running)), told)
+        reported = None if ahead is None else tuple(dict.fromkeys(map(self._ahead, ahead)))
+        if reported is not None and len(reported) > MOST_AHEAD:
+            reported = None
+        return Snapshot(self._digest, tuple(map(self._running, running)), reported)
 
     def _ahead(self, found: Ahead) -> SkillAhead:
         arguments = (
@@ -259,7 +259,7 @@ def _text(value: object) -> str:
 
 
 def _number(value: Value | object) -> float:
-    """A number, or a truth as 0 or 1; else not a number."""
+    """A number, or a boolean as 0 or 1; else not a number."""
     if not isinstance(value, (bool, int, float)) or isinstance(value, enum.Enum):
         return math.nan
     try:

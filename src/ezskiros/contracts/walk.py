@@ -33,21 +33,21 @@ class Outcome:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a node is: whether the compound fails with it, and whether findings are told.
+    """Where a node is: whether the compound fails with it, and whether findings are reported.
 
     `tick` is what becomes of what is known when a tick begins while a child runs there: what comes
     before it in a serial or a selector is started again, what is beside it goes on; findings of
-    that are told, or not. `again` says why the node is started again, if it is.
+    that are reported, or not. `again` says why the node is started again, if it is.
     """
 
     is_fatal: bool = True
-    is_told: bool = True
+    is_reported: bool = True
     tick: Callable[[Known, bool], Known] | None = None
     again: str | None = None
 
-    def at_next_tick(self, known: Known, *, is_told: bool) -> Known:
+    def at_next_tick(self, known: Known, *, is_reported: bool) -> Known:
         """The knowledge when the next tick gets there."""
-        return self.tick(known, is_told) if self.tick else known
+        return self.tick(known, is_reported) if self.tick else known
 
 
 @dataclass
@@ -140,7 +140,7 @@ class Walk:
                 continue
             clash = self.judge.clash(known, each.statement)
             wrong[each] = clash is not None
-            if not place.is_told:
+            if not place.is_reported:
                 continue
             if place.again is not None:
                 if place.is_fatal and each in self._started.get(id(child.call), ()):
@@ -168,7 +168,7 @@ class Walk:
         return known
 
     def _hold(self, child: Child, known: Known, place: Place) -> None:
-        for each in self.held if place.is_told else ():
+        for each in self.held if place.is_reported else ():
             if not self.judge.entails(known, each.statement):
                 is_certain = place.again is None
                 clash = self.judge.clash(known, each.statement) if is_certain else None
@@ -195,9 +195,9 @@ class Walk:
         """Where each tick starts children of a serial again that are before."""
         why = "a serial starts it again in each tick"
 
-        def tick(known: Known, is_told: bool) -> Known:
-            known = place.at_next_tick(known, is_told=is_told)
-            again = Place(place.is_fatal, place.is_told and is_told, again=why)
+        def tick(known: Known, is_reported: bool) -> Known:
+            known = place.at_next_tick(known, is_reported=is_reported)
+            again = Place(place.is_fatal, place.is_reported and is_reported, again=why)
             return self._sequence(before, known, again).success
 
         return replace(place, tick=tick)
@@ -226,9 +226,9 @@ class Walk:
         """
         why = "a selector tries it again in each tick"
 
-        def tick(known: Known, is_told: bool) -> Known:
-            known = place.at_next_tick(known, is_told=is_told)
-            again = Place(False, place.is_told and is_told, again=why)
+        def tick(known: Known, is_reported: bool) -> Known:
+            known = place.at_next_tick(known, is_reported=is_reported)
+            again = Place(False, place.is_reported and is_reported, again=why)
             outcome = self._selector(before, known, again)
             stopped[:] = [join([*stopped, *outcome.endings], self.judge)]
             failures = outcome.failures or (replace(known, is_dead=True),)
@@ -249,7 +249,7 @@ class Walk:
             own_place = replace(own_place, is_fatal=place.is_fatal and is_certain)
             # All begin in the tick in which the parallel does: nothing is started again before.
             outcome = self.through(node, beside(known), own_place)
-            if len(below) > 1 and not is_race and place.is_told:
+            if len(below) > 1 and not is_race and place.is_reported:
                 again = "SkiROS2 starts it again in each tick until the others are done"
                 self._restart([node], outcome.success, again)
             kept = self._partly(others, outcome.success, place, How.BESIDE)
@@ -277,8 +277,8 @@ class Walk:
     def _with_others(self, beside: Callable[[Known], Known], place: Place) -> Place:
         """Where others run at the same time."""
 
-        def tick(known: Known, is_told: bool) -> Known:
-            return beside(place.at_next_tick(known, is_told=is_told))
+        def tick(known: Known, is_reported: bool) -> Known:
+            return beside(place.at_next_tick(known, is_reported=is_reported))
 
         return replace(place, tick=tick)
 
@@ -293,8 +293,8 @@ class Walk:
         return self._running(known.perhaps_binding(names), place, changes)
 
     def _running(self, known: Known, place: Place, changes: Sequence[Change] = ()) -> Known:
-        """The knowledge while a skill runs, in any number of ticks; or, with nothing told, while
-        changes may be made.
+        """The knowledge while a skill runs, in any number of ticks; or, with nothing reported,
+        while changes may be made.
         """
         known = failed(known, changes, self.judge)
         if place.tick is None:
@@ -335,12 +335,12 @@ class Walk:
     def _retried(self, child: Node, tries: int, outcome: Outcome, place: Place) -> Outcome:
         """Further tries start where one has failed; they may fail in turn."""
         endings, failures = outcome.endings, outcome.failures
-        if tries > 1 and place.is_told:
+        if tries > 1 and place.is_reported:
             for each in failures:
                 self._restart([child], each, "the retry starts it again", is_certain=True)
         for _ in range(min(tries - 1, MOST_TRIES) if failures else 0):
             before = self._running(join(failures, self.judge), place)
-            again = self.through(child, before, replace(place, is_told=False, is_fatal=False))
+            again = self.through(child, before, replace(place, is_reported=False, is_fatal=False))
             endings = (*endings, *again.endings)
             failures = again.failures
             if join(failures, self.judge).facts.keys() == before.facts.keys():
@@ -352,7 +352,9 @@ class Walk:
     def _restart(
         self, below: Sequence[Node], known: Known, again: str, *, is_certain: bool = False
     ) -> None:
-        """Check that children can start again; with `is_certain` only that they cannot is told."""
+        """Check that children can start again; with `is_certain` only that they cannot is
+        reported.
+        """
         for call in (first for node in below for first in _first_calls(node)):
             for each in self._started.get(id(call), ()):
                 if self.judge.entails(known, each.statement):

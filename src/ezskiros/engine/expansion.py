@@ -47,8 +47,8 @@ class Expansions:
             return fixed
         known = {each.name: values[each.name] for each in skill.parameters}
         things = {each.name for each in skill.parameters if each.is_thing}
-        told = (value is not None if name in things else value for name, value in known.items())
-        key = (implementation, tuple(told))
+        reported = (value is not None if name in things else value for name, value in known.items())
+        key = (implementation, tuple(reported))
         if key not in self._by_values:
             self._by_values[key] = _built(implementation, skill, known)
         return self._by_values[key]

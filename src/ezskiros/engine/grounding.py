@@ -43,8 +43,8 @@ def missing_output(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
     """Find a parameter that a skill had to give a value, and has not."""
     for parameter in plan.outputs:
         if values[parameter.name] is None:
-            told = f"`{parameter.name}` has no value, and the skill is to give it one"
-            return Reason(Code.POST, f"{told} ({parameter.span})")
+            reported = f"`{parameter.name}` has no value, and the skill is to give it one"
+            return Reason(Code.POST, f"{reported} ({parameter.span})")
     return None
 
 
@@ -112,7 +112,7 @@ def broken_pre(plan: Plan, values: Mapping[str, Any], world: World) -> Reason | 
 
 
 def broken(
-    clauses: Iterable[Clause], told: str, code: Code, values: Mapping[str, Any], world: World
+    clauses: Iterable[Clause], reported: str, code: Code, values: Mapping[str, Any], world: World
 ) -> Reason | None:
     """The first condition that does not hold: as it is written, where, and what the world says."""
     if not clauses:
@@ -121,7 +121,7 @@ def broken(
     for clause in clauses:
         if not holds(clause.statement, things, world):
             why = reason(clause.statement, things, world)
-            return Reason(code, f"{told}: {_written(clause)}: {why}")
+            return Reason(code, f"{reported}: {_written(clause)}: {why}")
     return None
 
 

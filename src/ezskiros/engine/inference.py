@@ -1,8 +1,8 @@
 """Things for the parameters of a skill that are not given: what its pre-conditions allow.
 
 A search through the things of the right classes. Of several solutions the first is taken, by the
-names of the things in the order of the parameters; the others are told, unlike in SkiROS2, which
-takes one of them silently.
+names of the things in the order of the parameters; the others are reported, unlike in SkiROS2,
+which takes one of them silently.
 """
 
 from __future__ import annotations

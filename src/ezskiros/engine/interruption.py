@@ -46,7 +46,7 @@ class Afterwards(enum.Enum):
 
 @dataclass(frozen=True, eq=False)
 class Recovery:
-    """A tree that is asked for. `done` is told once, by the thread that ticks, whether it has
+    """A tree that is asked for. `done` is reported once, by the thread that ticks, whether it has
     succeeded, and why not. A way that is looked for afterwards is one `without` some skills.
     """
 

@@ -122,9 +122,9 @@ class RunningSkill(Behaviour):
     def update(self) -> Status:
         """One tick of a skill that has started."""
         if self._holds:
-            told = "hold-condition is broken"
+            reported = "hold-condition is broken"
             world = self._setting.world
-            problem = broken(self._holds, told, Code.HOLD, self._values, world)
+            problem = broken(self._holds, reported, Code.HOLD, self._values, world)
             if problem is not None:
                 self._preempted()
                 return self._fail(problem)
@@ -181,7 +181,9 @@ class RunningSkill(Behaviour):
     # --- start ------------------------------------------------------------------------------------
 
     def _has_to_wait(self) -> bool:
-        """Ask the guard in front of it; what it waits for is told when that is something else."""
+        """Ask the guard in front of it; what it waits for is reported when that is something
+        else.
+        """
         if self._setting.guard is None:
             return False
         before, plans = self._waits_for, self._plans()
@@ -278,10 +280,10 @@ class RunningSkill(Behaviour):
         except (Exception, SystemExit) as problem:
             return user_code.raised(problem, "__init__", Code.START)
         made.world, made.now = self._setting.world_model, self._setting.clock
-        problem_told = user_code.initialized(made)
-        if problem_told is None:
+        problem_reported = user_code.initialized(made)
+        if problem_reported is None:
             self._instance = self._instances[kind] = made
-        return problem_told
+        return problem_reported
 
     def _expand(self) -> Reason | None:
         plan, setting = self._plan, self._setting
@@ -312,8 +314,8 @@ class RunningSkill(Behaviour):
         if problem is None and plan.outputs:
             problem = missing_output(plan, values)
         if problem is None and plan.skill.post:
-            told = "post-condition does not hold"
-            problem = broken(plan.skill.post, told, Code.POST, values, self._setting.world)
+            reported = "post-condition does not hold"
+            problem = broken(plan.skill.post, reported, Code.POST, values, self._setting.world)
         if problem is not None:
             self._share()
             return self._fail(problem)
@@ -353,7 +355,8 @@ class RunningSkill(Behaviour):
         self._setting.running.end(self)
         return problem
 
-    # --- values, and what is told -----------------------------------------------------------------
+    # --- values, and what is reported
+    # -----------------------------------------------------------------
 
     def _held(self) -> Any:
         """The conditions that are asked at every tick; SkiROS2 asks them of compounds only."""
@@ -386,8 +389,8 @@ def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:
     first = problems[0][1]
     if len(problems) == 1:
         return first
-    told = "; ".join(f"`{label}`: {problem.text}" for label, problem in problems)
-    return Reason(first.code, f"no implementation can start: {told}")
+    reported = "; ".join(f"`{label}`: {problem.text}" for label, problem in problems)
+    return Reason(first.code, f"no implementation can start: {reported}")
 
 
 def _has_life(kind: type[SkillImplementation]) -> bool:

@@ -81,12 +81,12 @@ def is_willing(instance: SkillImplementation, method: str, code: Code) -> Reason
 
 
 def _unwilling(instance: SkillImplementation, method: str, code: Code) -> Reason:
-    """The reason when a method says that all is not well: what it has told by `self.fail`, if it is
-    the first that can tell something.
+    """The reason when a method says that all is not well: what it has reported by `self.fail`, if
+    it is the first that can tell something.
     """
-    told, text = instance.progress
-    if method != "onEnd" and told < 0:
-        return Reason(told, str(text))
+    reported, text = instance.progress
+    if method != "onEnd" and reported < 0:
+        return Reason(reported, str(text))
     return Reason(code, f"`{method}` says that it has not succeeded ({_place(instance, method)})")
 
 

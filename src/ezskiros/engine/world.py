@@ -59,7 +59,7 @@ class World:
         )
         return (text or b"").decode()
 
-    # --- questions --------------------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
         """All things of a class or one of its subclasses, by their names."""

@@ -26,7 +26,7 @@ class WorldModel:
     def __init__(self, world: World) -> None:
         self._world = world
 
-    # --- questions --------------------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------
 
     def thing(self, name: str) -> WorldThing:
         """The thing of a name, such as `skiros:Location-3`, of a label or of an IRI.

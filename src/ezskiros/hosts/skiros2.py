@@ -18,7 +18,7 @@ def host(package: str, *, context: str | None = None) -> None:
     With a `context`, a file of skills (`ezskiros export`) that is looked for from the folder of the
     library, the skill manager publishes which skills run.
 
-    Skills with errors are refused, and all that is wrong is told in SkiROS2's log. Does nothing
+    Skills with errors are refused, and all that is wrong is reported in SkiROS2's log. Does nothing
     where it is not SkiROS2 that imports the library, so that it can be checked and run without.
     """
     if is_running():

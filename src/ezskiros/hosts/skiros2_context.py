@@ -39,7 +39,7 @@ class HostedContext:
         self._snapshots = Snapshots(digest)
         self._seen: dict[object, float] = {}
         """The last sign of life of each skill that runs."""
-        self._told = -math.inf
+        self._reported = -math.inf
         self.voice = Voice(publish, clock=clock)
         self._tell()
 
@@ -58,7 +58,7 @@ class HostedContext:
         if owner not in self._seen:
             return
         self._seen[owner] = now = self._clock()
-        if now - self._told >= PERIOD:
+        if now - self._reported >= PERIOD:
             self._tell()
         else:
             self.voice.live(self._alive())
@@ -74,7 +74,7 @@ class HostedContext:
 
     def _tell(self) -> None:
         """Tell of what runs. What keeps that from being known silences the voice, and no skill."""
-        self._told = self._clock()
+        self._reported = self._clock()
         try:
             # The processors of SkiROS2 do not say which of their children come next.
             snapshot = self._snapshots.of(self.running, None)
@@ -92,7 +92,7 @@ _refused: list[str] = []
 
 
 def current() -> HostedContext | None:
-    """The context of this process; None if it is not told."""
+    """The context of this process; None if it is not reported."""
     return _contexts[0] if _contexts else None
 
 
@@ -155,7 +155,7 @@ def begin(
     connecting: Callable[[], Publish] = connect,
 ) -> str | None:
     """Begin to tell the context, in the words of an export of these files; None if that is done,
-    else why not. Then nothing is told at all any more: rules take it for lost.
+    else why not. Then nothing is reported at all any more: rules take it for stale.
     """
     problem = _refused[0] if _refused else _begun(path, files, connecting)
     if problem is not None:

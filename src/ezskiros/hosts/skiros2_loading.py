@@ -61,7 +61,7 @@ def load(package: str, context: str | None = None) -> None:
 
 
 def _begin_context(package: str, context: str, checked: CheckedLibrary) -> None:
-    """Publish which skills run; if that cannot be, rules have to take the context for lost."""
+    """Publish which skills run; if that cannot be, rules have to take the context for stale."""
     ontology = checked.library.ontology() or Ontology(())
     skills = (Path(each.span.file.path) for each in checked.library.skills())
     files = [*filter(is_file, skills), *ontology.files()]

@@ -309,7 +309,7 @@ class Running:
             return None
 
     def call(self, method: str, *, failed: object) -> Any:
-        """Call a method of the user; if it raises, that is told, and it has `failed`."""
+        """Call a method of the user; if it raises, that is reported, and it has `failed`."""
         user, parameters, world = self._user, self._skill.parameters, self._world
         before = user.progress
         try:

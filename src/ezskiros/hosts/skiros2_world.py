@@ -22,7 +22,7 @@ class HostedWorld(World):
         """Things of which something else is said than before."""
         self._wmi, self._model = wmi, ontology.model
 
-    # --- questions --------------------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------
 
     def things(self, owl_class: str) -> list[str]:
         """All things of a class or one of its subclasses, sorted."""
@@ -170,7 +170,7 @@ class HostedWorld(World):
 
     def _forget_them(self, things: Iterable[str]) -> None:
         """Ask again for things that have changed: SkiROS2 remembers what they were until it is
-        told, which is after conditions have been checked.
+        reported, which is after conditions have been checked.
         """
         known: dict[str, Any] = getattr(self._wmi, "_elements_cache", {})
         for thing in things:

@@ -17,7 +17,7 @@ from dslkit.diagnostics import Diagnostic
 from dslkit.source import Span
 from ezskiros.export.sources import Source, path_from
 from ezskiros.learning.errors import NoKnowledge
-from ezskiros.learning.lessons import Cost, Failure, Lessons, Lost, Places, Share, Trip
+from ezskiros.learning.lessons import Cost, Failure, Lessons, Places, Share, Stale, Trip
 from ezskiros.learning.records import Line, RecordError, parsed, read_text
 from ezskiros.learning.runs import Run
 
@@ -71,7 +71,7 @@ def text_of(knowledge: Knowledge) -> str:
             }
             for each in lessons.costs
         ],
-        "lost": [{"rule": each.rule, **_share(each.share)} for each in lessons.lost],
+        "stale": [{"rule": each.rule, **_share(each.share)} for each in lessons.stale],
     }
     parts = [f"  {json.dumps(key)}: {json.dumps(value)}" for key, value in head.items()]
     parts += [f"  {json.dumps(key)}: {_in_lines(value)}" for key, value in lists.items()]
@@ -146,7 +146,7 @@ def _read(head: Line) -> Knowledge:
             for each in head.objects("failures")
         ],
         [_read_cost(each) for each in head.objects("costs")],
-        [Lost(each.get("rule", str), _read_share(each)) for each in head.objects("lost")],
+        [Stale(each.get("rule", str), _read_share(each)) for each in head.objects("stale")],
     )
     return Knowledge(lessons, sources)
 

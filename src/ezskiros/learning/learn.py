@@ -6,7 +6,7 @@ from collections import Counter, defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import dataclass
 
-from ezskiros.learning.lessons import Cost, Failure, Lessons, Lost, Places, Share, Trip
+from ezskiros.learning.lessons import Cost, Failure, Lessons, Places, Share, Stale, Trip
 from ezskiros.learning.runs import Run
 from ezskiros.learning.seen import Hit, activations, hits
 from ezskiros.learning.traces import Execution, Trace
@@ -20,7 +20,7 @@ def learn(runs: Sequence[Run], locations: Set[str]) -> Lessons:
         sorted(gathering.trips(), key=lambda each: (-each.share.runs, each.rule, each.skill or "")),
         sorted(gathering.failures(), key=lambda each: (-each.share.runs, each.skill)),
         sorted(gathering.costs(), key=lambda each: (-each.expected_s, each.skill, each.places)),
-        list(gathering.lost()),
+        list(gathering.stale()),
     )
 
 
@@ -110,16 +110,16 @@ class _Gathering:
         in_order = sorted(counts, key=lambda places: (-len(runs[places]), places))
         return {each: Share(len(runs[each]), counts[each]) for each in in_order}
 
-    def lost(self) -> Iterator[Lost]:
+    def stale(self) -> Iterator[Stale]:
         """The rules that became active for lack of an input."""
         counts = Counter(
             rule
             for run in self._runs
-            for rule in {each.rule for each in activations(run) if each.is_lost}
+            for rule in {each.rule for each in activations(run) if each.is_stale}
         )
         for rule, count in sorted(counts.items()):
             watched = sum(rule in run.verdicts.rules for run in self._runs)
-            yield Lost(rule, Share(count, watched))
+            yield Stale(rule, Share(count, watched))
 
     # --- failures ---------------------------------------------------------------------------------
 

@@ -70,7 +70,7 @@ class Failure:
 
 
 @dataclass(frozen=True)
-class Lost:
+class Stale:
     """A rule that became active in some runs for lack of an input."""
 
     rule: str
@@ -85,4 +85,4 @@ class Lessons:
     trips: Sequence[Trip]
     failures: Sequence[Failure]
     costs: Sequence[Cost]
-    lost: Sequence[Lost]
+    stale: Sequence[Stale]

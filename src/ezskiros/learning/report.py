@@ -24,7 +24,7 @@ Spell = Callable[[str], str]
 def print_report(lessons: Lessons, console: Console, spell: Spell) -> None:
     """Print what runs teach: what became active, what failed, and what it costs."""
     runs = f"{lessons.runs} run{'s' if lessons.runs != 1 else ''}"
-    if not (lessons.trips or lessons.failures or lessons.lost):
+    if not (lessons.trips or lessons.failures or lessons.stale):
         console.print(f"{runs}: no rule became active while skills ran, and no skill failed")
         return
     console.print(runs)
@@ -50,8 +50,8 @@ def _tables(
     costly = [each for each in lessons.costs if each.lost_s > 0][:_MOST_COSTS]
     costs = [_cost_row(each, spell) for each in costly]
     yield "Time lost to rules", ("Skill", "With", "Each time", "Executions"), costs
-    lost = [(each.rule, str(each.share)) for each in lessons.lost]
-    yield "Rules that lacked an input", ("Rule", "Runs"), lost
+    stale = [(each.rule, str(each.share)) for each in lessons.stale]
+    yield "Rules that lacked an input", ("Rule", "Runs"), stale
 
 
 def _trip_rows(trip: Trip, spell: Spell) -> Iterator[Sequence[str]]:

@@ -16,7 +16,7 @@ from ezskiros.learning.traces import Trace, is_event, read_trace
 from ezskiros.learning.verdicts import Verdicts, is_header, read_verdicts
 
 _MOST_FINDINGS = 10
-"""Runs that are alone are told up to this number: they have one cause mostly."""
+"""Runs that are alone are reported up to this number: they have one cause mostly."""
 _Record = TypeVar("_Record", Trace, Verdicts)
 
 

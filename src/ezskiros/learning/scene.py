@@ -1,4 +1,4 @@
-"""The locations of a scene, by which runs are told apart."""
+"""The locations of a scene, by which runs are distinguished."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ class Hit:
 
 def hits(run: Run) -> Iterator[Hit]:
     """The activations of a run by what the rules look for, in the order of time."""
-    found = [each for each in activations(run) if not each.is_lost]
+    found = [each for each in activations(run) if not each.is_stale]
     covered = run.trace.start_ns
     stamps = (each.start_ns for each in found)
     for each, running in zip(found, _running_at(run.trace.executions, stamps), strict=True):

@@ -17,13 +17,13 @@ _LONGEST_REASON = 300
 @dataclass(frozen=True)
 class Activation:
     """A rule that became active, and when it cleared: at the latest with the recording. Stamps in
-    nanoseconds. `is_lost` if it was for lack of an input, not for what it looks for.
+    nanoseconds. `is_stale` if it was for lack of an input, not for what it looks for.
     """
 
     rule: str
     start_ns: int
     end_ns: int
-    is_lost: bool
+    is_stale: bool
     cause: str
 
 
@@ -89,5 +89,5 @@ def _change(line: Line, rules: Sequence[str]) -> tuple[str, int, bool]:
 
 def _activation(rule: str, since: int, line: Line, end: int) -> Activation:
     cause = line.below(line.get("cause", dict)).get("text", str)
-    is_lost = line.get("change", str) == "activated_lost"
-    return Activation(rule, since, end, is_lost, cause[:_LONGEST_REASON])
+    is_stale = line.get("change", str) == "activated_stale"
+    return Activation(rule, since, end, is_stale, cause[:_LONGEST_REASON])

@@ -75,7 +75,7 @@ class Bases:
         self._groups = self._found_groups()
         self._mixins = {each.id for group in self._groups for each in group if _may_be(each)}
 
-    # --- questions --------------------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------
 
     def is_mixin(self, found: ClassId) -> bool:
         """Say whether a class is a base of skills that loses SkiROS2's own."""

@@ -1,5 +1,5 @@
-"""Implementations that cannot be translated since a skill is not: each skill is told once, with all
-that follows.
+"""Implementations that cannot be translated since a skill is not: each skill is reported once, with
+all that follows.
 """
 
 from __future__ import annotations
@@ -16,8 +16,8 @@ from ezskiros.migrate.skills import SkillId
 @dataclass(frozen=True)
 class Follower:
     """An implementation that is left for a skill, or for another class, and the finding that says
-    so at its place. What is in none of the files has no `path`; with the same `reason` it is told
-    once.
+    so at its place. What is in none of the files has no `path`; with the same `reason` it is
+    reported once.
     """
 
     name: str
@@ -63,7 +63,7 @@ def consequences(
     """The findings for the implementations that follow."""
     groups: dict[tuple[str, str, str], list[Follower]] = {}
     for each in followers:
-        # A skill that is not there is told as that, by the first that needs it.
+        # A skill that is not there is reported as that, by the first that needs it.
         why = "" if (each.path, each.skill) in left else each.reason or each.finding.title
         groups.setdefault((each.path if not why else "", each.skill, why), []).append(each)
     return [

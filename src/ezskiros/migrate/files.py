@@ -98,7 +98,7 @@ def migrate_paths(
     for path in skill_files(paths):
         try:
             sources.append(_Source(path, *read_python(path)))
-        except (SyntaxError, UnicodeDecodeError) as problem:  # noqa: PERF203 - each is told
+        except (SyntaxError, UnicodeDecodeError) as problem:  # noqa: PERF203 - each is reported
             found = errors.UnreadableSource(said=str(problem).partition("\n")[0])
             wrong.append(found.at(Span(SourceFile(str(path), ""), 0, 0)))
     migrated = _Migrations(sources, world, ambiguous).all()

@@ -135,7 +135,8 @@ class ParameterUse(Error, code="EZS732", name="parameter-use"):
 class OtherBase(Error, code="EZS733", name="other-base"):
     """An implementation that is built on another class than SkiROS2's own, or below one.
 
-    What follows from a class `base` of the file `path` is told there; without a file it is nowhere.
+    What follows from a class `base` of the file `path` is reported there; without a file it is
+    nowhere.
     """
 
     title = "`{implementation}` {found}"

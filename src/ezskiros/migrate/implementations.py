@@ -59,11 +59,11 @@ class Implementation:
         once.
         """
         others = [each for each in self.findings if not _is_open(each.template)]
-        told: dict[object, Finding] = {}
+        reported: dict[object, Finding] = {}
         for each in others or self.findings:
             is_shared = isinstance(each.template, _SHARED)
-            told.setdefault(getattr(each.template, "key", "") if is_shared else id(each), each)
-        self.findings = list(told.values())
+            reported.setdefault(getattr(each.template, "key", "") if is_shared else id(each), each)
+        self.findings = list(reported.values())
 
 
 _SHARED = implementation_errors.SharedName

@@ -244,8 +244,8 @@ class _File:
         for finding in each.findings:
             match finding.template:
                 case OtherBase(base=base, path=path) if base:
-                    told = self._diagnostic(finding)
-                    yield Follower(name, base, path, told, reason=OtherBase.code)
+                    reported = self._diagnostic(finding)
+                    yield Follower(name, base, path, reported, reason=OtherBase.code)
                 case template if follows(template):
                     skill = getattr(template, "skill", "")
                     known = self._skills.called(skill, self._file.path)

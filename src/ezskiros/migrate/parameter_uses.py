@@ -120,7 +120,7 @@ class ParameterUses(cst.CSTTransformer):
         self.warnings: list[Finding] = []
         self._statements: list[cst.CSTNode] = []
         self._read: set[int] = set()
-        self._told: set[int] = set()
+        self._reported: set[int] = set()
         self._place: cst.CSTNode | None = None
 
     # --- what is said -----------------------------------------------------------------------------
@@ -158,13 +158,13 @@ class ParameterUses(cst.CSTTransformer):
         self._warn_of(f"self.{node.attr.value}", node)
 
     def _warn_of(self, found: str, node: cst.CSTNode) -> None:
-        told = {getattr(each.template, "found", "") for each in self.warnings}
-        if found not in told:
+        reported = {getattr(each.template, "found", "") for each in self.warnings}
+        if found not in reported:
             self.warnings.append(self._finding(implementation_errors.OfSkiros2(found=found), node))
 
     def visit_Attribute(self, node: cst.Attribute) -> None:  # noqa: D102, N802
         self._remember(node)
-        if own(node, _OF_SKIROS2) and id(node) not in self._told:
+        if own(node, _OF_SKIROS2) and id(node) not in self._reported:
             self.of_skiros2(node)
 
     def visit_Call(self, node: cst.Call) -> bool | None:  # noqa: D102, N802
@@ -248,7 +248,7 @@ class ParameterUses(cst.CSTTransformer):
 
     def visit_Return(self, node: cst.Return) -> None:  # noqa: D102, N802
         if _start_error(node) is not None:
-            self._told.add(id(node.value.func))  # type: ignore[union-attr]
+            self._reported.add(id(node.value.func))  # type: ignore[union-attr]
 
     def leave_SimpleStatementLine(  # noqa: N802
         self, original_node: cst.SimpleStatementLine, updated_node: cst.SimpleStatementLine

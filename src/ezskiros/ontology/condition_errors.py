@@ -130,7 +130,7 @@ class NoCondition(Error, code="EZS309", name="no-condition"):
 
 
 class ThingAsTruth(Error, code="EZS313", name="thing-as-truth"):
-    """`if Tool:`, or another question whether there is a thing."""
+    """`if Tool:`, or another query whether there is a thing."""
 
     title = "whether there is a `{parameter}` is not known before the robot runs"
     label = "Python asks here"

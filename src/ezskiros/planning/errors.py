@@ -109,7 +109,7 @@ class PlanNotConfirmed(Error, code="EZS858", name="plan-not-confirmed"):
     """A plan of the planner that the world model does not agree with."""
 
     title = "a plan was found that does not work: step {number}, `{skill}`, needs {missing}"
-    note = "the ontology says more of these relations than the planner was told"
+    note = "the ontology says more of these relations than the planner was reported"
     help = "please report it, with the skills and the scene"
     number: int
     skill: str

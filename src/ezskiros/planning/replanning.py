@@ -69,11 +69,11 @@ def way(
     except (NoPlannerError, RuntimeError) as problem:
         raise NoWayError(str(problem)) from None
     if steps is None:
-        raise NoWayError("; ".join(map(_told, (*said, *left_out))))
+        raise NoWayError("; ".join(map(_reported, (*said, *left_out))))
     return [_call(step, task.arguments, world) for step in steps]
 
 
-def _told(found: Diagnostic) -> str:
+def _reported(found: Diagnostic) -> str:
     """A finding in one line, with the reasons for it."""
     return f"{found.title} ({'; '.join(found.notes)})" if found.notes else found.title
 

@@ -80,7 +80,7 @@ def _child(
         named = ", ".join(f"{each}=..." for each in meant) or "Parameter=value"
         found = errors.NamelessArgument(skill=skill.__name__, named=named)
         session.report(found.at(span))
-        arguments |= dict.fromkeys(meant, UNKNOWN)  # that they have a value is not told besides
+        arguments |= dict.fromkeys(meant, UNKNOWN)  # that they have a value is not reported besides
     return made(SkillCall(skill, implementation, arguments, span))
 
 

@@ -36,7 +36,7 @@ class Conditions(Added[Clause]):
         super().__init__(f"{kind}_conditions")
 
     def __iadd__(self, condition: Condition | Unknown) -> Conditions:
-        # Type checkers refuse all else; who has none is told here.
+        # Type checkers refuse all else; who has none is reported here.
         if isinstance(condition, Condition) and not is_asked_here():
             self._items.append(Clause(condition.statement, condition.span))
             return self
@@ -44,7 +44,7 @@ class Conditions(Added[Clause]):
         span = added_value(session.here())
         if isinstance(condition, RelationOf):
             condition.report_not_called(span)
-        elif not isinstance(condition, (Condition, Unknown)) and not _is_told(condition, span):
+        elif not isinstance(condition, (Condition, Unknown)) and not _is_reported(condition, span):
             found = described(condition)
             session.report(condition_errors.NoCondition(found=found).at(span))
         return self
@@ -56,7 +56,7 @@ class Conditions(Added[Clause]):
             self._items.append(Clause(value.statement, value.span))
 
 
-def _is_told(condition: object, span: Span) -> bool:
+def _is_reported(condition: object, span: Span) -> bool:
     """Say whether something came of `not condition`, which has been reported."""
     return isinstance(condition, bool) and session.has_reported(span)
 

@@ -78,7 +78,7 @@ def _fault(content: bytes) -> _Fault | None:
     try:
         encoding, _ = tokenize.detect_encoding(io.BytesIO(content).readline)
     except SyntaxError as problem:
-        # It looks at two lines only; what is no UTF-8 there is told with its place.
+        # It looks at two lines only; what is no UTF-8 there is reported with its place.
         return _undecodable(content, _DEFAULT) or _Fault(str(problem), 0)
     return _undecodable(content, encoding)
 

@@ -74,7 +74,7 @@ def times(those: Children, count: int) -> Children:
 
 
 def drop(those: Iterable[object]) -> None:
-    """Nodes that something is given that is wrong, and told, are no part of the tree."""
+    """Nodes that something is given that is wrong, and reported, are no part of the tree."""
     tree = _growing.get()
     if tree is not None:
         tree.drop(those)

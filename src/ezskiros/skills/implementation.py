@@ -31,7 +31,9 @@ class ImplementationClass(type):
     """The type of all implementations."""
 
     def __call__(cls, *arguments: object, **named: object) -> Any:
-        """An instance that runs; in a behavior tree skills are named instead, and that is told."""
+        """An instance that runs; in a behavior tree skills are named instead, and that is
+        reported.
+        """
         if not is_growing():
             return super().__call__(*arguments, **named)
         skill = getattr(cls, "description", SkillImplementation).__name__
@@ -78,7 +80,7 @@ class SkillImplementation(metaclass=ImplementationClass):
     if not TYPE_CHECKING:  # for type checkers only what is written is there
 
         def __getattr__(self, name: str) -> Any:
-            """In a behavior tree what is not there is told, with what may be meant."""
+            """In a behavior tree what is not there is reported, with what may be meant."""
             if not is_growing() or name.startswith("__"):
                 kind = type(self).__name__
                 raise AttributeError(f"{kind!r} object has no attribute {name!r}")
@@ -106,17 +108,17 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     def success(self, text: str = "") -> State:
         """Say that it is done: for `execute` to return."""
-        return self._told(State.SUCCESS, self.progress[0] + 1, text)
+        return self._reported(State.SUCCESS, self.progress[0] + 1, text)
 
     def step(self, text: str = "") -> State:
         """Say that it goes on: for `execute` to return, which is called again at the next tick."""
-        return self._told(State.RUNNING, self.progress[0] + 1, text)
+        return self._reported(State.RUNNING, self.progress[0] + 1, text)
 
     def fail(self, text: str, code: int = -405) -> State:
         """Say that it has failed: for `execute` to return; `code` is made negative."""
-        return self._told(State.FAILURE, -abs(code), text)
+        return self._reported(State.FAILURE, -abs(code), text)
 
-    def _told(self, state: State, code: int, text: str) -> State:
+    def _reported(self, state: State, code: int, text: str) -> State:
         self.progress = (code, text)
         return state
 

@@ -39,7 +39,7 @@ def importing(file: Path) -> Iterator[None]:
     """
     _, root = module_name(file)
     finder, found = Finder(), list[Diagnostic]()
-    telling = standing_in(lambda *told: found.append(_stand_in(*told)))
+    telling = standing_in(lambda *reported: found.append(_stand_in(*reported)))
     with _importable_from(root), telling, reading_strictly():
         sys.meta_path.insert(0, finder)
         try:

@@ -66,7 +66,7 @@ class NoType:
 
 
 class Marker:
-    """A marker while a program runs. It takes anything: what is wrong is told by its user."""
+    """A marker while a program runs. It takes anything: what is wrong is reported by its user."""
 
     def __init__(self, mark: Kind | Option, found: str = "") -> None:
         self._mark, self._found = mark, found

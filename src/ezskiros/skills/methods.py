@@ -76,17 +76,17 @@ def _functions(file: SourceFile) -> dict[int, ast.FunctionDef]:
 
 
 @cache
-def told_states(implementation: type) -> frozenset[str] | None:
+def reported_states(implementation: type) -> frozenset[str] | None:
     """Tell which of `success`, `step` and `fail` an `execute` returns; None if unseen."""
     method = own_method(implementation, "execute")
     found = written(method) if method else None
     if found is None:
         return None
-    names = {told_state(each) for each in found.returned()}
+    names = {reported_state(each) for each in found.returned()}
     return None if None in names else frozenset(filter(None, names))
 
 
-def told_state(value: ast.expr | None) -> str | None:
+def reported_state(value: ast.expr | None) -> str | None:
     """The name in `self.success(...)`."""
     match value:
         case ast.Call(func=ast.Attribute(value=ast.Name(id="self"), attr=name)):

@@ -62,7 +62,7 @@ class MockInstance(Mock):
         self._shown = Mock if issubclass(kind, BASIC) else kind
 
     __class__ = property(lambda self: self._shown)
-    """The class that `isinstance` is told."""
+    """The class that `isinstance` is reported."""
 
     def __getattr__(self, name: str) -> object:
         if self._names is not None and name not in self._names:

@@ -1,8 +1,8 @@
 """Runs methods that users wrote, with symbols for what is not known before the robot runs.
 
 The patterns Early Dynamic Checking and Symbolic Tracing (thesis, Paper IV, section 4.2): a method
-is run as often as its branches ask for, side effects are refused, told and replaced, and what does
-not end is ended.
+is run as often as its branches ask for, side effects are refused, reported and replaced, and what
+does not end is ended.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ def ways(
     """All ways through a method, as far as they are looked into; what is wrong is reported.
 
     For each, `make` makes what the method is run on, and `run` runs it. A name that is nowhere is
-    told, and gets a substitute, so that what comes after it is looked at.
+    reported, and gets a substitute, so that what comes after it is looked at.
     """
     planned: list[bool] | None = []
     substitutes: dict[str, object] = {}

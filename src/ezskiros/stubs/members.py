@@ -93,7 +93,7 @@ def members(ontology: Ontology, classes: Classes) -> dict[ThingClass, dict[str, 
 
 
 def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
-    """Of properties of one name those that can be told apart by their domains."""
+    """Of properties of one name those that can be distinguished by their domains."""
     return [iri for iri in iris if model.domain(iri)] if len(iris) > 1 else iris
 
 

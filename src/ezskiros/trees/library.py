@@ -26,7 +26,8 @@ class Library:
     """Skills by their descriptions, and what implements them.
 
     `described` are those that are checked. Others, which trees name and which come from libraries,
-    are looked at when they are asked for; what is wrong with them is told where they are checked.
+    are looked at when they are asked for; what is wrong with them is reported where they are
+    checked.
     """
 
     def __init__(self, described: Mapping[SkillClass, Described]) -> None:

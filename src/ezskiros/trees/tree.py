@@ -142,7 +142,7 @@ class Tree:
     span: Span
     """Where the implementation is named."""
     branch: tuple[tuple[Span, bool], ...] = ()
-    """The questions on the way to it, in their order, and their answers."""
+    """The queries on the way to it, in their order, and their answers."""
     given: frozenset[str] = frozenset()
     """The parameters that these say have a value."""
 

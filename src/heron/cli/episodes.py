@@ -13,7 +13,7 @@ from heron.experiments import Episode, Experiment
 def print_episode(experiment: Experiment, episode: Episode) -> None:
     """One episode of an experiment."""
     console = Console(highlight=False)
-    for at_s, words in episode.told:
+    for at_s, words in episode.reported:
         console.print(f"{at_s:8.2f} s  {words}", soft_wrap=True, markup=False)
     title = f"{episode.arm.value}, {experiment.describe(episode)}, seed {episode.seed}"
     table = Table("measure", "value", title=title, title_justify="left")

@@ -28,7 +28,7 @@ class Shot:
     is_completed: bool
     duration: float
     measures: dict[str, str]
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     rules: Spans
     tree: tuple[TreeSkill, ...]
@@ -48,7 +48,7 @@ def shoot(name: str, variant: str, arm: Arm, seed: int) -> Shot:
         is_completed=episode.measures.is_completed,
         duration=episode.measures.duration,
         measures=_measures(experiment, episode),
-        told=episode.told,
+        reported=episode.reported,
         onsets=dict(episode.onsets),
         rules=clip.rules,
         tree=episode.tree,

@@ -8,14 +8,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.resources import files
 
-from heron.evaluation.claim import between
-from heron.evaluation.claims import claims_of
+from heron.evaluation.expectation import between
+from heron.evaluation.expectations import expectations_of
 from heron.evaluation.reasons import REASONS
 from heron.evaluation.rows import Row, StudyRow
 from heron.evaluation.sample import Sample, samples_of
 from heron.evaluation.statistics import median, share
 from heron.evaluation.study_section import section_of
-from heron.evaluation.summary import Told, summary_of, table_of
+from heron.evaluation.summary import Reported, summary_of, table_of
 from heron.experiments import EXPERIMENTS, STUDIES, Experiment, Measure
 from heron.experiments.experiment import ARM_NAMES, COMPLETED
 from heron.variants import Arm
@@ -80,8 +80,10 @@ def page_of(results: Results, plots: str) -> str:
     samples = {
         name: samples_of(EXPERIMENTS[name], rows) for name, rows in results.experiments.items()
     }
-    told = [each for found in samples.values() for sample in found for each in _told(sample)]
-    lines = [_HEAD, *summary_of(told), _changes()]
+    reported = [
+        each for found in samples.values() for sample in found for each in _reported(sample)
+    ]
+    lines = [_HEAD, *summary_of(reported), _changes()]
     if results.studies:
         lines += ["## How much depends on our choices", ""]
     for name, rows in results.studies.items():
@@ -98,10 +100,10 @@ def page_of(results: Results, plots: str) -> str:
 # --- what came out ---------------------------------------------------------------------------
 
 
-def _told(sample: Sample) -> Iterator[Told]:
-    for claim in claims_of(sample):
-        reason = REASONS.get((sample.experiment.name, sample.variant, claim.key))
-        yield Told(_place(sample), claim, reason)
+def _reported(sample: Sample) -> Iterator[Reported]:
+    for expectation in expectations_of(sample):
+        reason = REASONS.get((sample.experiment.name, sample.variant, expectation.key))
+        yield Reported(_place(sample), expectation, reason)
 
 
 def _place(sample: Sample) -> str:
@@ -121,7 +123,7 @@ def _section(sample: Sample) -> Iterator[str]:
             cells = " | ".join(_cell(sample, arm, measure) for arm in sample.arms)
             yield f"| {measure.title} | {cells} |"
     yield ""
-    yield from table_of(claims_of(sample))
+    yield from table_of(expectations_of(sample))
 
 
 def _cell(sample: Sample, arm: Arm, measure: Measure) -> str:

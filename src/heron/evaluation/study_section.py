@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from heron.evaluation.claim import between
+from heron.evaluation.expectation import between
 from heron.evaluation.rows import Row, StudyRow
 from heron.evaluation.statistics import median
 from heron.experiments import Study

@@ -5,32 +5,32 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
-from heron.evaluation.claim import Claim, Verdict
+from heron.evaluation.expectation import Expectation, Verdict
 
 
-class Told(NamedTuple):
+class Reported(NamedTuple):
     """An expectation, the experiment or training that it is of, and why it came out otherwise, if
     that is known.
     """
 
     place: str
-    claim: Claim
+    expectation: Expectation
     reason: str | None
 
 
-def summary_of(all_told: Sequence[Told]) -> Iterator[str]:
+def summary_of(all_reported: Sequence[Reported]) -> Iterator[str]:
     """The lines of the section."""
     yield "## What came out"
     yield ""
-    yield f"Of {len(all_told)} expectations:"
+    yield f"Of {len(all_reported)} expectations:"
     yield ""
     for verdict in Verdict:
-        count = sum(told.claim.verdict is verdict for told in all_told)
+        count = sum(reported.expectation.verdict is verdict for reported in all_reported)
         if count:
             yield f"- {count} came out {verdict.value}"
     yield ""
     for verdict in (Verdict.FAILS, Verdict.OPEN):
-        chosen = [told for told in all_told if told.claim.verdict is verdict]
+        chosen = [reported for reported in all_reported if reported.expectation.verdict is verdict]
         if chosen:
             yield f"{verdict.value.capitalize()}:"
             yield ""
@@ -38,16 +38,16 @@ def summary_of(all_told: Sequence[Told]) -> Iterator[str]:
             yield ""
 
 
-def table_of(claims: Iterable[Claim]) -> Iterator[str]:
+def table_of(expectations: Iterable[Expectation]) -> Iterator[str]:
     """The expectations of an experiment or training, as a table."""
     yield "| expected | found | |"
     yield "|---|---|---|"
-    for claim in claims:
-        yield f"| {claim.expected} | {claim.found} | {claim.verdict.value} |"
+    for expectation in expectations:
+        yield f"| {expectation.expected} | {expectation.found} | {expectation.verdict.value} |"
     yield ""
 
 
-def _line(told: Told) -> str:
-    claim = told.claim
-    why = f" {told.reason}" if told.reason and claim.verdict is Verdict.FAILS else ""
-    return f"- *{told.place}*, {claim.expected}: {claim.found}.{why}"
+def _line(reported: Reported) -> str:
+    expectation = reported.expectation
+    why = f" {reported.reason}" if reported.reason and expectation.verdict is Verdict.FAILS else ""
+    return f"- *{reported.place}*, {expectation.expected}: {expectation.found}.{why}"

@@ -14,7 +14,7 @@ from ezskiros.engine.events import Event
 from ezskiros.learning.lessons import Cost
 from heron.experiments.arms import BLOCKED_RULES, machine_of
 from heron.experiments.clearing_operator import ClearingOperator
-from heron.experiments.episode import seeded, told_by
+from heron.experiments.episode import reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.moving_base import SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
@@ -90,7 +90,7 @@ class BlockedEpisode:
     obstacles: tuple[Obstacle, ...]
     outcome: Outcome
     measures: BlockedMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -150,7 +150,7 @@ def delivered(
         obstacles=delivery.obstacles,
         outcome=robot.task.outcome,
         measures=_measured(robot, trace),
-        told=told_by(robot.guard),
+        reported=reported_by(robot.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=robot.task.tree,
         events=robot.task.events,

@@ -15,7 +15,7 @@ from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arms import CONTACT_RULES, machine_of
 from heron.experiments.bystander import Bystander, varied
 from heron.experiments.contact_witness import ContactWitness
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
@@ -96,7 +96,7 @@ class ContactEpisode:
     cell: CellParameters
     outcome: Outcome
     measures: ContactMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -131,7 +131,7 @@ def run_contact(
         cell=found,
         outcome=cell.task.outcome,
         measures=_measured(cell, found, trace),
-        told=told_by(cell.guard),
+        reported=reported_by(cell.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=cell.task.tree,
         events=cell.task.events,

@@ -1,4 +1,4 @@
-"""The truth about contact: forces, where the box is, and who is pressed, at every step."""
+"""The ground truth of contact: forces, where the box is, and who is pressed, at every step."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ import numpy as np
 from ezskiros.engine.events import Event
 from heron.experiments.arms import CORRIDOR_RULES, machine_of
 from heron.experiments.child import Child, Dash, varied
-from heron.experiments.episode import seeded, told_by
+from heron.experiments.episode import reported_by, seeded
 from heron.experiments.measures import Flags, onsets, time_of, without_need
 from heron.experiments.moving_base import FAR, SEEDED, NearnessWitness, base_nodes
 from heron.experiments.observer import Observer, attended
@@ -74,7 +74,7 @@ class CorridorEpisode:
     dash: Dash | None
     outcome: Outcome
     measures: CorridorMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -117,7 +117,7 @@ def run_corridor(
         dash=dash,
         outcome=robot.task.outcome,
         measures=_measured(robot, dash, trace),
-        told=told_by(robot.guard),
+        reported=reported_by(robot.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=robot.task.tree,
         events=robot.task.events,

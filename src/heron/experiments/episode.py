@@ -20,8 +20,8 @@ def acting(guard: Guard | None) -> Callable[[], bool]:
     return lambda: guard is not None and guard.is_acting
 
 
-def told_by(guard: Guard | None) -> tuple[tuple[float, str], ...]:
+def reported_by(guard: Guard | None) -> tuple[tuple[float, str], ...]:
     """The verdicts in words, with their instants (s)."""
     if guard is None:
         return ()
-    return tuple((at_ns * 1e-9, words) for at_ns, words in guard.told)
+    return tuple((at_ns * 1e-9, words) for at_ns, words in guard.reported)

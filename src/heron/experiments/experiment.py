@@ -65,7 +65,7 @@ class Episode(Protocol):
         """The measures that were taken."""
 
     @property
-    def told(self) -> tuple[tuple[float, str], ...]:
+    def reported(self) -> tuple[tuple[float, str], ...]:
         """The messages of the guard, with their instants (s)."""
 
     @property
@@ -82,7 +82,7 @@ class Episode(Protocol):
 
     @property
     def trace(self) -> Trace:
-        """The truth about the episode."""
+        """The ground truth of the episode."""
 
 
 ARM_NAMES: Mapping[Arm, str] = {
@@ -122,7 +122,7 @@ class Measure:
 @dataclass(frozen=True)
 class Signal:
     """A column of the trace as it is shown: times `factor`, with a line at `limit`. In films it is
-    told by its `short` name, if it has one.
+    reported by its `short` name, if it has one.
     """
 
     column: str

@@ -11,7 +11,7 @@ from ezskiros.engine.events import Event
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import HUMAN_RULES, machine_of
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, prolonged, reactions, time_of, without_need
 from heron.experiments.observer import Observer, attended
 from heron.experiments.proximity import ProximityWitness
@@ -81,7 +81,7 @@ class HumanEpisode:
     walk: Walk
     outcome: Outcome
     measures: HumanMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -115,7 +115,7 @@ def run_human(
         walk=walk,
         outcome=cell.task.outcome,
         measures=_measured(cell, trace),
-        told=told_by(cell.guard),
+        reported=reported_by(cell.guard),
         onsets=onsets(trace, hazards(trace)),
         tree=cell.task.tree,
         events=cell.task.events,

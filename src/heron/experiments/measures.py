@@ -1,4 +1,6 @@
-"""The measures of the navigation experiment, from the truth and from the deeds of the guard."""
+"""The measures of the navigation experiment, from the ground truth and from the deeds of the
+guard.
+"""
 
 from __future__ import annotations
 

@@ -10,7 +10,7 @@ import numpy as np
 from ezskiros.engine.events import Event
 from heron.experiments.arms import NAVIGATION_RULES, machine_of
 from heron.experiments.base_operator import BaseOperator, BaseOperatorParameters
-from heron.experiments.episode import seeded, told_by
+from heron.experiments.episode import reported_by, seeded
 from heron.experiments.measures import (
     NavigationMeasures,
     hazards,
@@ -49,7 +49,7 @@ class NavigationEpisode:
     course: Course
     outcome: Outcome
     measures: NavigationMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -104,7 +104,7 @@ def run_navigation(
         course=built,
         outcome=robot.navigation.outcome,
         measures=measures,
-        told=told_by(robot.guard),
+        reported=reported_by(robot.guard),
         onsets=onsets(trace, hazards(trace, built, BaseParameters())),
         tree=robot.task.tree,
         events=robot.task.events,

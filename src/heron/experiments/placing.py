@@ -14,7 +14,7 @@ from ezskiros.engine.events import Event
 from heron.experiments.arm_cell import ArmCell
 from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.arms import PLACING_RULES, machine_of
-from heron.experiments.episode import acting, seeded, told_by
+from heron.experiments.episode import acting, reported_by, seeded
 from heron.experiments.measures import Flags, onsets, reactions, time_of
 from heron.experiments.observer import Observer, attended
 from heron.experiments.runner import Node
@@ -81,7 +81,7 @@ class PlacingEpisode:
     skill: tuple[str, ...]
     outcome: Outcome
     measures: PlacingMeasures
-    told: tuple[tuple[float, str], ...]
+    reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
     tree: tuple[TreeSkill, ...]
     events: Sequence[tuple[float, Event]]
@@ -118,7 +118,7 @@ def run_placing(
         skill=skill,
         outcome=cell.task.outcome,
         measures=_measured(cell, trace, table, parameters),
-        told=told_by(cell.guard),
+        reported=reported_by(cell.guard),
         onsets=onsets(trace, _hazards(trace, parameters)),
         tree=cell.task.tree,
         events=cell.task.events,

@@ -1,5 +1,5 @@
-"""The distance between the arm and a person, and the speed of the arm then: the truth, at every
-step.
+"""The distance between the arm and a person, and the speed of the arm then: the ground truth, at
+every step.
 """
 
 from __future__ import annotations

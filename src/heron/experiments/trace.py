@@ -1,4 +1,4 @@
-"""The truth about an episode, which no sensor tells, at every step."""
+"""The ground truth of an episode, which no sensor tells, at every step."""
 
 from __future__ import annotations
 

@@ -61,8 +61,8 @@ class EpisodeClip:
         return Caption(name, timed, (running, MUTED), self._signal(time), active)
 
     def _signal(self, time: float) -> Words:
-        """The most of the signal that is told, in the last moments, and whether that reaches its
-        limit; nothing after its end.
+        """The most of the signal that is reported, in the last moments, and whether that reaches
+        its limit; nothing after its end.
         """
         signal = next(one for one in self.experiment.signals if one.short)
         trace = self.episode.trace

@@ -73,16 +73,16 @@ def _write_mp4(path: Path, pictures: Iterator[Pixels], rate: int) -> None:
     raw = ["-f", "rawvideo", "-pix_fmt", "rgb24", "-s", f"{width}x{height}", "-r", str(rate)]
     coded = ["-c:v", "libx264", "-pix_fmt", "yuv420p", "-crf", "20", "-movflags", "+faststart"]
     command = [program, "-loglevel", "error", *raw, "-i", "-", *coded, str(path)]
-    with tempfile.TemporaryFile() as told:
-        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=told) as running:
+    with tempfile.TemporaryFile() as reported:
+        with subprocess.Popen(command, stdin=subprocess.PIPE, stderr=reported) as running:
             assert running.stdin is not None
             with contextlib.suppress(BrokenPipeError):  # it tells why it has ended
                 for pixels in chain([first], pictures):
                     running.stdin.write(pixels.tobytes())
             with contextlib.suppress(BrokenPipeError):
                 running.stdin.close()
-        told.seek(0)
-        reasons = told.read().decode(errors="replace").splitlines()
+        reported.seek(0)
+        reasons = reported.read().decode(errors="replace").splitlines()
     if running.returncode or reasons:
         raise OSError(f"FFmpeg failed: {reasons[-1] if reasons else running.returncode}")
 

@@ -47,7 +47,7 @@ class _CollisionMonitor:
         self._in_force: dict[str, float] = {}
         self._has_begun = False
         self.occurrences: list[Occurrence] = []
-        self.told: list[tuple[int, str]] = []
+        self.reported: list[tuple[int, str]] = []
 
     @property
     def active(self) -> tuple[str, ...]:
@@ -83,7 +83,7 @@ class _CollisionMonitor:
 
     def _tell(self, now_ns: int, name: str, kind: OrderKind) -> None:
         what = "activated" if kind is OrderKind.START else "cleared"
-        self.told.append((now_ns, f"{name} {what}"))
+        self.reported.append((now_ns, f"{name} {what}"))
         self.occurrences.append(Occurrence(now_ns, name, "scale_speed", kind))
 
 

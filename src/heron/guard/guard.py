@@ -18,7 +18,7 @@ from heron.guard.relay import Relay
 from heron.messages import Message
 from heron.topics import Carrier, InProcess, Topic
 from rossmarie.guard import UPDATE_PERIOD_NS, CommandFilter, Core
-from rossmarie.ir import Edge, FieldBounds, Machine, Order, OrderKind, State, Told, Verdict
+from rossmarie.ir import Edge, FieldBounds, Machine, Order, OrderKind, Reported, State, Verdict
 
 PERIOD_NS = 2_000_000  # what is due by itself is done so late at most
 PATIENCE_NS = 5_000_000_000
@@ -82,7 +82,7 @@ class InProcessGuard:
         return self._latched
 
     @property
-    def told(self) -> Sequence[tuple[int, str]]:
+    def reported(self) -> Sequence[tuple[int, str]]:
         """Its verdicts in words, with their instants (ns)."""
         return [(verdict.at_ns, self.explain(verdict)) for verdict in self.verdicts]
 
@@ -168,7 +168,7 @@ class InProcessGuard:
             self._core.open()
 
     def _begin(self, now_ns: int) -> None:
-        """With the first messages of all inputs, so that none counts as lost that only starts."""
+        """With the first messages of all inputs, so that none counts as stale that only starts."""
         self._has_begun = True
         if self._first:
             self._follow(now_ns, self._intake.together(now_ns, self._first))
@@ -188,10 +188,10 @@ class InProcessGuard:
         return NEVER if wake_ns is None else wake_ns
 
     def _advance(self, now_ns: int) -> None:
-        told = self._core.advance(now_ns)
+        reported = self._core.advance(now_ns)
         for performer in self._performers:
             performer.tick(now_ns)
-        self._follow(now_ns, told)
+        self._follow(now_ns, reported)
 
     def _plan(self, wake_ns: int) -> None:
         """Plan the next turn; the core has to wake at this instant."""
@@ -202,11 +202,11 @@ class InProcessGuard:
 
     # --- what follows ------------------------------------------------------------------------
 
-    def _follow(self, now_ns: int, told: Told) -> None:
-        """Do what follows from what the core told, at the same instant."""
+    def _follow(self, now_ns: int, reported: Reported) -> None:
+        """Do what follows from what the core reported, at the same instant."""
         self._is_following = True
         self._latched = None
-        self._carry_out(now_ns, told)
+        self._carry_out(now_ns, reported)
         while self._reports:
             task, success = self._reports.pop(0)
             self._carry_out(now_ns, self._core.report(now_ns, task, success=success))
@@ -218,9 +218,9 @@ class InProcessGuard:
         self._deeds_ns = min((each.due_ns for each in self._performers), default=NEVER)
         self._plan(self._core_wake_ns())
 
-    def _carry_out(self, now_ns: int, told: Told) -> None:
-        self.verdicts += [event for event in told.events if isinstance(event, Verdict)]
-        for order in told.orders:
+    def _carry_out(self, now_ns: int, reported: Reported) -> None:
+        self.verdicts += [event for event in reported.events if isinstance(event, Verdict)]
+        for order in reported.orders:
             self._perform(now_ns, order)
 
     def _perform(self, now_ns: int, order: Order) -> None:
@@ -237,7 +237,7 @@ class InProcessGuard:
         """A task has ended: at once, or some time after it was started."""
         self._reports.append((task, success))
         if not self._is_following:
-            self._follow(self._clock(), Told([], []))
+            self._follow(self._clock(), Reported([], []))
 
     # --- commands ----------------------------------------------------------------------------
 

@@ -27,9 +27,9 @@ from rossmarie.ir import (
     Path,
     Points,
     Quantity,
+    Reported,
     Sector,
     Slot,
-    Told,
     arrival_names,
     bare_frame,
     field_names,
@@ -105,7 +105,7 @@ class Intake:
     def __init__(self, core: Core, readings: Readings) -> None:
         self._core = core
         self._readings = readings
-        self._told: Told | None = None
+        self._reported: Reported | None = None
 
     def watch(self, channel: int) -> tuple[Read, Watch]:
         """The fastest way from a message on a channel into the core."""
@@ -114,12 +114,12 @@ class Intake:
             return lambda message: (message,), partial(self._slowly, channel)
         return read, self._core.watch_call(self._core.machine.channels[channel].topic)
 
-    def take(self) -> Told:
+    def take(self) -> Reported:
         """The findings of the calls that `watch` gave, since the last time."""
-        told, self._told = self._told, None
-        return self._core.take() if told is None else told
+        reported, self._reported = self._reported, None
+        return self._core.take() if reported is None else reported
 
-    def together(self, at_ns: int, messages: Mapping[int, Message]) -> Told:
+    def together(self, at_ns: int, messages: Mapping[int, Message]) -> Reported:
         """Messages of several channels arrive together; gives what the core finds."""
         values: dict[str, Value] = {}
         for channel, message in messages.items():
@@ -127,9 +127,9 @@ class Intake:
         return self._core.update(at_ns, values)
 
     def _slowly(self, channel: int, at_ns: int, message: Message) -> int | None:
-        told = self._core.update(at_ns, self._values(channel, message))
-        if told:
-            self._told = told
+        reported = self._core.update(at_ns, self._values(channel, message))
+        if reported:
+            self._reported = reported
             return None
         wake_ns = self._core.next_wake()
         return NEVER_NS if wake_ns is None else wake_ns

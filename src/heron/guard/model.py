@@ -50,7 +50,7 @@ class Guard(Protocol):
         """All that it did."""
 
     @property
-    def told(self) -> Sequence[tuple[int, str]]:
+    def reported(self) -> Sequence[tuple[int, str]]:
         """Its verdicts in words, with their instants (ns)."""
 
     def reset(self) -> None:

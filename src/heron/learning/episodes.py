@@ -52,13 +52,13 @@ class Tally:
     proposed_outside: int = 0
     executed_outside: int = 0
 
-    def count(self, reward: float, told: Any) -> None:
+    def count(self, reward: float, reported: Any) -> None:
         """Take a step into account."""
         self.length += 1
         self.reward += reward
-        self.proposed_outside += told["intervened"]
-        is_executed = bool(np.all(told["executed"] == told["proposed"]))
-        self.executed_outside += told["intervened"] and is_executed
+        self.proposed_outside += reported["intervened"]
+        is_executed = bool(np.all(reported["executed"] == reported["proposed"]))
+        self.executed_outside += reported["intervened"] and is_executed
 
     def episode(self, steps: int, seconds: float, outcome: Outcome) -> Episode:
         """The episode, which is over."""

@@ -21,7 +21,7 @@ CURVES: Mapping[str, Callable[[Sequence[Episode]], float]] = {
 }
 """Shares of episodes, and of steps."""
 _LATELY = 50
-"""Episodes, at least, of which a share is told."""
+"""Episodes, at least, of which a share is reported."""
 _GOOD = 0.9
 
 

@@ -90,8 +90,8 @@ class TreeTraining:
         return [self._optimizer.ask() for _ in range(_CANDIDATES)]
 
     def _tell(self, candidates: Sequence[Floats], scores: list[float]) -> None:
-        told = [(each, -score) for each, score in zip(candidates, scores, strict=True)]
-        self._optimizer.tell(told)
+        reported = [(each, -score) for each, score in zip(candidates, scores, strict=True)]
+        self._optimizer.tell(reported)
         self._scores.append(scores)
 
 

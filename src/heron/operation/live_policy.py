@@ -97,8 +97,8 @@ class LivePolicy:
     def _hear_place(self, place: Message) -> None:
         self._places = [*self._places[-1:], (place.x, place.y, place.z)]
 
-    def _hear_force(self, told: Message) -> None:
-        force = told.wrench.force
+    def _hear_force(self, reported: Message) -> None:
+        force = reported.wrench.force
         self._force = (force.x, force.y, force.z)
 
     def _hear_person(self, distance: Message) -> None:

@@ -264,16 +264,16 @@ class ArmController:
         """Down to where it is told to; or, once it knows that this is wrong, until it feels it."""
         found = self._parameters
         pushed = float(self._force[2])
-        is_told_to_be_there = np.array_equal(self._wanted, self._target)
+        is_reported_to_be_there = np.array_equal(self._wanted, self._target)
         if self._is_careful:
             if pushed > found.release:
                 self._let_go()
-            elif is_told_to_be_there:
+            elif is_reported_to_be_there:
                 self._target = self._target - _UP * (found.careful_speed * self._step_s)
             return
         if pushed > found.touch and self._felt_height is None:
             self._felt_height = float(self._arm.grasp[2])
-        if self._arrived_ns is None and is_told_to_be_there:
+        if self._arrived_ns is None and is_reported_to_be_there:
             self._arrived_ns = now_ns
         pushing_s = 0.0 if self._arrived_ns is None else (now_ns - self._arrived_ns) * 1e-9
         if self._is_there() or pushing_s > found.patience:

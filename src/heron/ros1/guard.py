@@ -30,7 +30,7 @@ class Ros1Guard:
         self.active: tuple[str, ...] = ()
         self.is_acting = False
         self.occurrences: list[Occurrence] = []
-        self.told: list[tuple[int, str]] = []
+        self.reported: list[tuple[int, str]] = []
         self._begun: set[tuple[str, str, str]] = set()
         self._wanted: dict[str, Message] = {}
         self._passed: dict[str, Message] = {}
@@ -46,7 +46,7 @@ class Ros1Guard:
         self._reset: Service | None = None
         self._is_commanding = False
         self.has_begun = False
-        """True once it has told anything of itself."""
+        """True once it has reported anything of itself."""
 
     @property
     def latched(self) -> tuple[str, ...]:
@@ -105,7 +105,7 @@ class Ros1Guard:
 
     def _hear_verdict(self, verdict: Message) -> None:
         change = _WORDS[verdict.change] if verdict.rule else "time jumped back"
-        self.told.append(
+        self.reported.append(
             (_nanoseconds(verdict.at), f"{verdict.rule} {change}: {verdict.cause}".lstrip())
         )
 

@@ -172,8 +172,8 @@ class Node:
         header = connection.header()
         if self._heard[topic].kind not in (_ANY, header["type"]):
             connection.close()
-            wanted, told = self._heard[topic].kind, header["type"]
-            raise Ros1Error(f"{header['callerid']} publishes {topic} as {told}, not {wanted}")
+            wanted, reported = self._heard[topic].kind, header["type"]
+            raise Ros1Error(f"{header['callerid']} publishes {topic} as {reported}, not {wanted}")
         return connection, _learned(header)
 
     # --- services ----------------------------------------------------------------------------
@@ -201,10 +201,10 @@ class Node:
             time.sleep(_LOOK_S)
             self.connect()
 
-    def _ask_master(self, question: str, *arguments: str) -> Any:
+    def _ask_master(self, query: str, *arguments: str) -> Any:
         try:
             with ServerProxy(self._master_address) as master:
-                answer = cast("Any", getattr(master, question)(self._name, *arguments))
+                answer = cast("Any", getattr(master, query)(self._name, *arguments))
         except (OSError, XmlRpcError) as error:
             where = self._master_address
             advice = "start roscore, or set ROS_MASTER_URI"

@@ -1,17 +1,17 @@
-"""When rules are active, as claims over one state, over a course, and over what is seen."""
+"""When rules are active, as predicates over one state, over a trace, and over what is seen."""
 
 from __future__ import annotations
 
 import z3
 
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.terms import NO
+from rossmarie.analysis.trace import Trace
 from rossmarie.ir import Machine
 
 
-def truths_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
-    """The truths that some rules rest on: conditions and releases."""
+def propositions_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
+    """The propositions that some rules rest on: conditions and releases."""
     found = [machine.rules[rule].condition for rule in rules]
     found += [release for rule in rules if (release := machine.rules[rule].release) is not None]
     return tuple(dict.fromkeys(found))
@@ -19,7 +19,7 @@ def truths_of(machine: Machine, rules: tuple[int, ...]) -> tuple[int, ...]:
 
 def becomes_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
     """Say whether a rule that is not active becomes so (S35)."""
-    return state.truth(state.machine.rules[rule].condition).activates
+    return state.proposition(state.machine.rules[rule].condition).activates
 
 
 def may_be_active(state: ArbitraryState, rule: int) -> z3.BoolRef:
@@ -32,7 +32,9 @@ def is_cleared(state: ArbitraryState, rule: int) -> z3.BoolRef:
     declared = state.machine.rules[rule]
     if declared.release is None:
         return NO
-    return z3.And(state.truth(declared.condition).false, state.truth(declared.release).true)
+    return z3.And(
+        state.proposition(declared.condition).false, state.proposition(declared.release).true
+    )
 
 
 def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:
@@ -43,11 +45,11 @@ def together(state: ArbitraryState, one: int, other: int) -> z3.BoolRef:
     )
 
 
-def seen_together(course: Course, one: int, other: int) -> z3.BoolRef:
-    """Say whether two rules are active at one moment of a course."""
+def seen_together(trace: Trace, one: int, other: int) -> z3.BoolRef:
+    """Say whether two rules are active at one moment of a trace."""
     return z3.Or(
         [
-            z3.And(course.is_active(one, moment), course.is_active(other, moment))
-            for moment in range(len(course.moments))
+            z3.And(trace.is_active(one, moment), trace.is_active(other, moment))
+            for moment in range(len(trace.moments))
         ]
     )

@@ -1,6 +1,7 @@
 """Answers of the skills that run, as facts: which of them go together (S58).
 
-Any number of skills may run at a time. So what a machine is told is the union of what calls give.
+Any number of skills may run at a time. So what a machine is reported is the union of what calls
+give.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 import z3
 
 from rossmarie import ir
-from rossmarie.ir.calls import question_at
+from rossmarie.ir.calls import query_at
 
 
 class Calls:
@@ -22,7 +23,7 @@ class Calls:
 
     def facts(self, slot: ir.Slot, value: z3.ArithRef) -> list[z3.BoolRef]:
         """Say that a slot is what the calls that run answer, if it asks skills."""
-        step = question_at(slot.path)
+        step = query_at(slot.path)
         if step is None or not self._runs:
             return []
         yes = z3.Or([runs for call, runs in self._runs if call.answers(step)])

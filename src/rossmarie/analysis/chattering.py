@@ -7,11 +7,11 @@ from functools import partial
 
 import z3
 
-from rossmarie.analysis.activity import truths_of
-from rossmarie.analysis.course import Course
+from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.errors import Chattering
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Machine
 from rossmarie.ir.duration_text import duration_text
@@ -36,9 +36,9 @@ def find_chattering(inquiry: Inquiry, within_ns: int) -> Iterator[Finding]:
         ):
             continue
         alone = inquiry.about(index)
-        claim = partial(_toggles, rule=0, within_ns=within_ns)
+        predicate = partial(_toggles, rule=0, within_ns=within_ns)
         witness = alone.quick_witness(
-            truths_of(alone.machine, (0,)), _LEGS, partial(_alternates, rule=0), claim
+            propositions_of(alone.machine, (0,)), _LEGS, partial(_alternates, rule=0), predicate
         )
         if witness is not None:
             condition = alone.machine.rules[0].condition
@@ -52,13 +52,13 @@ def find_chattering(inquiry: Inquiry, within_ns: int) -> Iterator[Finding]:
 
 
 def _is_simple(machine: Machine, release: int) -> bool:
-    return machine.truths[release].text == "true"
+    return machine.propositions[release].text == "true"
 
 
-def _alternates(course: Course, rule: int) -> z3.BoolRef:
+def _alternates(trace: Trace, rule: int) -> z3.BoolRef:
     """The condition at the first message of each leg: true, false, true, false or the opposite."""
-    condition = course.asked.machine.rules[rule].condition
-    firsts = [moment.truth(condition) for moment in course.moments[::2]]
+    condition = trace.asked.machine.rules[rule].condition
+    firsts = [moment.proposition(condition) for moment in trace.moments[::2]]
     return z3.And(
         [fact.false if number % 2 == 0 else fact.true for number, fact in enumerate(firsts)]
     )

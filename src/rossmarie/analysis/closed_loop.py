@@ -60,7 +60,7 @@ class Loop:
     sent: list[Sending] = field(default_factory=list)
     starts: dict[int, list[int]] = field(default_factory=dict)
     has_gap: bool = False
-    """Tell whether an input was lost that had arrived."""
+    """Tell whether an input was stale that had arrived."""
 
     def __post_init__(self) -> None:
         self._monitor = Interpreter(self.part)

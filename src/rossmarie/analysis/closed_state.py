@@ -57,7 +57,7 @@ class ClosedState(ArbitraryState):
     def _carried(
         self, index: int, channel: int, number: Number, fresh: z3.BoolRef
     ) -> Iterator[z3.BoolRef]:
-        """Claim that a slot is of the message that arrived last, which is one for all slots."""
+        """Predicate: a slot is of the message that arrived last, which is one for all slots."""
         slot, carried = self.machine.slots[index], self._published[channel]
         message = z3.Int(f"channel{channel}.message")
         count = len(carried.messages)
@@ -89,11 +89,11 @@ class ClosedState(ArbitraryState):
             self.facts += [found < each for each in timeouts if each is not None]
         return found
 
-    def at(self, moment: int, claim: z3.BoolRef) -> z3.BoolRef:
-        """Claim that a claim holds in a state like this at one moment. Messages from outside are
-        the same at all moments; all else is of this one.
+    def at(self, moment: int, predicate: z3.BoolRef) -> z3.BoolRef:
+        """Predicate: another one holds in a state like this at one moment. Messages from
+        outside are the same at all moments; all else is of this one.
         """
-        term, shared = z3.And(*self.facts, claim), self._shared
+        term, shared = z3.And(*self.facts, predicate), self._shared
         constants = {each.decl().name(): each for each in constants_in(term)}
         own = [
             (each, z3.Const(f"{name}@{moment}", each.sort()))

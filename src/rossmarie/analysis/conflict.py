@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 
 from dslkit.diagnostics import Remark
-from rossmarie.analysis.activity import truths_of
+from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.errors import (
     ConflictOrdered,
     NameRules,
@@ -27,23 +27,23 @@ Needs = Mapping[int, frozenset[int]]
 def find_conflicts(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
     """A warning of each rule that an earlier one is in conflict with, once for each resource.
 
-    With `thorough` all pairs are asked about, and proofs and orders are told as well.
+    With `thorough` all pairs are asked about, and proofs and orders are reported as well.
     """
     machine = inquiry.machine
     needs = [_needs(machine, rule) for rule in range(len(machine.rules))]
     ordered = ordered_pairs(machine)
-    told: set[tuple[int, int]] = set()
+    reported: set[tuple[int, int]] = set()
     for second, needed in enumerate(needs):
         for resource, actions in needed.items():
             for first in range(second):
-                if needs[first].get(resource, actions) == actions or (first, second) in told:
+                if needs[first].get(resource, actions) == actions or (first, second) in reported:
                     continue
                 if _do_the_same(machine, first, second, resource):
                     continue
                 is_ordered = (first, second) in ordered or (second, first) in ordered
                 if is_ordered and not thorough:
                     continue
-                told.add((first, second))
+                reported.add((first, second))
                 found = _judged(inquiry, first, second, resource, ordered)
                 is_conflict = isinstance(found, Finding) and found.diagnostic.code == "ROSS700"
                 if thorough or found.diagnostic.code in ("ROSS700", "ROSS729"):
@@ -100,16 +100,16 @@ def _judged(
         return Finding(never.at(span, place))
     notes: tuple[Remark, ...] = ()
     if result.witness is not None:
-        truths = truths_of(pair.machine, (0, 1))
-        notes = (witness_note(pair.machine, result.witness, truths),)
+        propositions = propositions_of(pair.machine, (0, 1))
+        notes = (witness_note(pair.machine, result.witness, propositions),)
     if (first, second) in ordered or (second, first) in ordered:
         upper = names if (first, second) in ordered else names[::-1]
         known = "they can be active together" if notes else "whether both can be active is open"
         order = ConflictOrdered(first=upper[0], second=upper[1], resource=needed, together=known)
         return Finding(order.at(span, place, notes=notes), result.witness)
     if result.witness is None:
-        question = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
-        open_one = Undecided(question=f"{question} together?", reason="no order between them")
+        query = f"can rules `{names[0]}` and `{names[1]}`, which both need {needed}, be active"
+        open_one = Undecided(query=f"{query} together?", reason="no order between them")
         return Finding(open_one.at(span, place, help=_advice(machine, first, second)))
     finding = RulesConflict(first=names[0], second=names[1], resource=needed)
     help = _advice(machine, first, second)

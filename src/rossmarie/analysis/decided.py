@@ -54,9 +54,9 @@ from rossmarie.ir import (
     defined,
     is_leaf,
     kleene,
-    reachable_truths,
-    told_truths,
-    truth_operands,
+    proposition_operands,
+    reachable_propositions,
+    reported_propositions,
 )
 from rossmarie.ir.carried import si_ends
 
@@ -72,26 +72,28 @@ def find_decided(inquiry: Inquiry, *, thorough: bool) -> Iterator[Finding]:
     constant = _constant_parts(inquiry)
     explained: set[int] = set()
     for index, rule in enumerate(machine.rules):
-        below = reachable_truths(machine, rule.condition)
+        below = reachable_propositions(machine, rule.condition)
         lacking = _lacking(machine, constant, rule.condition)
         if lacking is not None and rule.inputs:
             explained |= set(below)
             cause = next(((each, constant[each]) for each in below if each in constant), None)
             yield Finding(_rule_finding(inquiry, index, lacking, cause))
         elif thorough:
-            yield from _open_questions(inquiry, index)
-    for truth, lacking in constant.items():
-        if truth not in explained:
-            yield Finding(_part_finding(machine, truth, lacking))
+            yield from _open_queries(inquiry, index)
+    for proposition, lacking in constant.items():
+        if proposition not in explained:
+            yield Finding(_part_finding(machine, proposition, lacking))
 
 
-def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -> TruthValue | None:
-    """The value that a truth lacks, if it does; `not` and `for` lack what is inside of them, and
-    `since` what begins it.
+def _lacking(
+    machine: Machine, constant: Mapping[int, TruthValue], proposition: int
+) -> TruthValue | None:
+    """The value that a proposition lacks, if it does; `not` and `for` lack what is inside of them,
+    and `since` what begins it.
     """
-    if truth in constant:
-        return constant[truth]
-    match machine.truths[truth].node:
+    if proposition in constant:
+        return constant[proposition]
+    match machine.propositions[proposition].node:
         case Held(operand=operand) | Since(begun=operand):
             return _lacking(machine, constant, operand)
         case Not(operand=operand):
@@ -104,22 +106,28 @@ def _lacking(machine: Machine, constant: Mapping[int, TruthValue], truth: int) -
             return None
 
 
-def _impossible(inquiry: Inquiry, truth: int) -> TruthValue | None:
-    """The value, T or F, that a truth is proved never to have; F not counting until it settled."""
-    alone = inquiry.below(truth)
-    last = len(alone.machine.truths) - 1
+def _impossible(inquiry: Inquiry, proposition: int) -> TruthValue | None:
+    """The value, T or F, that a proposition is proved never to have; F not counting until it
+    settled.
+    """
+    alone = inquiry.below(proposition)
+    last = len(alone.machine.propositions) - 1
     for value in (NEVER, ALWAYS):
-        if alone.is_impossible(partial(is_value, truth=last, value=value), settled=value is ALWAYS):
+        if alone.is_impossible(
+            partial(is_value, proposition=last, value=value), settled=value is ALWAYS
+        ):
             return value
     return None
 
 
-def _can_be(inquiry: Inquiry, truth: int, value: bool) -> bool:
+def _can_be(inquiry: Inquiry, proposition: int, value: bool) -> bool:
     """Say whether the solver finds that a leaf can have a value; if so, it never refutes it."""
-    alone = inquiry.below(truth)
-    last = len(alone.machine.truths) - 1
-    claim = partial(is_value, truth=last, value=TruthValue.TRUE if value else TruthValue.FALSE)
-    return alone.is_possible(claim, settled=not value)
+    alone = inquiry.below(proposition)
+    last = len(alone.machine.propositions) - 1
+    predicate = partial(
+        is_value, proposition=last, value=TruthValue.TRUE if value else TruthValue.FALSE
+    )
+    return alone.is_possible(predicate, settled=not value)
 
 
 # --- parts -----------------------------------------------------------------------------------
@@ -129,57 +137,62 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
     """The innermost parts of conditions and releases that lack a value, and which one."""
     machine = inquiry.machine
     found: dict[int, TruthValue] = {}
-    rests_on = inquiry.asked.supports.truths
+    rests_on = inquiry.asked.supports.propositions
     used = {
-        truth
+        proposition
         for rule in machine.rules
         for root in rule.roots
-        for truth in reachable_truths(machine, root)
+        for proposition in reachable_propositions(machine, root)
     }
     plain = {
-        truth
-        for truth in used
-        if isinstance(machine.truths[truth].node, Literal | Not | Held | Since)
-        or not rests_on[truth].inputs
-        or _is_free(machine, truth)
+        proposition
+        for proposition in used
+        if isinstance(machine.propositions[proposition].node, Literal | Not | Held | Since)
+        or not rests_on[proposition].inputs
+        or _is_free(machine, proposition)
     }
     varied = plain | thresholds.varied(machine, sorted(used - plain), partial(_can_be, inquiry))
-    for truth in sorted(used):
-        if truth in varied or _joins_apart(inquiry, truth, varied):
-            varied.add(truth)
+    for proposition in sorted(used):
+        if proposition in varied or _joins_apart(inquiry, proposition, varied):
+            varied.add(proposition)
             continue
-        if any(below in found for below in reachable_truths(machine, truth)):
+        if any(below in found for below in reachable_propositions(machine, proposition)):
             continue
-        lacking = _impossible(inquiry, truth)
+        lacking = _impossible(inquiry, proposition)
         if lacking is None:
-            varied.add(truth)
+            varied.add(proposition)
         else:
-            found[truth] = lacking
+            found[proposition] = lacking
     return _as_written(machine, found)
 
 
 def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, TruthValue]:
     """Constant parts that users wrote: an `after` that never asks for an answer is always true."""
-    told = {
-        truth
+    reported = {
+        proposition
         for rule in machine.rules
         for root in rule.roots
-        for truth in told_truths(machine, root)
+        for proposition in reported_propositions(machine, root)
     }
-    wholes = {truth: defined(machine, truth) for truth in told}
-    written = {truth: lacking for truth, lacking in found.items() if truth in told}
-    for truth, whole in wholes.items():
-        inside = set(reachable_truths(machine, truth)) - told
+    wholes = {proposition: defined(machine, proposition) for proposition in reported}
+    written = {
+        proposition: lacking for proposition, lacking in found.items() if proposition in reported
+    }
+    for proposition, whole in wholes.items():
+        inside = set(reachable_propositions(machine, proposition)) - reported
         if isinstance(whole, Response) and NEVER in map(found.get, inside):
-            written[truth] = ALWAYS
+            written[proposition] = ALWAYS
     return dict(sorted(written.items()))
 
 
-def _is_free(machine: Machine, truth: int) -> bool:
+def _is_free(machine: Machine, proposition: int) -> bool:
     """Say whether a number that a message carries, and nothing else, is compared with constants
     that it can lie on both sides of.
     """
-    nodes = [machine.signals[each].node for each in compared_signals(machine.truths[truth].node)]
+    nodes = [
+        machine.signals[each].node
+        for each in compared_signals(machine.propositions[proposition].node)
+    ]
     others = [node for node in nodes if not isinstance(node, Constant)]
     if len(others) != 1 or not isinstance(others[0], Read):
         return False
@@ -187,13 +200,13 @@ def _is_free(machine: Machine, truth: int) -> bool:
     return (slot.kind is Kind.REAL and slot.limits is None) or len(nodes) == 1
 
 
-def _joins_apart(inquiry: Inquiry, truth: int, varied: set[int]) -> bool:
+def _joins_apart(inquiry: Inquiry, proposition: int, varied: set[int]) -> bool:
     """Say whether the parts of an `and` or `or` can be both, and rest on different messages."""
-    node = inquiry.machine.truths[truth].node
-    operands = truth_operands(node)
+    node = inquiry.machine.propositions[proposition].node
+    operands = proposition_operands(node)
     if is_leaf(node) or not varied.issuperset(operands):
         return False
-    channels = [inquiry.asked.supports.truths[operand].channels for operand in operands]
+    channels = [inquiry.asked.supports.propositions[operand].channels for operand in operands]
     return len(frozenset().union(*channels)) == sum(map(len, channels))
 
 
@@ -206,21 +219,21 @@ def _rule_finding(
     notes: tuple[Remark, ...] = ()
     if cause is not None:
         part, value = cause
-        labels = (Decided(outcome=_WORDS[value]).at(machine.truths[part].span),)
+        labels = (Decided(outcome=_WORDS[value]).at(machine.propositions[part].span),)
         notes = _reasons(machine, part)
     span = rule.head
     if lacking is ALWAYS:
         return AlwaysActive(rule=rule.name).at(span, *labels, notes=notes)
-    is_lost = partial(is_value, truth=rule.condition, value=TruthValue.LOST)
-    can_be_lost = not inquiry.is_impossible(is_lost)
-    rest = "only a missing input makes it active" if can_be_lost else "nothing makes it active"
+    is_stale = partial(is_value, proposition=rule.condition, value=TruthValue.STALE)
+    can_be_stale = not inquiry.is_impossible(is_stale)
+    rest = "only a missing input makes it active" if can_be_stale else "nothing makes it active"
     return NeverActive(rule=rule.name, rest=rest).at(span, *labels, notes=notes)
 
 
-def _part_finding(machine: Machine, truth: int, lacking: TruthValue) -> Diagnostic:
-    part = machine.truths[truth]
+def _part_finding(machine: Machine, proposition: int, lacking: TruthValue) -> Diagnostic:
+    part = machine.propositions[proposition]
     finding = ConstantPart(condition=part.text, outcome=_WORDS[lacking])
-    return finding.at(part.span, notes=_reasons(machine, truth))
+    return finding.at(part.span, notes=_reasons(machine, proposition))
 
 
 _WORDS = {NEVER: "never true", ALWAYS: "always true"}
@@ -229,9 +242,9 @@ _WORDS = {NEVER: "never true", ALWAYS: "always true"}
 # --- reasons ---------------------------------------------------------------------------------
 
 
-def _reasons(machine: Machine, truth: int) -> tuple[Remark, ...]:
+def _reasons(machine: Machine, proposition: int) -> tuple[Remark, ...]:
     """Tell which values the numbers that a leaf compares can have."""
-    node = machine.truths[truth].node
+    node = machine.propositions[proposition].node
     if isinstance(node, Quantified):
         return _reasons(machine, node.element)
     return tuple(
@@ -271,15 +284,15 @@ def _whole(machine: Machine, signal: int, source: Slot | Array) -> str:
 # --- what stays open -------------------------------------------------------------------------
 
 
-def _open_questions(inquiry: Inquiry, index: int) -> Iterator[Finding]:
+def _open_queries(inquiry: Inquiry, index: int) -> Iterator[Finding]:
     """That it is not known whether a rule can be active, and inactive."""
     machine = inquiry.machine
     rule = machine.rules[index]
     for value, word in ((TruthValue.TRUE, "true"), (TruthValue.FALSE, "false")):
-        question = has_value(rule.condition, value)
-        if inquiry.witness(question) is None:
+        query = has_value(rule.condition, value)
+        if inquiry.witness(query) is None:
             finding = Undecided(
-                question=f"can the condition of rule `{rule.name}` be {word}?",
-                reason="no short course of events makes it so, and no proof excludes it",
+                query=f"can the condition of rule `{rule.name}` be {word}?",
+                reason="no short trace of events makes it so, and no proof excludes it",
             )
             yield Finding(finding.at(rule.head))

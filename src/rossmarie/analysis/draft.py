@@ -12,8 +12,8 @@ from dataclasses import dataclass, field, replace
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis.course import Course, Leg, Moment
 from rossmarie.analysis.terms import number_of
+from rossmarie.analysis.trace import Leg, Moment, Trace
 from rossmarie.analysis.witness import Sending, Witness
 from rossmarie.ir import ChannelValues, Machine
 from rossmarie.ir.carried import raw_of
@@ -68,12 +68,12 @@ class Draft:
         return replace(self, legs=(*self.legs[:leg], *put, *self.legs[leg + 1 :]))
 
 
-def drafted(course: Course, model: z3.ModelRef, *, is_calm: bool) -> Draft:
-    """Read a model of a course."""
-    machine = course.asked.machine
+def drafted(trace: Trace, model: z3.ModelRef, *, is_calm: bool) -> Draft:
+    """Read a model of a trace."""
+    machine = trace.asked.machine
     legs = []
-    for number, leg in enumerate(course.legs):
-        moments = course.moments[2 * number : 2 * number + 2]
+    for number, leg in enumerate(trace.legs):
+        moments = trace.moments[2 * number : 2 * number + 2]
         sending = [c for c, sends in leg.sends.items() if _is_true(model, sends)]
         legs.append(
             DraftLeg(
@@ -83,7 +83,7 @@ def drafted(course: Course, model: z3.ModelRef, *, is_calm: bool) -> Draft:
                 int(number_of(model.eval(leg.length_ns, model_completion=True))),
             )
         )
-    return Draft(tuple(legs), course.times.period_ns, is_calm)
+    return Draft(tuple(legs), trace.times.period_ns, is_calm)
 
 
 def _is_true(model: z3.ModelRef, term: z3.BoolRef) -> bool:
@@ -151,8 +151,8 @@ def _unit_of(signal: ir.Signal) -> Unit:
 
 
 def _shakes(machine: Machine, leg: Leg, model: z3.ModelRef) -> Iterator[tuple[int, float]]:
-    for truth, shakes in leg.shakes.items():
-        node = machine.truths[truth].node
+    for proposition, shakes in leg.shakes.items():
+        node = machine.propositions[proposition].node
         assert isinstance(node, ir.Oscillates)
         read = machine.signals[node.signal].node
         if _is_true(model, shakes) and isinstance(read, ir.Read):

@@ -1,10 +1,10 @@
 """One evaluation of a machine (S11) as terms of the solver.
 
-Signals and truths become terms node by node, as the interpreter evaluates them. What lies outside
-of one evaluation is left to the two kinds of encoding: `state.ArbitraryState`, where memories hold
-anything that a trace could have left there, and `course.Moment`, which is part of a course of
-events. `testing.solve.World` is none of them, and says why; what they have in common lies in
-`terms`, `formulas` and `fields`.
+Signals and propositions become terms node by node, as the interpreter evaluates them. What lies
+outside of one evaluation is left to the two kinds of encoding: `state.ArbitraryState`, where
+memories hold anything that a trace could have left there, and `trace.Moment`, which is part of a
+trace of events. `testing.solve.World` is none of them, and says why; what they have in common lies
+in `terms`, `formulas` and `fields`.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ class Cell:
 
 
 class Questioned:
-    """A machine, with what every question about it asks over and over."""
+    """A machine, with what every query about it asks over and over."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.machine = machine
@@ -62,15 +62,15 @@ class Questioned:
                 case ir.Fold(element=element):
                     uses[self._array(self.elements.signals[element])] += 1
                 case ir.Count(element=element):
-                    uses[self._array(self.elements.truths[element])] += 1
+                    uses[self._array(self.elements.propositions[element])] += 1
                 case (
                     ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled()
                     | ir.Element()
                 ):  # fmt: skip
                     pass
-        for truth in self.machine.truths:
-            if isinstance(truth.node, ir.Quantified):
-                uses[self._array(self.elements.truths[truth.node.element])] += 1
+        for proposition in self.machine.propositions:
+            if isinstance(proposition.node, ir.Quantified):
+                uses[self._array(self.elements.propositions[proposition.node.element])] += 1
         return tuple(uses)
 
     def _array(self, array: int | None) -> int:
@@ -85,12 +85,12 @@ class Questioned:
         return node.window_ns if isinstance(node, ir.Sampled) else 0
 
     def has_timeout(self, inputs: Iterator[int] | Sequence[int] | frozenset[int]) -> bool:
-        """Say whether one of some inputs can be lost."""
+        """Say whether one of some inputs can be stale."""
         return any(self.machine.inputs[used].timeout_ns is not None for used in inputs)
 
 
 class Encoding(ABC):
-    """The signals and truths of one evaluation; `facts` hold whatever they are.
+    """The signals and propositions of one evaluation; `facts` hold whatever they are.
 
     With `rounded`, numbers cover all that doubles can give; without, they are exact.
     """
@@ -102,7 +102,7 @@ class Encoding(ABC):
         self.machine = asked.machine
         self.facts: list[z3.BoolRef] = []
         self._signals: dict[int, Number] = {}
-        self._truths: dict[int, Fact] = {}
+        self._propositions: dict[int, Fact] = {}
 
     @property
     def known_signals(self) -> frozenset[int]:
@@ -185,7 +185,7 @@ class Encoding(ABC):
                 its_list = lists.list_of(self.machine, self.asked.elements.signals[element])
                 return self._fold(node) if its_list is None else lists.folded(self, its_list, node)
             case ir.Count(element=element):
-                its_list = lists.list_of(self.machine, self.asked.elements.truths[element])
+                its_list = lists.list_of(self.machine, self.asked.elements.propositions[element])
                 return self.count(node) if its_list is None else lists.counted(self, its_list)
             case ir.Element():
                 raise AssertionError("an element has no value of its own")
@@ -219,24 +219,29 @@ class Encoding(ABC):
         self.facts.append(z3.Implies(cells[0].is_there, z3.Or(is_one)))
         return Number(z3.And(self.is_kept(array), cells[0].is_there, *known), result)
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
-    def truth(self, index: int) -> Fact:
-        """A truth that has one value for the whole machine."""
-        if index not in self._truths:
-            for below in ir.reachable_truths(self.machine, index):
-                if below not in self._truths:
-                    self._truths[below] = self._truth(below, self.machine.truths[below].node)
-        return self._truths[index]
+    def proposition(self, index: int) -> Fact:
+        """A proposition that has one value for the whole machine."""
+        if index not in self._propositions:
+            for below in ir.reachable_propositions(self.machine, index):
+                if below not in self._propositions:
+                    self._propositions[below] = self._proposition(
+                        below, self.machine.propositions[below].node
+                    )
+        return self._propositions[index]
 
-    def _truth(self, index: int, node: ir.TruthNode) -> Fact:
+    def _proposition(self, index: int, node: ir.PropositionNode) -> Fact:
         match node:
             case ir.Literal() | ir.Not() | ir.And() | ir.Or():
-                return joined(node, [self._truths[each] for each in ir.truth_operands(node)])
+                return joined(
+                    node, [self._propositions[each] for each in ir.proposition_operands(node)]
+                )
             case ir.Held(operand=operand):
-                return self.held(index, node, self._truths[operand])
+                return self.held(index, node, self._propositions[operand])
             case ir.Since(held=held, begun=begun):
-                return self._since(index, self._truths[held], self._truths[begun])
+                return self._since(index, self._propositions[held], self._propositions[begun])
             case ir.Recurs():
                 return self.recurring(index, node)
             case ir.Oscillates(signal=signal):
@@ -258,14 +263,16 @@ class Encoding(ABC):
         before = disjunction([begun, self.remembered(index)])
         return disjunction([begun, conjunction([held, before])])
 
-    def _leaf(self, index: int, node: ir.TruthNode, known: z3.BoolRef, is_so: z3.BoolRef) -> Fact:
+    def _leaf(
+        self, index: int, node: ir.PropositionNode, known: z3.BoolRef, is_so: z3.BoolRef
+    ) -> Fact:
         unknown = z3.Not(known)
-        lost = z3.And(unknown, self.is_lost(index, node))
-        return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), lost)
+        stale = z3.And(unknown, self.is_stale(index, node))
+        return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)
 
-    def is_lost(self, index: int, node: ir.TruthNode) -> z3.BoolRef:
+    def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
         """S30: whether an unknown leaf lacks an input with a timeout."""
-        support = self.asked.supports.truths[index]
+        support = self.asked.supports.propositions[index]
         if not self.asked.has_timeout(support.inputs):
             return NO
         if isinstance(node, ir.Quantified | ir.AgeReaches):
@@ -292,17 +299,17 @@ class Encoding(ABC):
             return literal(False)
         unknown = z3.Not(number.known)
         found = self.oscillating(index)
-        lost = self.is_lost(index, node)
+        stale = self.is_stale(index, node)
         return Fact(
             z3.And(number.known, found.true),
             z3.And(number.known, found.false),
-            z3.If(unknown, lost, found.lost),
+            z3.If(unknown, stale, found.stale),
         )
 
     # --- elements ----------------------------------------------------------------------------
 
     def _quantified(self, index: int, node: ir.Quantified) -> Fact:
-        array = self.asked.elements.truths[node.element]
+        array = self.asked.elements.propositions[node.element]
         its_list = lists.list_of(self.machine, array)
         if its_list is not None:
             return lists.quantified(self, its_list, index, node)
@@ -312,7 +319,7 @@ class Encoding(ABC):
         neutral = literal(not is_any)
         parts = []
         for cell in cells:
-            found = self.element_truth(node.element, cell)
+            found = self.element_proposition(node.element, cell)
             parts.append(
                 Fact(
                     z3.If(cell.is_there, found.true, neutral.true),
@@ -324,7 +331,7 @@ class Encoding(ABC):
         there = z3.And(self.is_kept(array), cells[0].is_there)
         true, false = z3.And(there, whole.true), z3.And(there, whole.false)
         unknown = z3.Not(z3.Or(true, false))
-        return Fact(true, false, z3.And(unknown, self.is_lost(index, node)))
+        return Fact(true, false, z3.And(unknown, self.is_stale(index, node)))
 
     def _element_signal(self, index: int, cell: Cell) -> Number:
         if self.asked.elements.signals[index] is None:
@@ -342,7 +349,7 @@ class Encoding(ABC):
 
     def _beside(self, array: int, signal: int) -> Number:
         """A number beside elements (S74): any that it may have been when they arrived. A proposed
-        course of events has its value of now.
+        trace of events has its value of now.
         """
         if not self.rounded or isinstance(self.machine.signals[signal].node, ir.Constant):
             return self.signal(signal)
@@ -351,13 +358,13 @@ class Encoding(ABC):
 
     def is_kept(self, array: int) -> z3.BoolRef:
         """Say whether a result over elements has not been forgotten with a number beside them."""
-        may_be_lost = self.rounded and array in self.asked.beside
-        return z3.FreshBool("kept") if may_be_lost else YES
+        may_be_stale = self.rounded and array in self.asked.beside
+        return z3.FreshBool("kept") if may_be_stale else YES
 
-    def element_truth(self, index: int, cell: Cell) -> Fact:
-        """The value of a truth for one element; unknown is never lost here (S22)."""
-        node = self.machine.truths[index].node
-        operands = [self.element_truth(each, cell) for each in ir.truth_operands(node)]
+    def element_proposition(self, index: int, cell: Cell) -> Fact:
+        """The value of a proposition for one element; unknown is never stale here (S22)."""
+        node = self.machine.propositions[index].node
+        operands = [self.element_proposition(each, cell) for each in ir.proposition_operands(node)]
         match node:
             case ir.Literal() | ir.Not() | ir.And() | ir.Or():
                 return joined(node, operands)

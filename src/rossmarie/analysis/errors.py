@@ -49,15 +49,15 @@ class NeedsItToo(Remark):
 class Shown(Remark):
     """The note that tells a witness."""
 
-    says = "shown by this: {course}"
-    course: str
+    says = "shown by this: {trace}"
+    trace: str
 
 
 class ShownWithLoss(Remark):
     """The note that tells a witness in which an input is missing."""
 
-    says = "shown by this, where an input is missing: {course}"
-    course: str
+    says = "shown by this, where an input is missing: {trace}"
+    trace: str
 
 
 class NameRules(Remark):
@@ -222,7 +222,7 @@ class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
 class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
     """An input with a timeout on whose loss no rule becomes active."""
 
-    title = "nothing happens when `{input}` is lost"
+    title = "nothing happens when `{input}` is stale"
     label = "no rule becomes active when its timeout is over"
     help = "let a rule notice: `if age({input}) > ... then ...`"
     input: str
@@ -339,12 +339,12 @@ class NotProved(Error, code="ROSS723", name="not-proved-in-time"):
 
 
 class Undecided(Note, code="ROSS729", name="undecided"):
-    """A question to which neither a proof nor a witness was found."""
+    """A query to which neither a proof nor a witness was found."""
 
-    title = "undecided: {question}"
+    title = "undecided: {query}"
     label = "{reason}"
     note = "this is neither proved nor shown; do not take it for an answer"
-    question: str
+    query: str
     reason: str
 
 

@@ -13,7 +13,7 @@ from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.loss import Effect, Loss
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.ir import AgeReaches, Machine, reachable_truths, supports
+from rossmarie.ir import AgeReaches, Machine, reachable_propositions, supports
 
 
 def losses(inquiry: Inquiry) -> Iterator[Loss]:
@@ -41,22 +41,22 @@ def _effects(inquiry: Inquiry, used: int, after_ns: int) -> Iterator[tuple[int, 
 def _ages(machine: Machine, used: int) -> Iterator[int]:
     """The ages of an input that rules ask for."""
     for rule in machine.rules:
-        for truth in reachable_truths(machine, rule.condition):
-            node = machine.truths[truth].node
+        for proposition in reachable_propositions(machine, rule.condition):
+            node = machine.propositions[proposition].node
             if isinstance(node, AgeReaches) and node.input == used:
                 yield node.age_ns
 
 
 def _effect(whole: Inquiry, used: int, after_ns: int, index: int) -> Effect:
     inquiry, rule = whole.about(index), 0
-    lost = partial(_is_lost, used=used, after_ns=after_ns)
+    stale = partial(_is_stale, used=used, after_ns=after_ns)
     if inquiry.is_impossible(
-        lambda state: z3.And(lost(state), z3.Not(becomes_active(state, rule))), settled=True
+        lambda state: z3.And(stale(state), z3.Not(becomes_active(state, rule))), settled=True
     ):
         return Effect.ACTIVATES
     if inquiry.is_impossible(
         lambda state: z3.And(
-            lost(state), becomes_active(state, rule), _others_work(state, used, rule)
+            stale(state), becomes_active(state, rule), _others_work(state, used, rule)
         ),
         settled=True,
     ):
@@ -65,7 +65,7 @@ def _effect(whole: Inquiry, used: int, after_ns: int, index: int) -> Effect:
     return Effect.DEPENDS
 
 
-def _is_lost(state: ArbitraryState, used: int, after_ns: int) -> z3.BoolRef:
+def _is_stale(state: ArbitraryState, used: int, after_ns: int) -> z3.BoolRef:
     channel = state.machine.inputs[used].channel
     return z3.And(state.has_arrived(channel), state.age(channel) >= after_ns)
 
@@ -75,7 +75,7 @@ def _others_work(state: ArbitraryState, used: int, rule: int) -> z3.BoolRef:
     machine = state.machine
     channel = machine.inputs[used].channel
     others = [i for i in machine.rules[rule].inputs if machine.inputs[i].channel != channel]
-    support = state.asked.supports.truths[machine.rules[rule].condition]
+    support = state.asked.supports.propositions[machine.rules[rule].condition]
     known = [
         state.slot(slot).known for slot in support.slots if machine.slots[slot].input in others
     ]
@@ -85,12 +85,12 @@ def _others_work(state: ArbitraryState, used: int, rule: int) -> z3.BoolRef:
 def find_unnoticed(inquiry: Inquiry) -> Iterator[Finding]:
     """A warning of each input with a timeout on whose loss no rule becomes active."""
     machine = inquiry.machine
-    rests_on = supports(machine).truths
+    rests_on = supports(machine).propositions
     roots = {root for rule in machine.rules for root in rule.roots}
     in_rules = {used for root in roots for used in rests_on[root].inputs}
     for index, declared in enumerate(machine.inputs):
         if declared.timeout_ns is None or index not in in_rules:
-            continue  # it is never lost; or it only confirms, and what is unknown confirms nothing
+            continue  # it is never stale; or it only confirms, and what is unknown confirms nothing
         after_ns = max([declared.timeout_ns, *_ages(machine, index)])
         if next(_effects(inquiry, index, after_ns), None) is None:
             yield Finding(LossUnnoticed(input=declared.name).at(declared.span))

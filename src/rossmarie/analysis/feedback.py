@@ -10,10 +10,9 @@ from dataclasses import replace
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis.activity import becomes_active, is_cleared, truths_of
+from rossmarie.analysis.activity import becomes_active, is_cleared, propositions_of
 from rossmarie.analysis.closed_loop import Loop, Outside
 from rossmarie.analysis.closed_state import Carried, ClosedState, Ends, Published
-from rossmarie.analysis.course import Course, Leg
 from rossmarie.analysis.draft import Draft, drafted, witness_of
 from rossmarie.analysis.errors import RulesAlternate, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
@@ -23,6 +22,7 @@ from rossmarie.analysis.published import Publication, publications, values_of
 from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.terms import constant
+from rossmarie.analysis.trace import Leg, Trace
 from rossmarie.analysis.witness import Witness
 from rossmarie.ir import ChannelValues, Machine
 from rossmarie.ir.duration_text import duration_text
@@ -55,9 +55,9 @@ def find_alternating(inquiry: Inquiry) -> Iterator[Finding]:
                 shown.append(circle.group)
                 yield finding
     opened = {each.group: each for each in reversed(waiting)}
-    told = frozenset[int]().union(*shown)
+    reported = frozenset[int]().union(*shown)
     for group, circle in opened.items():
-        if not (group <= told or any(each <= group for each in shown)):
+        if not (group <= reported or any(each <= group for each in shown)):
             yield circle.open()
 
 
@@ -94,8 +94,8 @@ def _longer(
 
 def _read(inquiry: Inquiry, rule: int) -> frozenset[int]:
     """The channels that a rule rests on."""
-    truths = truths_of(inquiry.machine, (rule,))
-    found = (inquiry.asked.supports.truths[each] for each in truths)
+    propositions = propositions_of(inquiry.machine, (rule,))
+    found = (inquiry.asked.supports.propositions[each] for each in propositions)
     return frozenset().union(*(ir.all_channels(inquiry.machine, support) for support in found))
 
 
@@ -115,7 +115,7 @@ class Circle:
         self._rules = [each.rule for each in circle]
         self._published = [each for each in published if each.rule in self._rules]
         self._part = inquiry.about(*self._rules)
-        self._truths = truths_of(self._part.machine, tuple(range(len(circle))))
+        self._propositions = propositions_of(self._part.machine, tuple(range(len(circle))))
 
     @property
     def group(self) -> frozenset[int]:
@@ -132,7 +132,7 @@ class Circle:
         return None
 
     def open(self) -> Finding:
-        """Claim that it is undecided."""
+        """Predicate: it is undecided."""
         return _open(self._machine, self._circle)
 
     # --- the proof ---------------------------------------------------------------------------
@@ -142,12 +142,12 @@ class Circle:
         whatever the same messages from outside are.
         """
         self._part.check_time()
-        claims = []
+        predicates = []
         for place in range(len(self._rules)):
-            for moment, claim in enumerate((becomes_active, is_cleared)):
+            for moment, predicate in enumerate((becomes_active, is_cleared)):
                 state = ClosedState(self._part.asked, self._carried())
-                claims.append(state.at(2 * place + moment, claim(state, place)))
-        return ask([], z3.And(claims)).outcome is Outcome.IMPOSSIBLE
+                predicates.append(state.at(2 * place + moment, predicate(state, place)))
+        return ask([], z3.And(predicates)).outcome is Outcome.IMPOSSIBLE
 
     def _carried(self) -> Published:
         found: dict[int, Carried] = {}
@@ -165,23 +165,23 @@ class Circle:
     # --- the witness -------------------------------------------------------------------------
 
     def _witness(self, start: int, beginning: _Beginning, world: _World) -> Witness | None:
-        """A course that begins with one of the rules; the interpreter has the last word."""
+        """A trace that begins with one of the rules; the interpreter has the last word."""
         order = [*range(start, len(self._rules)), *range(start)]
         self._part.check_time()
         is_whole = beginning in (_Beginning.TURNS, _Beginning.CIRCLE)
-        course = Course(self._part.asked, self._truths, len(order) + 1 if is_whole else 1)
-        claim = self._follows(course, order)
+        trace = Trace(self._part.asked, self._propositions, len(order) + 1 if is_whole else 1)
+        predicate = self._follows(trace, order)
         if beginning is not _Beginning.ANY:
-            claim = z3.And(claim, course.is_active(start, 1))
+            predicate = z3.And(predicate, trace.is_active(start, 1))
         if beginning is _Beginning.TURNS:
-            claim = z3.And(claim, _is_each_alone(course, order))
+            predicate = z3.And(predicate, _is_each_alone(trace, order))
         is_calm = world is not _World.SILENT
-        wishes = course.calm if is_calm else ()
-        for preferred in hints(course):
-            answer = ask(course.facts, claim, *wishes, *preferred)
+        wishes = trace.calm if is_calm else ()
+        for preferred in hints(trace):
+            answer = ask(trace.facts, predicate, *wishes, *preferred)
             if answer.model is None:
                 continue
-            whole = drafted(course, answer.model, is_calm=is_calm)
+            whole = drafted(trace, answer.model, is_calm=is_calm)
             first = replace(whole.legs[0], length_ns=0, shakes={})
             played = _Played(self._machine, self._part.machine, self._rules, world)
             draft = replace(whole, legs=(first,))
@@ -190,23 +190,25 @@ class Circle:
                 return witness
         return None
 
-    def _follows(self, course: Course, order: Sequence[int]) -> z3.BoolRef:
+    def _follows(self, trace: Trace, order: Sequence[int]) -> z3.BoolRef:
         """Ask that each rule becomes active by what the one before it publishes; the first one has
         been inactive when it is its turn again.
         """
         found = [z3.BoolVal(True)]
-        for number in range(1, len(course.legs)):
+        for number in range(1, len(trace.legs)):
             message = self._circle[order[number - 1]]
-            found.append(self._brings(course.legs[number - 1], course.legs[number], message))
+            found.append(self._brings(trace.legs[number - 1], trace.legs[number], message))
             turn = order[number % len(order)]
-            found.append(course.is_active(turn, 2 * number + 1))
-        if len(course.legs) > 1:
-            later = range(2, len(course.moments))
-            found.append(z3.Or([z3.Not(course.is_active(order[0], each)) for each in later]))
+            found.append(trace.is_active(turn, 2 * number + 1))
+        if len(trace.legs) > 1:
+            later = range(2, len(trace.moments))
+            found.append(z3.Or([z3.Not(trace.is_active(order[0], each)) for each in later]))
         return z3.And(found)
 
     def _brings(self, before: Leg, leg: Leg, message: Publication) -> z3.BoolRef:
-        """Claim that a leg brings a message of a rule, and else the messages of the leg before."""
+        """Predicate: a leg brings a message of a rule, and else the messages of the leg
+        before.
+        """
         machine = self._machine
         values = values_of(machine, message.task, message.channel)
         found = []
@@ -230,13 +232,13 @@ class Circle:
         return z3.And(found)
 
 
-def _is_each_alone(course: Course, order: Sequence[int]) -> z3.BoolRef:
+def _is_each_alone(trace: Trace, order: Sequence[int]) -> z3.BoolRef:
     """Tell whether at the end of each leg no rule is active but the one whose turn it is."""
-    ends = range(1, len(course.moments), 2)
-    turns = [order[number % len(order)] for number in range(len(course.legs))]
+    ends = range(1, len(trace.moments), 2)
+    turns = [order[number % len(order)] for number in range(len(trace.legs))]
     return z3.And(
         [
-            z3.Not(course.is_active(other, end))
+            z3.Not(trace.is_active(other, end))
             for turn, end in zip(turns, ends, strict=True)
             for other in order
             if other != turn
@@ -259,7 +261,7 @@ class _World(enum.Enum):
 
 
 class _Beginning(enum.Enum):
-    """The messages from outside that a course begins with."""
+    """The messages from outside that a trace begins with."""
 
     TURNS = "with what the rules publish after them, one rule after the other is active, alone"
     CIRCLE = "with what the rules publish after them, each makes the next one active"
@@ -331,8 +333,8 @@ def _awaits(machine: Machine, rules: Sequence[int]) -> bool:
 def _long_enough(machine: Machine, part: Machine, rules: Sequence[int]) -> int:
     """The time in which each timer of some rules and their inputs runs out often enough."""
     found = [used.timeout_ns or 0 for used in part.inputs]
-    for truth in part.truths:
-        match truth.node:
+    for proposition in part.propositions:
+        match proposition.node:
             case ir.Held(duration_ns=time_ns) | ir.AgeReaches(age_ns=time_ns):
                 found.append(time_ns)
             case ir.Oscillates(window_ns=time_ns) | ir.Recurs(window_ns=time_ns):
@@ -367,8 +369,8 @@ def _alternating(machine: Machine, circle: Sequence[Publication], witness: Witne
         for place, each in enumerate(circle)
         if place > 0
     ]
-    truths = truths_of(machine, tuple(each.rule for each in circle))
-    note = witness_note(machine, witness, truths)
+    propositions = propositions_of(machine, tuple(each.rule for each in circle))
+    note = witness_note(machine, witness, propositions)
     who = "each of them" if circle[1:] else "it"
     often = finding.Often(who=who, within=duration_text(witness.end_ns))
     head = machine.rules[circle[0].rule].head
@@ -387,7 +389,7 @@ def _reader(machine: Machine, circle: Sequence[Publication], place: int) -> str:
 
 def _open(machine: Machine, circle: Sequence[Publication]) -> Finding:
     whom = "each other" if circle[1:] else "itself"
-    question = f"can {_named(machine, circle)} set {whom} off by publishing?"
-    reason = "no short course of events does so, and no proof excludes it"
-    finding = Undecided(question=question, reason=reason)
+    query = f"can {_named(machine, circle)} set {whom} off by publishing?"
+    reason = "no short trace of events does so, and no proof excludes it"
+    finding = Undecided(query=query, reason=reason)
     return Finding(finding.at(machine.rules[circle[0].rule].head))

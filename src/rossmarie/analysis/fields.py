@@ -1,6 +1,6 @@
 """The values that fields of messages can have in SI, as facts about terms of the solver (S7).
 
-Three ways of asking need three of them. A course computes with exact numbers. A state has to cover
+Three ways of asking need three of them. A trace computes with exact numbers. A state has to cover
 all that doubles can give: the ends of a conversion, as it is rounded. A test has to be borne out by
 doubles, so what it sets has room for rounding.
 """

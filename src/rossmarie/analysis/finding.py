@@ -1,4 +1,4 @@
-"""A finding of a question, and the words that all questions share."""
+"""A finding of a query, and the words that all queries share."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from dslkit.diagnostics import Diagnostic, Remark
 from rossmarie.analysis.errors import Shown, ShownWithLoss
-from rossmarie.analysis.witness import Witness, told
-from rossmarie.ir import Constant, Machine, compared_signals, reachable_truths
+from rossmarie.analysis.witness import Witness, reported
+from rossmarie.ir import Constant, Machine, compared_signals, reachable_propositions
 
 
 @dataclass(frozen=True)
@@ -19,14 +19,14 @@ class Finding:
     witness: Witness | None = None
 
 
-def witness_note(machine: Machine, witness: Witness, truths: Sequence[int]) -> Remark:
-    """The witness in words, as a note: what the truths look at, and when."""
+def witness_note(machine: Machine, witness: Witness, propositions: Sequence[int]) -> Remark:
+    """The witness in words, as a note: what the propositions look at, and when."""
     signals = {
         signal
-        for root in truths
-        for truth in reachable_truths(machine, root)
-        for signal in compared_signals(machine.truths[truth].node)
+        for root in propositions
+        for proposition in reachable_propositions(machine, root)
+        for signal in compared_signals(machine.propositions[proposition].node)
         if not isinstance(machine.signals[signal].node, Constant)
     }
     kind = Shown if witness.is_calm else ShownWithLoss
-    return kind(course=told(machine, witness, sorted(signals)))
+    return kind(trace=reported(machine, witness, sorted(signals)))

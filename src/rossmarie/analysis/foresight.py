@@ -1,7 +1,7 @@
 """Requirements of rules: a rule is active before it is too late to brake, or a counterexample shows
 when it is not.
 
-The question is about one instant: the condition of the rule is false by the last messages, though
+The query is about one instant: the condition of the rule is false by the last messages, though
 the motion, as they tell of it, could not slow down before the places any more if the next message
 came as late as its timeout allows, and the brakes held as late and as weakly as declared.
 """
@@ -21,8 +21,8 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
     """A note if a requirement is proved; an error if it does not hold, with a witness, and if it is
     not decided. The inquiry is about the machine of the requirement.
     """
-    below = inquiry.below(required.truth)
-    last = len(below.machine.truths) - 1
+    below = inquiry.below(required.proposition)
+    last = len(below.machine.propositions) - 1
     result = below.decide(has_value(last, TruthValue.TRUE))
     if result.outcome is Outcome.IMPOSSIBLE:
         proved = InTime(rule=required.rule, text=required.text)

@@ -1,4 +1,4 @@
-"""Hints for the solver: what makes a course of events likely to be borne out, and easy to read."""
+"""Hints for the solver: what makes a trace of events likely to be borne out, and easy to read."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import z3
 
 from rossmarie import ir
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.formulas import Formulas, exactly
 from rossmarie.analysis.terms import within
+from rossmarie.analysis.trace import Trace
 from rossmarie.core import row
 from rossmarie.core.expressions import Operand
 
@@ -17,7 +17,7 @@ _APART = z3.RealVal("0.001")
 """The least difference, in the unit of both, of numbers that rounding may not make equal."""
 
 
-def hints(course: Course) -> list[list[z3.BoolRef]]:
+def hints(trace: Trace) -> list[list[z3.BoolRef]]:
     """Facts that make it likely that a proposal is borne out and easy to read, from much to
     nothing: a length or a distance is one that is easy to compute; numbers that are compared with
     one another are apart, since floats round them; and numbers are near the constants that they are
@@ -25,17 +25,17 @@ def hints(course: Course) -> list[list[z3.BoolRef]]:
     """
     lengths = []
     near = []
-    norms, ranges = sorted(_lengths(course)), _near(course)
-    for moment in course.moments:
+    norms, ranges = sorted(_lengths(trace)), _near(trace)
+    for moment in trace.moments:
         for index in norms:
-            node = course.asked.machine.signals[index].node
+            node = trace.asked.machine.signals[index].node
             assert isinstance(node, ir.Apply)
             parts = [moment.signal(operand).value for operand in node.operands]
             lengths.append(_is_easy(node.function, parts, moment.signal(index).value))
         for index, (low, high) in ranges.items():
             value = moment.signal(index).value
             near += within(value, (low, high))
-    apart = _apart(course)
+    apart = _apart(trace)
     return [
         *([[*lengths, *apart, *near], apart] if apart else ()),
         [*lengths, *near],
@@ -44,31 +44,33 @@ def hints(course: Course) -> list[list[z3.BoolRef]]:
     ]
 
 
-def _apart(course: Course) -> list[z3.BoolRef]:
+def _apart(trace: Trace) -> list[z3.BoolRef]:
     """Signals that are compared with one another, and not with a constant, are not nearly equal."""
-    machine = course.asked.machine
+    machine = trace.asked.machine
     found = []
-    for truth in course.times.truths:
-        node = machine.truths[truth].node
-        if course.asked.elements.truths[truth] is not None or not isinstance(node, ir.Compare):
+    for proposition in trace.times.propositions:
+        node = machine.propositions[proposition].node
+        if trace.asked.elements.propositions[proposition] is not None or not isinstance(
+            node, ir.Compare
+        ):
             continue
         sides = (node.left, node.right)
         if any(isinstance(machine.signals[side].node, ir.Constant) for side in sides):
             continue
-        for moment in course.moments:
+        for moment in trace.moments:
             left, right = (moment.signal(side).value for side in sides)
             found.append(z3.Or(left - right > _APART, right - left > _APART))
     return found
 
 
-def _near(course: Course) -> dict[int, tuple[float, float]]:
+def _near(trace: Trace) -> dict[int, tuple[float, float]]:
     """Numbers around the constants that each signal is compared with."""
-    machine = course.asked.machine
+    machine = trace.asked.machine
     limits: dict[int, list[float]] = {}
-    for truth in course.times.truths:
-        if course.asked.elements.truths[truth] is not None:
+    for proposition in trace.times.propositions:
+        if trace.asked.elements.propositions[proposition] is not None:
             continue
-        compared = ir.compared_signals(machine.truths[truth].node)
+        compared = ir.compared_signals(machine.propositions[proposition].node)
         nodes = [machine.signals[signal].node for signal in compared]
         values = [node.value for node in nodes if isinstance(node, ir.Constant)]
         for signal, node in zip(compared, nodes, strict=True):
@@ -83,19 +85,19 @@ def _near(course: Course) -> dict[int, tuple[float, float]]:
     }
 
 
-def _lengths(course: Course) -> set[int]:
+def _lengths(trace: Trace) -> set[int]:
     """The functions asked for that are easy in some cases: lengths and distances."""
-    machine = course.asked.machine
+    machine = trace.asked.machine
     waiting = [
         signal
-        for truth in course.times.truths
-        for signal in ir.compared_signals(machine.truths[truth].node)
+        for proposition in trace.times.propositions
+        for signal in ir.compared_signals(machine.propositions[proposition].node)
     ]
     found: set[int] = set()
     while waiting:
         index = waiting.pop()
         node = machine.signals[index].node
-        if course.asked.elements.signals[index] is None:
+        if trace.asked.elements.signals[index] is None:
             waiting += ir.signal_operands(node)
             if isinstance(node, ir.Apply) and row(node.function).easy is not None:
                 found.add(index)

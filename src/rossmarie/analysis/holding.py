@@ -136,7 +136,7 @@ def _published(machine: Machine, task: int, effect: Publish) -> Iterator[Kept]:
 def _is_read(inquiry: Inquiry, rule: int, kept: Kept) -> bool:
     """Tell whether what clears a rule rests on a field."""
     machine = inquiry.machine
-    supports = [inquiry.asked.supports.truths[root] for root in machine.rules[rule].roots]
+    supports = [inquiry.asked.supports.propositions[root] for root in machine.rules[rule].roots]
     return any(
         slot in support.slots | support.beside
         for support in supports
@@ -166,18 +166,20 @@ def _is_on(machine: Machine, source: Slot | Array, kept: Kept) -> bool:
     return topic == machine.reactions.commands[kept.command].topic
 
 
-# --- claims ----------------------------------------------------------------------------------
+# --- predicates ----------------------------------------------------------------------------------
 
 
 def is_ended(state: ArbitraryState, rule: int) -> z3.BoolRef:
     """Tell whether an active rule is cleared by the evaluation, or by a reset right after it."""
-    return z3.And(state.truth(state.machine.rules[rule].condition).false, _is_free(state, rule))
+    return z3.And(
+        state.proposition(state.machine.rules[rule].condition).false, _is_free(state, rule)
+    )
 
 
 def _is_free(state: ArbitraryState, rule: int) -> z3.BoolRef:
     """Tell whether nothing but its condition keeps a rule active."""
     release = state.machine.rules[rule].release
-    return YES if release is None else state.truth(release).true
+    return YES if release is None else state.proposition(release).true
 
 
 def is_within(state: ArbitraryState, kept: Sequence[Kept]) -> z3.BoolRef:
@@ -209,16 +211,16 @@ def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | N
     or have a true condition.
     """
 
-    def never(claim: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
+    def never(predicate: Callable[[ArbitraryState], z3.BoolRef]) -> bool:
         return inquiry.is_impossible(
-            lambda state: z3.And(claim(state), is_within(state, kept)), settled=True
+            lambda state: z3.And(predicate(state), is_within(state, kept)), settled=True
         )
 
     machine = inquiry.machine
     declared = machine.rules[rule]
     places = _places(machine, rule, kept)
     does = _does(machine, kept)
-    if never(lambda state: state.truth(declared.condition).false):
+    if never(lambda state: state.proposition(declared.condition).false):
         asked = _asked(machine, kept)
         holds = LimitHoldsCondition(rule=declared.name, does=does, asked=asked)
         return holds.at(declared.head, *places)
@@ -226,18 +228,18 @@ def _judged(inquiry: Inquiry, rule: int, kept: Sequence[Kept]) -> Diagnostic | N
     if release is None:
         return None
     if not never(partial(is_ended, rule=rule)):
-        if not never(lambda state: state.truth(declared.condition).true):
+        if not never(lambda state: state.proposition(declared.condition).true):
             return None
         ends = LimitEndsCondition(rule=declared.name, does=does, asked=_asked(machine, kept))
         return ends.at(declared.head, *places)
-    is_never = never(lambda state: state.truth(release).true)
+    is_never = never(lambda state: state.proposition(release).true)
     stuck = LimitHoldsRelease(
         rule=declared.name,
         does=does,
-        release=machine.truths[release].text,
+        release=machine.propositions[release].text,
         when="never true" if is_never else "not true while the condition is false",
     )
-    place = stuck.Release().at(machine.truths[release].span)
+    place = stuck.Release().at(machine.propositions[release].span)
     return stuck.at(declared.head, place, *places)
 
 

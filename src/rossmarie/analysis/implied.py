@@ -14,7 +14,7 @@ import z3
 from rossmarie.analysis.activity import (
     becomes_active,
     is_cleared,
-    truths_of,
+    propositions_of,
 )
 from rossmarie.analysis.errors import NeverItsTurn, RuleImplied, WheneverNot
 from rossmarie.analysis.finding import Finding, witness_note
@@ -23,7 +23,7 @@ from rossmarie.analysis.state import ArbitraryState
 from rossmarie.ir import Machine
 
 _AT_ONCE = 4
-"""Candidates that one question is about."""
+"""Candidates that one query is about."""
 
 
 def find_implied(inquiry: Inquiry) -> Iterator[Finding]:
@@ -40,7 +40,7 @@ def find_implied(inquiry: Inquiry) -> Iterator[Finding]:
         for start in range(0, len(candidates), _AT_ONCE):
             needed = _needed(inquiry, rule, candidates[start : start + _AT_ONCE])
             if needed is not None:
-                yield from _told(inquiry, rule, needed)
+                yield from _reported(inquiry, rule, needed)
                 break
 
 
@@ -108,7 +108,7 @@ def _shared(machine: Machine, rule: int, other: int) -> str | None:
     return None
 
 
-def _told(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
+def _reported(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
     machine = inquiry.machine
     one, two = machine.rules[rule], machine.rules[other]
     is_same = _has_same_actions(machine, rule, other)
@@ -116,8 +116,8 @@ def _told(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
         return  # told of the later one
     pair = inquiry.about(rule, other)
     witness = pair.witness(both_active(pair.machine))
-    truths = truths_of(pair.machine, (0, 1))
-    notes = () if witness is None else (witness_note(pair.machine, witness, truths),)
+    propositions = propositions_of(pair.machine, (0, 1))
+    notes = () if witness is None else (witness_note(pair.machine, witness, propositions),)
     place = WheneverNot(active=two.name, rule=one.name).at(two.head)
     resource = _shared(machine, rule, other)
     if is_same:

@@ -1,4 +1,4 @@
-"""Questions and their answers: proved impossible, shown by a witness, or undecided."""
+"""Queries and their answers: proved impossible, shown by a witness, or undecided."""
 
 from __future__ import annotations
 
@@ -9,8 +9,7 @@ from functools import partial
 
 import z3
 
-from rossmarie.analysis.activity import seen_together, together, truths_of
-from rossmarie.analysis.course import Course
+from rossmarie.analysis.activity import propositions_of, seen_together, together
 from rossmarie.analysis.draft import drafted
 from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.hints import hints
@@ -18,30 +17,31 @@ from rossmarie.analysis.part import part_below, part_of
 from rossmarie.analysis.shrink import Replays, shortened
 from rossmarie.analysis.solver import Outcome, ask
 from rossmarie.analysis.state import ArbitraryState
-from rossmarie.analysis.witness import Claim, Witness
+from rossmarie.analysis.trace import Trace
+from rossmarie.analysis.witness import Predicate, Witness
 from rossmarie.ir import Machine, TruthValue
 
 _MOST_AWAITED = 16
-"""Conditions of `for` in one question that are compared with each other."""
+"""Conditions of `for` in one query that are compared with each other."""
 
-StateClaim = Callable[[ArbitraryState], z3.BoolRef]
-CourseClaim = Callable[[Course], z3.BoolRef]
+StatePredicate = Callable[[ArbitraryState], z3.BoolRef]
+TracePredicate = Callable[[Trace], z3.BoolRef]
 
 
 class OutOfTimeError(Exception):
-    """The questions of a run took longer than they may."""
+    """The queries of a run took longer than they may."""
 
 
 @dataclass(frozen=True)
 class Asked:
-    """A question: the claim as terms over one state, and over a course, and as the interpreter sees
-    it. `truths` are those that it rests on, by index.
+    """A query: the predicate as terms over one state, and over a trace, and as the interpreter sees
+    it. `propositions` are those that it rests on, by index.
     """
 
-    truths: tuple[int, ...]
-    in_state: StateClaim
-    in_course: CourseClaim
-    in_view: Claim
+    propositions: tuple[int, ...]
+    in_state: StatePredicate
+    in_trace: TracePredicate
+    in_view: Predicate
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Result:
 @dataclass
 class Inquiry:
     """Asks about one machine. After `deadline_s`, on the clock of `time.process_time`, every
-    further question raises `OutOfTimeError`; None: no question does.
+    further query raises `OutOfTimeError`; None: no query does.
     """
 
     machine: Machine
@@ -69,39 +69,39 @@ class Inquiry:
         """An inquiry about these rules only, which are its first, second and so on."""
         return Inquiry(part_of(self.machine, rules), self.deadline_s)
 
-    def below(self, truth: int) -> Inquiry:
-        """An inquiry about a truth, which is the last of its machine."""
-        return Inquiry(part_below(self.machine, truth), self.deadline_s)
+    def below(self, proposition: int) -> Inquiry:
+        """An inquiry about a proposition, which is the last of its machine."""
+        return Inquiry(part_below(self.machine, proposition), self.deadline_s)
 
-    def decide(self, question: Asked) -> Result:
+    def decide(self, query: Asked) -> Result:
         """All that can be found out, by what costs least."""
         self.check_time()
         state = ArbitraryState(self.asked)
-        term = question.in_state(state)
+        term = query.in_state(state)
         if ask(state.facts, term).outcome is Outcome.IMPOSSIBLE:
             return Result(Outcome.IMPOSSIBLE)
-        witness = self.witness(question, _ATTEMPTS[:1])
+        witness = self.witness(query, _ATTEMPTS[:1])
         if witness is None and self._is_refuted(state, term):
             return Result(Outcome.IMPOSSIBLE)
-        witness = witness or self.witness(question, _ATTEMPTS[1:])
+        witness = witness or self.witness(query, _ATTEMPTS[1:])
         return Result(Outcome.UNDECIDED if witness is None else Outcome.POSSIBLE, witness)
 
     # --- proofs ------------------------------------------------------------------------------
 
-    def is_impossible(self, claim: StateClaim, *, settled: bool = False) -> bool:
-        """Say whether a claim is proved to hold in no state that any trace leads to."""
+    def is_impossible(self, predicate: StatePredicate, *, settled: bool = False) -> bool:
+        """Say whether a predicate is proved to hold in no state that any trace leads to."""
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
-        term = claim(state)
+        term = predicate(state)
         return self._is_refuted(state, term)
 
-    def is_possible(self, claim: StateClaim, *, settled: bool = False) -> bool:
-        """Say whether the solver finds a state in which a claim holds that rests on no `for`; no
-        trace need lead there.
+    def is_possible(self, predicate: StatePredicate, *, settled: bool = False) -> bool:
+        """Say whether the solver finds a state in which a predicate holds that rests on no `for`;
+        no trace need lead there.
         """
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
-        term = claim(state)
+        term = predicate(state)
         return not state.awaited and ask(state.facts, term).outcome is Outcome.POSSIBLE
 
     def _is_refuted(self, state: ArbitraryState, term: z3.BoolRef) -> bool:
@@ -112,72 +112,76 @@ class Inquiry:
         return outcome is Outcome.IMPOSSIBLE
 
     def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
-        """The truths that are true only while another is, and have not been true for longer."""
+        """The propositions that are true only while another is, and have not been true for
+        longer.
+        """
         for one in state.awaited:
             for other in state.awaited:
                 if not self._may_need(one, other) or not self._needs(one, other, TruthValue.TRUE):
                     continue
                 yield state.is_longer(one, other)
-                for value in (TruthValue.UNKNOWN, TruthValue.LOST):
+                for value in (TruthValue.UNKNOWN, TruthValue.STALE):
                     if self._needs(one, other, value):
                         yield state.is_unknown_with(one, other, value)
 
     def _may_need(self, one: int, other: int) -> bool:
         """Say whether it is worth asking: what rests on other messages is rarely needed."""
-        supports = self.asked.supports.truths
+        supports = self.asked.supports.propositions
         return one != other and not supports[one].channels.isdisjoint(supports[other].channels)
 
     def _needs(self, one: int, other: int, value: TruthValue) -> bool:
-        """Say whether it is proved that one truth has a value only while another one has it."""
+        """Say whether it is proved that one proposition has a value only while another one has
+        it.
+        """
         if (one, other, value) not in self._orders:
             state = ArbitraryState(self.asked)
-            theirs = z3.Not(state.truth(other).is_value(value))
-            without = z3.And(state.truth(one).is_value(value), theirs)
-            proved = self._is_refuted(state, without)  # about truths that lie deeper
+            theirs = z3.Not(state.proposition(other).is_value(value))
+            without = z3.And(state.proposition(one).is_value(value), theirs)
+            proved = self._is_refuted(state, without)  # about propositions that lie deeper
             self._orders[one, other, value] = proved
         return self._orders[one, other, value]
 
     # --- witnesses ---------------------------------------------------------------------------
 
     def witness(
-        self, question: Asked, attempts: Sequence[tuple[int, bool]] | None = None
+        self, query: Asked, attempts: Sequence[tuple[int, bool]] | None = None
     ) -> Witness | None:
         """A witness that the interpreter bears out: one in which all sensors work, if there is."""
         for legs, is_calm in _ATTEMPTS if attempts is None else attempts:
             self.check_time()
-            course = Course(self.asked, question.truths, legs)
-            witness = self._borne_out(course, question, is_calm)
+            trace = Trace(self.asked, query.propositions, legs)
+            witness = self._borne_out(trace, query, is_calm)
             if witness is not None:
                 return witness
         return None
 
-    def _borne_out(self, course: Course, question: Asked, is_calm: bool) -> Witness | None:
-        """A witness on a course, the easiest to read that is found."""
-        claim = question.in_course(course)
-        wishes: Sequence[z3.BoolRef] = course.calm if is_calm else ()
-        for preferred in hints(course):
-            answer = ask(course.facts, claim, *wishes, *preferred)
+    def _borne_out(self, trace: Trace, query: Asked, is_calm: bool) -> Witness | None:
+        """A witness on a trace, the easiest to read that is found."""
+        predicate = query.in_trace(trace)
+        wishes: Sequence[z3.BoolRef] = trace.calm if is_calm else ()
+        for preferred in hints(trace):
+            answer = ask(trace.facts, predicate, *wishes, *preferred)
             if answer.model is None:
                 continue
-            draft = drafted(course, answer.model, is_calm=is_calm)
-            replays = Replays(self.machine, question.in_view, question.truths)
+            draft = drafted(trace, answer.model, is_calm=is_calm)
+            replays = Replays(self.machine, query.in_view, query.propositions)
             witness = shortened(self.machine, draft, replays)
             if witness is not None:
                 return witness
         return None
 
     def quick_witness(
-        self, truths: tuple[int, ...], legs: int, in_course: CourseClaim, in_view: Claim
+        self, propositions: tuple[int, ...], legs: int, in_trace: TracePredicate, in_view: Predicate
     ) -> Witness | None:
         """A witness of single messages, one after the other, while all sensors work."""
         self.check_time()
-        course = Course(self.asked, truths, legs, is_brief=True)
-        claim = in_course(course)
-        for preferred in hints(course):
-            answer = ask(course.facts, claim, *course.calm, *preferred)
+        trace = Trace(self.asked, propositions, legs, is_brief=True)
+        predicate = in_trace(trace)
+        for preferred in hints(trace):
+            answer = ask(trace.facts, predicate, *trace.calm, *preferred)
             if answer.model is not None:
-                draft = drafted(course, answer.model, is_calm=True)
-                replays = Replays(self.machine, in_view, truths)
+                draft = drafted(trace, answer.model, is_calm=True)
+                replays = Replays(self.machine, in_view, propositions)
                 return shortened(self.machine, draft, replays)
         return None
 
@@ -188,35 +192,35 @@ class Inquiry:
 
 
 _ATTEMPTS = ((1, True), (2, True), (1, False), (2, False), (3, True), (3, False))
-"""The legs of each attempt, and whether all sensors work in it: the simplest first. A claim that
-needs more changes than three legs allow stays undecided.
+"""The legs of each attempt, and whether all sensors work in it: the simplest first. A predicate
+that needs more changes than three legs allow stays undecided.
 """
 
 
 def both_active(machine: Machine) -> Asked:
     """Ask whether the first two rules of a machine can be active at the same time."""
     return Asked(
-        truths_of(machine, (0, 1)),
+        propositions_of(machine, (0, 1)),
         partial(together, one=0, other=1),
         partial(seen_together, one=0, other=1),
         lambda seen: seen[-1].active[0] and seen[-1].active[1],
     )
 
 
-def has_value(truth: int, value: TruthValue) -> Asked:
-    """Ask whether a truth can have a value."""
+def has_value(proposition: int, value: TruthValue) -> Asked:
+    """Ask whether a proposition can have a value."""
     return Asked(
-        (truth,),
-        partial(is_value, truth=truth, value=value),
-        partial(_comes_to, truth=truth, value=value),
-        lambda seen: seen[-1].truths[truth] is value,
+        (proposition,),
+        partial(is_value, proposition=proposition, value=value),
+        partial(_comes_to, proposition=proposition, value=value),
+        lambda seen: seen[-1].truth_values[proposition] is value,
     )
 
 
-def is_value(state: ArbitraryState, truth: int, value: TruthValue) -> z3.BoolRef:
-    """Say whether a truth has a value in a state."""
-    return state.truth(truth).is_value(value)
+def is_value(state: ArbitraryState, proposition: int, value: TruthValue) -> z3.BoolRef:
+    """Say whether a proposition has a value in a state."""
+    return state.proposition(proposition).is_value(value)
 
 
-def _comes_to(course: Course, truth: int, value: TruthValue) -> z3.BoolRef:
-    return z3.Or([moment.truth(truth).is_value(value) for moment in course.moments])
+def _comes_to(trace: Trace, proposition: int, value: TruthValue) -> z3.BoolRef:
+    return z3.Or([moment.proposition(proposition).is_value(value) for moment in trace.moments])

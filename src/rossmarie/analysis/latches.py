@@ -9,14 +9,14 @@ from functools import partial
 import z3
 
 from dslkit.diagnostics import Remark
-from rossmarie.analysis.activity import becomes_active, may_be_active, truths_of
+from rossmarie.analysis.activity import becomes_active, may_be_active, propositions_of
 from rossmarie.analysis.conflict import ordered_pairs
-from rossmarie.analysis.course import Course
 from rossmarie.analysis.errors import LatchReleased, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Asked, Inquiry, Result
 from rossmarie.analysis.solver import Outcome
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import Machine, TruthValue
 from rossmarie.ir.reactions import Reset, timeout_ns
@@ -72,12 +72,12 @@ def _is_at_once(machine: Machine, rule: int, task: int) -> bool:
     return False
 
 
-# --- the claim -------------------------------------------------------------------------------
+# --- the predicate -------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
 class Release:
-    """Claim that a reset comes while the latched rule is active and its condition false (S38).
+    """Predicate: a reset comes while the latched rule is active and its condition false (S38).
     `is_at_once` says whether it comes at the instant at which its rule is engaged, or at any later
     one.
     """
@@ -87,9 +87,9 @@ class Release:
 
     @property
     def asked(self) -> Asked:
-        """The claim as it is asked."""
-        truths = truths_of(self.part, tuple(range(len(self.part.rules))))
-        return Asked(truths, self.in_state, self._in_course, self.in_view)
+        """The predicate as it is asked."""
+        propositions = propositions_of(self.part, tuple(range(len(self.part.rules))))
+        return Asked(propositions, self.in_state, self._in_trace, self.in_view)
 
     @property
     def _condition(self) -> int:
@@ -104,21 +104,21 @@ class Release:
         is_start = self.is_at_once and not self._unless
         engaged = (becomes_active if is_start else may_be_active)(state, RESETTING)
         in_the_way = [becomes_active(state, other) for other in self._unless]
-        return z3.And(engaged, z3.Not(z3.Or(in_the_way)), state.truth(self._condition).false)
+        return z3.And(engaged, z3.Not(z3.Or(in_the_way)), state.proposition(self._condition).false)
 
-    def _in_course(self, course: Course) -> z3.BoolRef:
-        return z3.Or([self._at(course, moment) for moment in range(1, len(course.moments))])
+    def _in_trace(self, trace: Trace) -> z3.BoolRef:
+        return z3.Or([self._at(trace, moment) for moment in range(1, len(trace.moments))])
 
-    def _at(self, course: Course, moment: int) -> z3.BoolRef:
-        engaged = partial(_is_engaged, course, self._unless)
+    def _at(self, trace: Trace, moment: int) -> z3.BoolRef:
+        engaged = partial(_is_engaged, trace, self._unless)
         before = engaged(moment - 1) if self.is_at_once else z3.BoolVal(False)
-        is_over = course.moments[moment].truth(self._condition).false
-        return z3.And(engaged(moment), z3.Not(before), course.is_active(LATCHED, moment), is_over)
+        is_over = trace.moments[moment].proposition(self._condition).false
+        return z3.And(engaged(moment), z3.Not(before), trace.is_active(LATCHED, moment), is_over)
 
     def in_view(self, seen: Sequence[View]) -> bool:
         """Tell whether the last of some evaluations is so."""
         now = seen[-1]
-        is_over = now.active[LATCHED] and now.truths[self._condition] is TruthValue.FALSE
+        is_over = now.active[LATCHED] and now.truth_values[self._condition] is TruthValue.FALSE
         if not is_over or not self._is_seen_engaged(now):
             return False
         return not self.is_at_once or (len(seen) > 1 and not self._is_seen_engaged(seen[-2]))
@@ -127,10 +127,10 @@ class Release:
         return view.active[RESETTING] and not any(view.active[other] for other in self._unless)
 
 
-def _is_engaged(course: Course, unless: Sequence[int], moment: int) -> z3.BoolRef:
+def _is_engaged(trace: Trace, unless: Sequence[int], moment: int) -> z3.BoolRef:
     """R1."""
-    in_the_way = [course.is_active(other, moment) for other in unless]
-    return z3.And(course.is_active(RESETTING, moment), z3.Not(z3.Or(in_the_way)))
+    in_the_way = [trace.is_active(other, moment) for other in unless]
+    return z3.And(trace.is_active(RESETTING, moment), z3.Not(z3.Or(in_the_way)))
 
 
 # --- words -----------------------------------------------------------------------------------
@@ -163,6 +163,6 @@ def _advice(machine: Machine, rule: int, latched: int) -> Remark:
 
 def _open(machine: Machine, rule: int, latched: int) -> Finding:
     one, two = machine.rules[rule], machine.rules[latched]
-    question = f"can rule `{one.name}` reset the latched rule `{two.name}`?"
-    reason = "no short course of events does so, and no proof excludes it"
-    return Finding(Undecided(question=question, reason=reason).at(one.head))
+    query = f"can rule `{one.name}` reset the latched rule `{two.name}`?"
+    reason = "no short trace of events does so, and no proof excludes it"
+    return Finding(Undecided(query=query, reason=reason).at(one.head))

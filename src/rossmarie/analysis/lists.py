@@ -1,7 +1,7 @@
 """Results over lists of messages, as terms of the solver: elements are not looked into.
 
 Where everything that can be has to be covered (`rounded`), a result is anything that the list may
-give. In a proposed course of events every list that arrives has no elements, and results are those
+give. In a proposed trace of events every list that arrives has no elements, and results are those
 of S53; whether they are borne out, the interpreter says.
 """
 
@@ -25,7 +25,7 @@ class Encoding(Protocol):
     def is_fresh(self, used: int) -> z3.BoolRef:
         """Say whether an input is there and has not expired."""
 
-    def is_lost(self, index: int, node: ir.TruthNode) -> z3.BoolRef:
+    def is_stale(self, index: int, node: ir.PropositionNode) -> z3.BoolRef:
         """Say whether an unknown leaf lacks an input with a timeout."""
 
 
@@ -67,5 +67,5 @@ def quantified(encoding: Encoding, its_list: int, index: int, node: ir.Quantifie
     else:
         known, is_so = fresh, z3.BoolVal(node.quantifier is ir.Quantifier.ALL)
     known = z3.And(fresh, known)
-    lost = z3.And(z3.Not(known), encoding.is_lost(index, node))
-    return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), lost)
+    stale = z3.And(z3.Not(known), encoding.is_stale(index, node))
+    return Fact(z3.And(known, is_so), z3.And(known, z3.Not(is_so)), stale)

@@ -19,7 +19,7 @@ class Effect(enum.Enum):
 class Loss:
     """The effects of the loss of an input, by rule; rules that it does not affect are left out.
 
-    `after_ns` is the age at which all of it has happened, None if the input is never lost.
+    `after_ns` is the age at which all of it has happened, None if the input is never stale.
     """
 
     input: int

@@ -18,14 +18,14 @@ def part_of(machine: ir.Machine, rules: Sequence[int]) -> ir.Machine:
     return _cut(machine, [root for rule in chosen for root in rule.roots], chosen)
 
 
-def part_below(machine: ir.Machine, truth: int) -> ir.Machine:
-    """A machine without rules, with what a truth rests on, which is its last."""
-    return _cut(machine, (truth,), ())
+def part_below(machine: ir.Machine, proposition: int) -> ir.Machine:
+    """A machine without rules, with what a proposition rests on, which is its last."""
+    return _cut(machine, (proposition,), ())
 
 
 def _cut(machine: ir.Machine, roots: Sequence[int], chosen: Sequence[ir.Rule]) -> ir.Machine:
-    truths, signals = _below(machine, roots)
-    places = {truth: place for place, truth in enumerate(sorted(truths))}
+    propositions, signals = _below(machine, roots)
+    places = {proposition: place for place, proposition in enumerate(sorted(propositions))}
     numbers = {signal: place for place, signal in enumerate(sorted(signals))}
     return dataclasses.replace(
         machine,
@@ -36,10 +36,10 @@ def _cut(machine: ir.Machine, roots: Sequence[int], chosen: Sequence[ir.Rule]) -
             )
             for index in numbers
         ),
-        truths=tuple(
+        propositions=tuple(
             dataclasses.replace(
-                machine.truths[index],
-                node=moved_truth(machine.truths[index].node, numbers, places),
+                machine.propositions[index],
+                node=moved_proposition(machine.propositions[index].node, numbers, places),
             )
             for index in places
         ),
@@ -51,17 +51,17 @@ def _cut(machine: ir.Machine, roots: Sequence[int], chosen: Sequence[ir.Rule]) -
 
 
 def _below(machine: ir.Machine, roots: Sequence[int]) -> tuple[set[int], set[int]]:
-    """The truths and signals that some truths rest on, elementwise ones included."""
-    truths: set[int] = set()
+    """The propositions and signals that some propositions rest on, elementwise ones included."""
+    propositions: set[int] = set()
     signals: set[int] = set()
     waiting, numbers = list(roots), list[int]()
     while waiting or numbers:
         if waiting:
-            truth = waiting.pop()
-            if truth not in truths:
-                truths.add(truth)
-                node = machine.truths[truth].node
-                waiting += ir.truth_operands(node)
+            proposition = waiting.pop()
+            if proposition not in propositions:
+                propositions.add(proposition)
+                node = machine.propositions[proposition].node
+                waiting += ir.proposition_operands(node)
                 numbers += ir.compared_signals(node)
             continue
         signal = numbers.pop()
@@ -70,7 +70,7 @@ def _below(machine: ir.Machine, roots: Sequence[int]) -> tuple[set[int], set[int
             found = machine.signals[signal].node
             numbers += ir.signal_operands(found)
             waiting += (found.element,) if isinstance(found, ir.Count) else ()
-    return truths, signals
+    return propositions, signals
 
 
 def _moved_rule(rule: ir.Rule, numbers: Mapping[int, int], places: Mapping[int, int]) -> ir.Rule:
@@ -99,10 +99,10 @@ def _moved_signal(
             return node
 
 
-def moved_truth(
-    node: ir.TruthNode, numbers: Mapping[int, int], places: Mapping[int, int]
-) -> ir.TruthNode:
-    """A truth that looks at signals by other numbers, and at truths in other places."""
+def moved_proposition(
+    node: ir.PropositionNode, numbers: Mapping[int, int], places: Mapping[int, int]
+) -> ir.PropositionNode:
+    """A proposition that looks at signals by other numbers, and at propositions in other places."""
     match node:
         case ir.Compare(left=left, right=right):
             return dataclasses.replace(node, left=numbers[left], right=numbers[right])

@@ -35,15 +35,15 @@ class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
         time: str
 
     class Forgotten(Remark):
-        says = "`{input}` is lost {timeout} after each, and the value before it is forgotten"
+        says = "`{input}` is stale {timeout} after each, and the value before it is forgotten"
         input: str
         timeout: str
 
 
-class LostBetweenMessages(Warning, code="ROSS714", name="lost-between-messages"):
+class StaleBetweenMessages(Warning, code="ROSS714", name="stale-between-messages"):
     """An input whose timeout is shorter than the time from message to message."""
 
-    title = "`{input}` is lost although messages come: {timeout} after one, the next is not due"
+    title = "`{input}` is stale although messages come: {timeout} after one, the next is not due"
     label = "messages on {topic} come {apart}"
     help = "write a timeout longer than {longest}, or mend the rate in the system model"
     input: str
@@ -99,7 +99,7 @@ class UnfitWindow(Warning, code="ROSS719", name="unfit-window"):
 
 ALL: tuple[type[Template], ...] = (
     NeverAtRate,
-    LostBetweenMessages,
+    StaleBetweenMessages,
     OneMessageEnough,
     UnfitWindow,
 )

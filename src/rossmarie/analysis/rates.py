@@ -1,6 +1,6 @@
 """Durations that do not fit the rates at which a system model says that messages come.
 
-No other question relies on these rates: a monitor is there for when they are not kept.
+No other query relies on these rates: a monitor is there for when they are not kept.
 """
 
 from __future__ import annotations
@@ -11,17 +11,17 @@ from functools import partial
 import z3
 
 from dslkit.diagnostics import Remark
-from rossmarie.analysis.activity import truths_of
-from rossmarie.analysis.course import Course
+from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.rate_errors import (
-    LostBetweenMessages,
     NeverAtRate,
     OneMessageEnough,
+    StaleBetweenMessages,
     UnfitWindow,
 )
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import Sending, View, Witness, views
 from rossmarie.core import MOST_SAMPLES, sampling_row
 from rossmarie.core import View as Found
@@ -44,30 +44,34 @@ from rossmarie.ir import (
     Since,
     TruthValue,
     compared_signals,
-    reachable_truths,
+    reachable_propositions,
+    reported_propositions,
     signal_operands,
-    told_truths,
 )
 from rossmarie.ir.duration_text import duration_text
 
 
 def find_unfit_durations(inquiry: Inquiry) -> Iterator[Finding]:
-    """A warning of each input that is lost although its messages come as they should, of each part
+    """A warning of each input that is stale although its messages come as they should, of each part
     of a condition that is never true then, and of each `for` that one message fulfils.
     """
     machine = inquiry.machine
     if all(channel.gaps_ns is None for channel in machine.channels):
         return
-    roots = {root for rule in range(len(machine.rules)) for root in truths_of(machine, (rule,))}
-    used = sorted({truth for root in roots for truth in told_truths(machine, root)})
-    rests_on = inquiry.asked.supports.truths
+    roots = {
+        root for rule in range(len(machine.rules)) for root in propositions_of(machine, (rule,))
+    }
+    used = sorted(
+        {proposition for root in roots for proposition in reported_propositions(machine, root)}
+    )
+    rests_on = inquiry.asked.supports.propositions
     in_rules = {each for root in roots for each in rests_on[root].inputs}
     for index in sorted(in_rules):
-        yield from _lost_between(inquiry, index)
+        yield from _stale_between(inquiry, index)
     for signal in sorted({each for root in roots for each in rests_on[root].samples}):
         yield from _unfit_window(inquiry, signal)
-    for truth in used:
-        yield from never_at_rate(inquiry, truth) or _one_message(inquiry, truth)
+    for proposition in used:
+        yield from never_at_rate(inquiry, proposition) or _one_message(inquiry, proposition)
 
 
 def _gaps(machine: Machine, channel: int) -> tuple[int, int]:
@@ -80,16 +84,16 @@ def _apart(gaps: tuple[int, int]) -> str:
     return f"{least} apart" if least == greatest else f"{least} to {greatest} apart"
 
 
-# --- inputs that are lost between two messages -----------------------------------------------
+# --- inputs that are stale between two messages -----------------------------------------------
 
 
-def _lost_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
+def _stale_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
     machine = inquiry.machine
     declared = machine.inputs[index]
     gaps = _gaps(machine, declared.channel)
     if declared.timeout_ns is None or declared.timeout_ns >= gaps[1]:
         return
-    finding = LostBetweenMessages(
+    finding = StaleBetweenMessages(
         input=declared.name,
         topic=machine.channels[declared.channel].topic,
         apart=_apart(gaps),
@@ -109,14 +113,14 @@ def _lost_between(inquiry: Inquiry, index: int) -> Iterator[Finding]:
 
 
 def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness | None:
-    """A rule becomes active because an input is lost, and then its next message comes."""
+    """A rule becomes active because an input is stale, and then its next message comes."""
     condition = inquiry.machine.rules[rule].condition
     witness = inquiry.witness(
         Asked(
-            truths_of(inquiry.machine, (rule,)),
-            lambda state: state.truth(condition).lost,
+            propositions_of(inquiry.machine, (rule,)),
+            lambda state: state.proposition(condition).stale,
             partial(_comes_to_loss, declared=declared, rule=rule, gap_ns=gap_ns),
-            partial(_is_seen_lost, rule=rule),
+            partial(_is_seen_stale, rule=rule),
         )
     )
     if witness is None:
@@ -129,15 +133,15 @@ def _loss(inquiry: Inquiry, declared: Input, rule: int, gap_ns: int) -> Witness 
     return Witness((*witness.events, Sending(next_ns, messages)), next_ns, is_calm=True)
 
 
-def _comes_to_loss(course: Course, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
+def _comes_to_loss(trace: Trace, declared: Input, rule: int, gap_ns: int) -> z3.BoolRef:
     found = []
-    for number, moment in enumerate(course.moments):
+    for number, moment in enumerate(trace.moments):
         age = moment.age(declared.channel)
         found.append(
             z3.And(
-                course.is_active(rule, number),
-                z3.Not(course.is_active(rule, number - 1)),
-                moment.truth(course.asked.machine.rules[rule].condition).lost,
+                trace.is_active(rule, number),
+                z3.Not(trace.is_active(rule, number - 1)),
+                moment.proposition(trace.asked.machine.rules[rule].condition).stale,
                 moment.has_arrived(declared.channel),
                 age >= (declared.timeout_ns or 0),
                 age < gap_ns,
@@ -146,10 +150,10 @@ def _comes_to_loss(course: Course, declared: Input, rule: int, gap_ns: int) -> z
     return z3.Or(found)
 
 
-def _is_seen_lost(seen: Sequence[View], rule: int) -> bool:
+def _is_seen_stale(seen: Sequence[View], rule: int) -> bool:
     was_active = len(seen) < 2 or seen[-2].active[rule]
-    condition = seen[-1].truths.values()
-    return seen[-1].active[rule] and not was_active and TruthValue.LOST in condition
+    condition = seen[-1].truth_values.values()
+    return seen[-1].active[rule] and not was_active and TruthValue.STALE in condition
 
 
 # --- windows of samples ----------------------------------------------------------------------
@@ -182,16 +186,16 @@ def _unfit_window(inquiry: Inquiry, index: int) -> Iterator[Finding]:
 # --- parts that are never true ---------------------------------------------------------------
 
 
-def never_at_rate(inquiry: Inquiry, truth: int) -> list[Finding]:
+def never_at_rate(inquiry: Inquiry, proposition: int) -> list[Finding]:
     """A finding if a part cannot be true while messages come as they should."""
     machine = inquiry.machine
-    for channel in sorted(inquiry.asked.supports.truths[truth].channels):
+    for channel in sorted(inquiry.asked.supports.propositions[proposition].channels):
         gaps = _gaps(machine, channel)
-        reason = _reason(inquiry, truth, channel, gaps[0])
+        reason = _reason(inquiry, proposition, channel, gaps[0])
         if reason is not None:
-            part = machine.truths[truth]
+            part = machine.propositions[proposition]
             topic = machine.channels[channel].topic
-            held = [rule.name for rule in machine.rules if rule.release == truth]
+            held = [rule.name for rule in machine.rules if rule.release == proposition]
             finding = NeverAtRate(condition=part.text, topic=topic)
             notes = (
                 finding.Rate(topic=topic, apart=_apart(gaps), reason=reason),
@@ -201,14 +205,14 @@ def never_at_rate(inquiry: Inquiry, truth: int) -> list[Finding]:
     return []
 
 
-def _reason(inquiry: Inquiry, truth: int, channel: int, gap_ns: int) -> Remark | None:
+def _reason(inquiry: Inquiry, proposition: int, channel: int, gap_ns: int) -> Remark | None:
     """Why a part is never true if messages on a channel are that far apart; None if it may be."""
     machine = inquiry.machine
-    match machine.truths[truth].node:
+    match machine.propositions[proposition].node:
         case Held(operand=operand, duration_ns=duration_ns):
             over_ns = _over_after(inquiry, operand, channel, min(gap_ns, duration_ns + 1))
             if over_ns is not None:
-                text, over = machine.truths[operand].text, duration_text(over_ns)
+                text, over = machine.propositions[operand].text, duration_text(over_ns)
                 return NeverAtRate.Over(age=over, condition=text)
         case Oscillates(count=count, window_ns=window_ns) as node:
             if inquiry.asked.supports.signals[node.signal].channels != {channel}:
@@ -233,24 +237,26 @@ def _over_after(inquiry: Inquiry, operand: int, channel: int, below_ns: int) -> 
     None if there is none. Only timeouts and ages in the rules can make it so.
     """
     machine = inquiry.machine
-    support = inquiry.asked.supports.truths[operand]
+    support = inquiry.asked.supports.propositions[operand]
     inputs = {used for used in support.inputs if machine.inputs[used].channel == channel}
     ages = {machine.inputs[used].timeout_ns for used in inputs} - {None}
-    for below in reachable_truths(machine, operand):
-        node = machine.truths[below].node
+    for below in reachable_propositions(machine, operand):
+        node = machine.propositions[below].node
         if isinstance(node, AgeReaches) and node.input in inputs:
             ages.add(node.age_ns)
     for age_ns in sorted(age for age in ages if age is not None):
         if age_ns < below_ns and inquiry.is_impossible(
-            partial(_is_true_at_age, truth=operand, channel=channel, age_ns=age_ns)
+            partial(_is_true_at_age, proposition=operand, channel=channel, age_ns=age_ns)
         ):
             return age_ns
     return None
 
 
-def _is_true_at_age(state: ArbitraryState, truth: int, channel: int, age_ns: int) -> z3.BoolRef:
+def _is_true_at_age(
+    state: ArbitraryState, proposition: int, channel: int, age_ns: int
+) -> z3.BoolRef:
     is_old = z3.Or(z3.Not(state.has_arrived(channel)), state.age(channel) >= age_ns)
-    return z3.And(state.truth(truth).true, is_old)
+    return z3.And(state.proposition(proposition).true, is_old)
 
 
 def _remembering(machine: Machine, signals: Sequence[int]) -> Iterator[int]:
@@ -283,11 +289,11 @@ def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> Rema
 # --- durations that one message fulfils -------------------------------------------------------
 
 
-def _one_message(inquiry: Inquiry, truth: int) -> Iterator[Finding]:
+def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
     """A finding if a `for` is shown to come true after a single message of each topic."""
     machine = inquiry.machine
-    part = machine.truths[truth]
-    channels = sorted(inquiry.asked.supports.truths[truth].channels)
+    part = machine.propositions[proposition]
+    channels = sorted(inquiry.asked.supports.propositions[proposition].channels)
     if not isinstance(part.node, Held) or not channels:
         return
     least_ns = min(_gaps(machine, channel)[0] for channel in channels)
@@ -295,28 +301,32 @@ def _one_message(inquiry: Inquiry, truth: int) -> Iterator[Finding]:
         return
     witness = inquiry.witness(
         Asked(
-            (truth,),
-            lambda state: state.truth(truth).true,
-            lambda course: z3.Or([moment.truth(truth).true for moment in course.moments]),
-            lambda seen: seen[-1].truths[truth] is TruthValue.TRUE,
+            (proposition,),
+            lambda state: state.proposition(proposition).true,
+            lambda trace: z3.Or([moment.proposition(proposition).true for moment in trace.moments]),
+            lambda seen: seen[-1].truth_values[proposition] is TruthValue.TRUE,
         )
     )
-    alone = None if witness is None else _alone(machine, witness, truth, part.node.duration_ns)
+    alone = (
+        None if witness is None else _alone(machine, witness, proposition, part.node.duration_ns)
+    )
     if alone is not None:
         finding = OneMessageEnough(
             condition=part.text,
             topics=" and ".join(machine.channels[channel].topic for channel in channels),
             least=duration_text(least_ns),
         )
-        note = witness_note(machine, alone, (truth,))
+        note = witness_note(machine, alone, (proposition,))
         yield Finding(finding.at(part.span, notes=(note,)), alone)
 
 
-def _alone(machine: Machine, witness: Witness, truth: int, duration_ns: int) -> Witness | None:
+def _alone(
+    machine: Machine, witness: Witness, proposition: int, duration_ns: int
+) -> Witness | None:
     """One of the events of a witness, if nothing else makes a `for` true."""
     for event in witness.events:
         alone = Witness((Sending(0, event.messages),), duration_ns, witness.is_calm)
-        *_, last = views(machine, alone, (truth,))
-        if last.truths[truth] is TruthValue.TRUE:
+        *_, last = views(machine, alone, (proposition,))
+        if last.truth_values[proposition] is TruthValue.TRUE:
             return alone
     return None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.analysis.activity import truths_of
+from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.errors import RecoveryBlocked, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, Result, both_active
@@ -85,8 +85,8 @@ def _blocked(
     path = ".".join(str(step) for step in field.path)
     place = RecoveryBlocked.Limit().at(limit_task.span)
     if result.outcome is Outcome.UNDECIDED:
-        question = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
-        open_one = Undecided(question=question, reason="whether both can be active is open")
+        query = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
+        open_one = Undecided(query=query, reason="whether both can be active is open")
         return Finding(open_one.at(task.span, place))
     finding = RecoveryBlocked(
         rule=name,
@@ -97,7 +97,7 @@ def _blocked(
         low=f"{bound.low:.6g}",
         high=f"{bound.high:.6g}",
     )
-    truths = truths_of(machine, (rule, other))
+    propositions = propositions_of(machine, (rule, other))
     witness = result.witness
-    notes = () if witness is None else (witness_note(machine, witness, truths),)
+    notes = () if witness is None else (witness_note(machine, witness, propositions),)
     return Finding(finding.at(task.span, place, notes=notes), witness)

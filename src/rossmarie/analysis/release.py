@@ -7,13 +7,13 @@ from functools import partial
 
 import z3
 
-from rossmarie.analysis.activity import is_cleared, truths_of
-from rossmarie.analysis.course import Course
+from rossmarie.analysis.activity import is_cleared, propositions_of
 from rossmarie.analysis.errors import NoWayOut, Undecided
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Asked, Inquiry
 from rossmarie.analysis.solver import Outcome
 from rossmarie.analysis.state import ArbitraryState
+from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import View
 from rossmarie.ir import TruthValue
 
@@ -30,7 +30,7 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
             continue  # always active, which is said elsewhere
         result = alone.decide(
             Asked(
-                truths_of(alone.machine, (0,)),
+                propositions_of(alone.machine, (0,)),
                 partial(is_cleared, rule=0),
                 partial(_clears, rule=0),
                 partial(_is_seen_to_clear, rule=0),
@@ -40,20 +40,20 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
         if result.outcome is Outcome.IMPOSSIBLE:
             yield Finding(NoWayOut(rule=rule.name).at(span))
         elif result.outcome is Outcome.UNDECIDED:
-            question = f"can rule `{rule.name}` be cleared once it is active?"
-            reason = "no short course of events does so, and no proof excludes it"
-            yield Finding(Undecided(question=question, reason=reason).at(span))
+            query = f"can rule `{rule.name}` be cleared once it is active?"
+            reason = "no short trace of events does so, and no proof excludes it"
+            yield Finding(Undecided(query=query, reason=reason).at(span))
 
 
 def _is_false(state: ArbitraryState, condition: int) -> z3.BoolRef:
-    return state.truth(condition).is_value(TruthValue.FALSE)
+    return state.proposition(condition).is_value(TruthValue.FALSE)
 
 
-def _clears(course: Course, rule: int) -> z3.BoolRef:
-    moments = range(1, len(course.moments))
+def _clears(trace: Trace, rule: int) -> z3.BoolRef:
+    moments = range(1, len(trace.moments))
     return z3.Or(
         [
-            z3.And(course.is_active(rule, moment - 1), z3.Not(course.is_active(rule, moment)))
+            z3.And(trace.is_active(rule, moment - 1), z3.Not(trace.is_active(rule, moment)))
             for moment in moments
         ]
     )

@@ -8,7 +8,7 @@ from dataclasses import replace
 
 from rossmarie.analysis.draft import Draft, DraftLeg, Knob, witness_of
 from rossmarie.analysis.quantities import is_quantity
-from rossmarie.analysis.witness import Claim, View, Witness, views
+from rossmarie.analysis.witness import Predicate, View, Witness, views
 from rossmarie.ir import (
     AgeReaches,
     Count,
@@ -28,19 +28,19 @@ _MOST_MESSAGES = 400
 
 
 class Replays:
-    """The judge of drafts: the interpreter tries out whether each shows a claim, up to a number of
-    tries.
+    """The judge of drafts: the interpreter tries out whether each shows a predicate, up to a number
+    of tries.
     """
 
-    def __init__(self, machine: Machine, claim: Claim, asked: Sequence[int]) -> None:
+    def __init__(self, machine: Machine, predicate: Predicate, asked: Sequence[int]) -> None:
         self._machine = machine
-        self._claim = claim
+        self._predicate = predicate
         self._asked = asked
         self._left = _MOST_REPLAYS
         self._channels = [all_channels(machine, support) for support in supports(machine).signals]
 
     def show(self, draft: Draft) -> Witness | None:
-        """The witness up to the instant at which it shows the claim; None if it does not."""
+        """The witness up to the instant at which it shows the predicate; None if it does not."""
         if self._left <= 0 or _messages(draft) > _MOST_MESSAGES * 20:
             return None
         self._left -= 1 + _messages(draft) // _MOST_MESSAGES
@@ -50,7 +50,7 @@ class Replays:
             seen.append(view)
             if draft.is_calm and self._has_gap(draft, view):
                 return None
-            if self._claim(seen):
+            if self._predicate(seen):
                 return _until(witness, view)
         return None
 
@@ -116,9 +116,15 @@ def _simpler(machine: Machine, draft: Draft) -> Iterator[Draft]:
 def _lengths(machine: Machine) -> list[int]:
     """The lengths of a leg, the best first: no time at all, or a duration in the rules."""
     durations = {
-        node.duration_ns for truth in machine.truths if isinstance(node := truth.node, Held)
+        node.duration_ns
+        for proposition in machine.propositions
+        if isinstance(node := proposition.node, Held)
     }
-    ages = {node.age_ns for truth in machine.truths if isinstance(node := truth.node, AgeReaches)}
+    ages = {
+        node.age_ns
+        for proposition in machine.propositions
+        if isinstance(node := proposition.node, AgeReaches)
+    }
     return sorted({0} | durations | ages)
 
 

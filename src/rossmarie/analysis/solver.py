@@ -9,17 +9,17 @@ from dataclasses import dataclass
 import z3
 
 EFFORT = 3_000_000
-"""The effort that a question may cost, in steps of the solver: the same everywhere, unlike time."""
+"""The effort that a query may cost, in steps of the solver: the same everywhere, unlike time."""
 
 LIMIT_MS = 20_000
-"""After this, in milliseconds, a question is given up however few steps it took."""
+"""After this, in milliseconds, a query is given up however few steps it took."""
 
 
 _BY_CTRL_C = "interrupted from keyboard"
 
 
 class Outcome(enum.Enum):
-    """The outcome of a question."""
+    """The outcome of a query."""
 
     POSSIBLE = "possible"
     IMPOSSIBLE = "impossible"
@@ -38,17 +38,17 @@ _OUTCOMES = {"sat": Outcome.POSSIBLE, "unsat": Outcome.IMPOSSIBLE}
 
 
 class Solver:
-    """Facts that stay, and claims that are asked together with them, one after the other."""
+    """Facts that stay, and predicates that are asked together with them, one after the other."""
 
     def __init__(self, facts: Sequence[z3.BoolRef]) -> None:
         self._solver = z3.Solver()
         self._solver.set(timeout=LIMIT_MS, rlimit=EFFORT)
         self._solver.add(facts)
 
-    def ask(self, *claims: z3.BoolRef) -> Answer:
-        """Ask whether the claims can be so, all of them."""
+    def ask(self, *predicates: z3.BoolRef) -> Answer:
+        """Ask whether the predicates can be so, all of them."""
         self._solver.push()
-        self._solver.add(claims)
+        self._solver.add(predicates)
         outcome = _OUTCOMES.get(str(check(self._solver)), Outcome.UNDECIDED)
         model = self._solver.model() if outcome is Outcome.POSSIBLE else None
         self._solver.pop()
@@ -65,6 +65,6 @@ def check(solver: z3.Solver) -> z3.CheckSatResult:
     return found
 
 
-def ask(facts: Sequence[z3.BoolRef], *claims: z3.BoolRef) -> Answer:
-    """A single question."""
-    return Solver(facts).ask(*claims)
+def ask(facts: Sequence[z3.BoolRef], *predicates: z3.BoolRef) -> Answer:
+    """A single query."""
+    return Solver(facts).ask(*predicates)

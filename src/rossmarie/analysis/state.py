@@ -97,11 +97,11 @@ class ArbitraryState(Encoding):
 
     def count(self, node: ir.Count) -> Number:
         """Any number of elements, if all of them are known."""
-        array = self.asked.elements.truths[node.element]
+        array = self.asked.elements.propositions[node.element]
         assert array is not None
         known = [self.is_kept(array), self.cells(array)[0].is_there]
         for cell in self.cells(array):
-            found = self.element_truth(node.element, cell)
+            found = self.element_proposition(node.element, cell)
             known.append(z3.Implies(cell.is_there, z3.Or(found.true, found.false)))
         number = z3.FreshInt("count")
         self.facts.append(number >= 0)
@@ -113,59 +113,61 @@ class ArbitraryState(Encoding):
             return operand
         is_true = self.elapsed(node.operand) >= node.duration_ns
         if node.initially:
-            is_true = z3.Or(is_true, z3.Bool(f"truth{node.operand}.initially"))
+            is_true = z3.Or(is_true, z3.Bool(f"proposition{node.operand}.initially"))
         return choice(
             operand.true, choice(is_true, literal(True), self.before(node.operand)), operand
         )
 
     def before(self, operand: int) -> Fact:
-        """The value of a truth before it became true, where it is."""
+        """The value of a proposition before it became true, where it is."""
         if operand not in self._before:
-            found = free_fact(f"truth{operand}.before", self.facts)
+            found = free_fact(f"proposition{operand}.before", self.facts)
             self.facts.append(z3.Not(found.true))
-            if not self.asked.has_timeout(self.asked.supports.truths[operand].inputs):
-                self.facts.append(z3.Not(found.lost))
+            if not self.asked.has_timeout(self.asked.supports.propositions[operand].inputs):
+                self.facts.append(z3.Not(found.stale))
             self._before[operand] = found
         return self._before[operand]
 
     def elapsed(self, operand: int) -> z3.ArithRef:
-        """For how long a truth has been true, where it is, in nanoseconds."""
+        """For how long a proposition has been true, where it is, in nanoseconds."""
         if operand not in self._elapsed:
-            self._elapsed[operand] = z3.Int(f"truth{operand}.elapsed")
+            self._elapsed[operand] = z3.Int(f"proposition{operand}.elapsed")
             self.facts.append(self._elapsed[operand] >= 0)
         return self._elapsed[operand]
 
     @property
     def awaited(self) -> tuple[int, ...]:
-        """The truths of which it was asked for how long they have been true."""
+        """The propositions of which it was asked for how long they have been true."""
         return tuple(self._elapsed)
 
     def is_longer(self, operand: int, other: int) -> z3.BoolRef:
-        """The facts if a truth cannot be true while another is not."""
-        return z3.Implies(self.truth(operand).true, self.elapsed(other) >= self.elapsed(operand))
+        """The facts if a proposition cannot be true while another is not."""
+        return z3.Implies(
+            self.proposition(operand).true, self.elapsed(other) >= self.elapsed(operand)
+        )
 
     def is_unknown_with(self, operand: int, other: int, value: TruthValue) -> z3.BoolRef:
-        """The further facts if the one cannot be U, or L, while the other is not: after they were,
+        """The further facts if the one cannot be U, or S, while the other is not: after they were,
         they became true together. A jump in time makes both U (S17).
         """
-        was_unknown = z3.And(self.truth(operand).true, self.before(operand).is_value(value))
+        was_unknown = z3.And(self.proposition(operand).true, self.before(operand).is_value(value))
         is_equal = self.elapsed(other) == self.elapsed(operand)
         return z3.Implies(was_unknown, z3.And(self.before(other).is_value(value), is_equal))
 
     def remembered(self, index: int) -> Fact:
         """Anything, whatever its operands are now."""
-        found = free_fact(f"truth{index}.remembered", self.facts)
-        if not self.asked.has_timeout(self.asked.supports.truths[index].inputs):
-            self.facts.append(z3.Not(found.lost))
+        found = free_fact(f"proposition{index}.remembered", self.facts)
+        if not self.asked.has_timeout(self.asked.supports.propositions[index].inputs):
+            self.facts.append(z3.Not(found.stale))
         return found
 
     def oscillating(self, index: int) -> Fact:
         """Anything."""
-        return free_fact(f"truth{index}", self.facts)
+        return free_fact(f"proposition{index}", self.facts)
 
     def recurring(self, index: int, _: ir.Recurs) -> Fact:
         """Anything: what edges there were is not asked."""
-        return free_fact(f"truth{index}", self.facts)
+        return free_fact(f"proposition{index}", self.facts)
 
 
 def shape_facts(cells: Sequence[Cell]) -> list[z3.BoolRef]:

@@ -1,4 +1,4 @@
-"""Numbers and truths as terms of the solver: Kleene's logic (S1, S2) and exact constants."""
+"""Numbers and propositions as terms of the solver: Kleene's logic (S1, S2) and exact constants."""
 
 from __future__ import annotations
 
@@ -34,28 +34,28 @@ class Number:
 
 @dataclass(frozen=True)
 class Fact:
-    """A truth: whether it is T, F, or L. At most one of the three; none means U."""
+    """A proposition: whether it is T, F, or S. At most one of the three; none means U."""
 
     true: z3.BoolRef
     false: z3.BoolRef
-    lost: z3.BoolRef
+    stale: z3.BoolRef
 
     def is_value(self, value: TruthValue) -> z3.BoolRef:
-        """Say whether a truth has this value."""
+        """Say whether a proposition has this value."""
         match value:
             case TruthValue.TRUE:
                 return self.true
             case TruthValue.FALSE:
                 return self.false
-            case TruthValue.LOST:
-                return self.lost
+            case TruthValue.STALE:
+                return self.stale
             case TruthValue.UNKNOWN:
-                return z3.Not(z3.Or(self.true, self.false, self.lost))
+                return z3.Not(z3.Or(self.true, self.false, self.stale))
 
     @property
     def activates(self) -> z3.BoolRef:
         """Say whether a rule with this condition becomes active (S35)."""
-        return z3.Or(self.true, self.lost)
+        return z3.Or(self.true, self.stale)
 
 
 def literal(value: bool) -> Fact:
@@ -67,31 +67,31 @@ FALSE = literal(False)
 
 
 def free_fact(name: str, facts: list[z3.BoolRef]) -> Fact:
-    """A truth of any value; what holds of it goes to `facts`."""
-    true, false, lost = (z3.Bool(f"{name}.{value}") for value in "TFL")
-    facts.append(z3.AtMost(true, false, lost, 1))
-    return Fact(true, false, lost)
+    """A proposition of any value; what holds of it goes to `facts`."""
+    true, false, stale = (z3.Bool(f"{name}.{value}") for value in "TFS")
+    facts.append(z3.AtMost(true, false, stale, 1))
+    return Fact(true, false, stale)
 
 
 def choice(condition: z3.BoolRef, one: Fact, other: Fact) -> Fact:
-    """The one truth where the condition holds, else the other."""
+    """The one proposition where the condition holds, else the other."""
     return Fact(
         z3.If(condition, one.true, other.true),
         z3.If(condition, one.false, other.false),
-        z3.If(condition, one.lost, other.lost),
+        z3.If(condition, one.stale, other.stale),
     )
 
 
 def negation(operand: Fact) -> Fact:
     """`not` (S2)."""
-    return Fact(operand.false, operand.true, operand.lost)
+    return Fact(operand.false, operand.true, operand.stale)
 
 
 def conjunction(operands: Sequence[Fact]) -> Fact:
     """`and` (S2)."""
     false = z3.Or([operand.false for operand in operands])
-    lost = z3.And(z3.Not(false), z3.Or([operand.lost for operand in operands]))
-    return Fact(z3.And([operand.true for operand in operands]), false, lost)
+    stale = z3.And(z3.Not(false), z3.Or([operand.stale for operand in operands]))
+    return Fact(z3.And([operand.true for operand in operands]), false, stale)
 
 
 def disjunction(operands: Sequence[Fact]) -> Fact:
@@ -100,7 +100,7 @@ def disjunction(operands: Sequence[Fact]) -> Fact:
 
 
 def joined(node: Literal | Not | And | Or, operands: Sequence[Fact]) -> Fact:
-    """The truth that some truths make together (S2)."""
+    """The proposition that some propositions make together (S2)."""
     match node:
         case Literal(value=value):
             return literal(value)
@@ -135,7 +135,7 @@ def compared(comparison: Comparison, left: z3.ArithRef, right: z3.ArithRef) -> z
 
 
 def holds(node: Compare | Between | Flag, values: Sequence[z3.ArithRef]) -> z3.BoolRef:
-    """S27 to S29, of the numbers that a truth compares (`compared_signals`), all known."""
+    """S27 to S29, of the numbers that a proposition compares (`compared_signals`), all known."""
     match node:
         case Compare(comparison=comparison):
             return compared(comparison, *values)

@@ -23,7 +23,7 @@ Kind = tuple[Quantifier | None, Comparison, int]
 class Threshold:
     """A leaf `number > value`, or the like, also of elements."""
 
-    truth: int
+    proposition: int
     kind: Kind
     value: float
 
@@ -34,14 +34,14 @@ class Threshold:
 
 
 IsPossible = Callable[[int, bool], bool]
-"""Say whether the solver finds that a truth can be true, or false."""
+"""Say whether the solver finds that a proposition can be true, or false."""
 
 
-def varied(machine: Machine, truths: Iterable[int], is_possible: IsPossible) -> set[int]:
-    """The ones of some truths that are such leaves, and can be true as well as false."""
+def varied(machine: Machine, propositions: Iterable[int], is_possible: IsPossible) -> set[int]:
+    """The ones of some propositions that are such leaves, and can be true as well as false."""
     kinds: dict[Kind, list[Threshold]] = {}
-    for truth in truths:
-        threshold = _threshold(machine, truth)
+    for proposition in propositions:
+        threshold = _threshold(machine, proposition)
         if threshold is not None:
             kinds.setdefault(threshold.kind, []).append(threshold)
     found: set[int] = set()
@@ -56,16 +56,16 @@ def varied(machine: Machine, truths: Iterable[int], is_possible: IsPossible) -> 
 
 def _possible(hardest_first: Sequence[Threshold], ask: IsPossible, *, value: bool) -> set[int]:
     for place, threshold in enumerate(hardest_first):
-        if ask(threshold.truth, value):
-            return {each.truth for each in hardest_first[place:]}
+        if ask(threshold.proposition, value):
+            return {each.proposition for each in hardest_first[place:]}
     return set()
 
 
-def _threshold(machine: Machine, truth: int) -> Threshold | None:
-    node = machine.truths[truth].node
+def _threshold(machine: Machine, proposition: int) -> Threshold | None:
+    node = machine.propositions[proposition].node
     quantifier = None
     if isinstance(node, Quantified):
-        quantifier, node = node.quantifier, machine.truths[node.element].node
+        quantifier, node = node.quantifier, machine.propositions[node.element].node
     if not isinstance(node, Compare):
         return None
     left, right = machine.signals[node.left].node, machine.signals[node.right].node
@@ -74,4 +74,4 @@ def _threshold(machine: Machine, truth: int) -> Threshold | None:
         comparison, number, constant = comparison.mirrored, node.right, left
     if comparison not in _ABOVE + _BELOW or not isinstance(constant, Constant):
         return None
-    return Threshold(truth, (quantifier, comparison, number), constant.value)
+    return Threshold(proposition, (quantifier, comparison, number), constant.value)

@@ -1,4 +1,4 @@
-"""The times of a course of events, from the durations in the rules."""
+"""The times of a trace of events, from the durations in the rules."""
 
 from __future__ import annotations
 
@@ -13,16 +13,24 @@ _LONGEST_PERIOD_NS = SECOND // 10
 
 
 class Times:
-    """The times of a course, from those in a part of a machine: of channels, and below truths."""
+    """The times of a trace, from those in a part of a machine: of channels, and below
+    propositions.
+    """
 
-    def __init__(self, asked: Questioned, truths: Sequence[int]) -> None:
+    def __init__(self, asked: Questioned, propositions: Sequence[int]) -> None:
         machine = asked.machine
-        support = [asked.supports.truths[truth] for truth in truths]
+        support = [asked.supports.propositions[proposition] for proposition in propositions]
         self.channels = tuple(
             sorted(set().union(*(ir.all_channels(machine, each) for each in support)))
         )
-        self.truths = tuple(
-            sorted({below for root in truths for below in ir.reachable_truths(machine, root)})
+        self.propositions = tuple(
+            sorted(
+                {
+                    below
+                    for root in propositions
+                    for below in ir.reachable_propositions(machine, root)
+                }
+            )
         )
         inputs = [used for used in machine.inputs if used.channel in self.channels]
         self.timeouts = [used.timeout_ns for used in inputs if used.timeout_ns is not None]
@@ -31,16 +39,16 @@ class Times:
         self.longest_ns = max(self._settled.values(), default=0) + self.silence_ns + self.period_ns
         windows = [
             node.window_ns
-            for truth in self.truths
-            if isinstance(node := machine.truths[truth].node, ir.Oscillates)
+            for proposition in self.propositions
+            if isinstance(node := machine.propositions[proposition].node, ir.Oscillates)
         ]
         windows += [asked.window_of(sample) for each in support for sample in each.samples]
         second_sample = 2 * self.period_ns if any(each.samples for each in support) else 0
         self.shortest_ns = max([second_sample, *windows])
 
-    def settling(self, truth: int) -> int:
-        """The time that a truth takes to settle when nothing changes any more."""
-        return self._settled[truth]
+    def settling(self, proposition: int) -> int:
+        """The time that a proposition takes to settle when nothing changes any more."""
+        return self._settled[proposition]
 
     @cached_property
     def period_ns(self) -> int:
@@ -49,22 +57,22 @@ class Times:
         return max(min(least, _LONGEST_PERIOD_NS), 1)
 
     def _ages(self, machine: ir.Machine) -> Iterator[int]:
-        for truth in self.truths:
-            node = machine.truths[truth].node
+        for proposition in self.propositions:
+            node = machine.propositions[proposition].node
             if isinstance(node, ir.AgeReaches):
                 yield node.age_ns
 
     def _settling(self, asked: Questioned) -> dict[int, int]:
-        """The time that each truth takes to settle when nothing changes any more."""
+        """The time that each proposition takes to settle when nothing changes any more."""
         machine = asked.machine
         needed: dict[int, int] = {}
-        for truth in self.truths:
-            node = machine.truths[truth].node
+        for proposition in self.propositions:
+            node = machine.propositions[proposition].node
             below = 0
             if not isinstance(node, ir.Quantified):
-                below = max((needed[each] for each in ir.truth_operands(node)), default=0)
+                below = max((needed[each] for each in ir.proposition_operands(node)), default=0)
             if ir.is_leaf(node):
-                samples = asked.supports.truths[truth].samples
+                samples = asked.supports.propositions[proposition].samples
                 below += sum(map(asked.window_of, samples))
             match node:
                 case ir.Held(duration_ns=duration_ns):
@@ -76,5 +84,5 @@ class Times:
                     | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since()
                 ):  # fmt: skip
                     pass
-            needed[truth] = below
+            needed[proposition] = below
         return needed

@@ -1,6 +1,6 @@
 """A witness: a short trace that shows what a finding says.
 
-It is told in the words of the rules file, and can be written as a recording.
+It is reported in the words of the rules file, and can be written as a recording.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rossmarie.ir.duration_text import duration_text
 
 SECOND = 1_000_000_000
 _MOST_ARRIVALS = 6
-_MOST_TOLD = 12
+_MOST_REPORTED = 12
 
 
 @dataclass(frozen=True)
@@ -43,15 +43,15 @@ class Witness:
 
 @dataclass(frozen=True)
 class View:
-    """The view right after an evaluation: rules and asked truths, by index; signals."""
+    """The view right after an evaluation: rules and asked propositions, by index; signals."""
 
     at_ns: int
     active: tuple[bool, ...]
-    truths: Mapping[int, TruthValue]
+    truth_values: Mapping[int, TruthValue]
     signals: tuple[float, ...]
 
 
-Claim = Callable[[Sequence[View]], bool]
+Predicate = Callable[[Sequence[View]], bool]
 """A test of the views up to the last one: it is true if they show what is to be shown."""
 
 
@@ -80,13 +80,13 @@ def within(machine: Machine, witness: Witness) -> Witness:
 
 
 def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iterator[View]:
-    """The evaluations that a witness leads to, with what some truths are worth."""
+    """The evaluations that a witness leads to, with what some propositions are worth."""
     watching = replace(machine, watches=tuple(asked))
     monitor = Interpreter(watching)
 
     def seen(at_ns: int) -> View:
-        truths = dict(zip(asked, monitor.watches, strict=True))
-        return View(at_ns, monitor.active, truths, monitor.signals)
+        propositions = dict(zip(asked, monitor.watches, strict=True))
+        return View(at_ns, monitor.active, propositions, monitor.signals)
 
     for sending in witness.events:
         while (wake_ns := monitor.next_wake()) is not None and wake_ns < sending.at_ns:
@@ -188,7 +188,7 @@ def _longest(witness: Witness, channel: int, array: int) -> int:
 # --- words -----------------------------------------------------------------------------------
 
 
-def told(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
+def reported(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
     """Tell what happens in a witness, on one line: what is measured from when on, and what is
     silent.
 
@@ -206,8 +206,8 @@ def told(machine: Machine, witness: Witness, signals: Sequence[int]) -> str:
             parts.append(f"at {duration_text(view.at_ns)} {', '.join(now)}")
         before = now
     ends = duration_text(witness.end_ns)
-    if len(parts) > _MOST_TOLD:
-        parts = [*parts[:_MOST_TOLD], "and so on"]
+    if len(parts) > _MOST_REPORTED:
+        parts = [*parts[:_MOST_REPORTED], "and so on"]
     return "; ".join(parts) + (f"; until {ends}" if witness.end_ns else "")
 
 

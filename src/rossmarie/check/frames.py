@@ -12,7 +12,7 @@ STATIC = "/tf_static"
 """The topics that frames come with."""
 
 LONGEST_NS = 10**18
-"""The timeout of a frame that stays where it is: it is lost until it has come, and never after."""
+"""The timeout of a frame that stays where it is: it is stale until it has come, and never after."""
 
 
 @dataclass(frozen=True)

@@ -52,7 +52,7 @@ class CheckedInput:
     `topic` is the full name (`/imu/data`), `message_type` is `sensor_msgs/Imu`, `path` leads to the
     selected field (empty: the whole message; the `data` of a std_msgs message is part of it).
     `most` is the number of elements that lists of the message may have. A number of a skill has a
-    `question` instead of a path, the transform of a frame an `edge`. `whole` is the message, its
+    `query` instead of a path, the transform of a frame an `edge`. `whole` is the message, its
     headers say the frame `source`, and rules see it in the frame `target`: None where nobody says.
     """
 
@@ -63,7 +63,7 @@ class CheckedInput:
     type: Type
     timeout_ns: int | None
     most: int | None = None
-    question: Quantity | None = None
+    query: Quantity | None = None
     whole: Type | None = None
     source: str | None = None
     target: str | None = None
@@ -77,23 +77,23 @@ class CheckedInput:
     @property
     def base(self) -> Path:
         """The way from the message to what the input selects."""
-        return self.path if self.question is None else (self.question,)
+        return self.path if self.query is None else (self.query,)
 
     @property
     def field(self) -> str:
         """The words for what the input selects: `sensor_msgs/Imu.orientation`, `Push.Speed`."""
-        if self.question is not None:
-            return str(self.question)
+        if self.query is not None:
+            return str(self.query)
         return ".".join((self.message_type, *self.path))
 
 
 PERIODS_OF_TIMEOUT = 5
-"""The periods of the context that are missed until it is lost, where the rules say no time."""
+"""The periods of the context that are missed until it is stale, where the rules say no time."""
 
 
 @dataclass(frozen=True)
 class CheckedDoing:
-    """A question to the skills that run, closed: `skills` and the classes of each of `arguments`
+    """A query to the skills that run, closed: `skills` and the classes of each of `arguments`
     hold all that are derived, sorted. `text` is how it is written; `permits` are the permissions
     of the skill, in words.
     """
@@ -202,7 +202,7 @@ class CheckedProgram:
     topics whose rate is declared; `feedback` and `categories` are
     those of each rule, `left_out` what a selection does not hold. `read_files` are the definitions
     of messages that were read, those that come with this program left out, and the file of skills.
-    `doing` holds what each question to the skills asks, `regions` what the name of each class and
+    `doing` holds what each query to the skills asks, `regions` what the name of each class and
     zone stands for, `motions` the motions by name. `keeps` is what each rule keeps.
     `frame_inputs` are the inputs that frames come by, by the frame.
     """

@@ -107,8 +107,10 @@ def _placement(
         return None, OWN_PACKAGE
     if package.part_of is not None:
         if given != ["--part-of"]:
-            told = f"{given[0]} is not for --part-of: the package.xml of {package.part_of} says it"
-            output.fail(told, exit_code=2)
+            reported = (
+                f"{given[0]} is not for --part-of: the package.xml of {package.part_of} says it"
+            )
+            output.fail(reported, exit_code=2)
         return None, Placement(part_of=package.part_of)
     try:
         described = describe(rules, package.licenses, package.maintainers)

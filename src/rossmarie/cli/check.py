@@ -11,7 +11,7 @@ from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
 from dslkit.extensions import extension
 from rossmarie.cli.output import each_once, output
-from rossmarie.cli.progress import told_steps
+from rossmarie.cli.progress import reported_steps
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
 from rossmarie.ir import Category
 
@@ -39,7 +39,7 @@ def run_check(
     together = _looking_at_both() if skills else None
     if witnesses is not None:
         (output.try_file if is_tests else output.try_folder)(witnesses)
-    with told_steps("reading the rules") as on_step:
+    with reported_steps("reading the rules") as on_step:
         analyses = [
             analyze_file(
                 path,
@@ -59,13 +59,13 @@ def run_check(
             found += _for_target(path, target, systems, message_folders, only)
         if together is not None:
             found += together(path, systems=systems, message_folders=message_folders)
-    told = each_once(found)
-    output.print_diagnostics(told, form, file_count=len(files))
+    reported = each_once(found)
+    output.print_diagnostics(reported, form, file_count=len(files))
     if witnesses is not None and is_tests:
         _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
     elif witnesses is not None:
         _write(analyses, witnesses, form)
-    raise typer.Exit(output.exit_code(told))
+    raise typer.Exit(output.exit_code(reported))
 
 
 def _looking_at_both() -> Callable[..., Sequence[Diagnostic]]:
@@ -117,4 +117,4 @@ def _write_tests(
     tests = "1 test" if found.count == 1 else f"{found.count} tests"
     typer.echo(f"wrote {tests} to {path}", err=form is not Format.TEXT)
     for name in found.left_out:
-        typer.echo(f"cannot be told as a test: {name}", err=True)
+        typer.echo(f"cannot be reported as a test: {name}", err=True)

@@ -1,4 +1,4 @@
-"""`rossmarie failures`: what rules do when an input is lost."""
+"""`rossmarie failures`: what rules do when an input is stale."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from rossmarie.driver import RulesError, compile_file
 from rossmarie.ir import Machine
 from rossmarie.ir.duration_text import duration_text
 
-_HEAD = ("Input", "Topic", "Lost after", "Becomes active", "May become active")
+_HEAD = ("Input", "Topic", "Stale after", "Becomes active", "May become active")
 
 
 def run_failures(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]) -> None:

@@ -71,7 +71,7 @@ def check(
         TargetName | None, choice(TargetName, "Also report what this target cannot do.")
     ] = None,
     thorough: Annotated[
-        bool, typer.Option("--thorough", help="Ask all questions, and tell proofs as well.")
+        bool, typer.Option("--thorough", help="Ask all queries, and tell proofs as well.")
     ] = False,
     toggle: Toggle = None,
     witnesses: Witnesses = None,
@@ -212,7 +212,7 @@ def export(
 
 @app.command()
 def failures(rules: Rules, system: Systems = None, messages: MessageFolders = None) -> None:
-    """Tell for each input which rules become active when it is lost."""
+    """Tell for each input which rules become active when it is stale."""
     from rossmarie.cli.failures import run_failures
 
     run_failures(rules, system or [], messages or [])
@@ -229,7 +229,7 @@ def report(
         typer.Option(metavar="YYYY-MM-DD", help="The day that the file bears; else today, in UTC."),
     ] = None,
     thorough: Annotated[
-        bool, typer.Option("--thorough", help="Ask all questions about the rules, as `check`.")
+        bool, typer.Option("--thorough", help="Ask all queries about the rules, as `check`.")
     ] = False,
     system: Systems = None,
     messages: MessageFolders = None,
@@ -327,7 +327,7 @@ def verify(
         typer.Option(
             metavar="SECONDS",
             min=1,
-            help="How long a processor may work for each solver on one question.",
+            help="How long a processor may work for each solver on one query.",
         ),
     ] = 120,
     report: ProofsReport = None,

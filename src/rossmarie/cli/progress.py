@@ -14,7 +14,7 @@ _PATIENCE_S = 1.0
 
 
 @contextmanager
-def told_progress(what: str) -> Iterator[Callable[[float], None]]:
+def reported_progress(what: str) -> Iterator[Callable[[float], None]]:
     """A function to call with the share that is done, from 0 to 1: it moves a bar on standard error
     if that is a terminal.
     """
@@ -43,7 +43,7 @@ def told_progress(what: str) -> Iterator[Callable[[float], None]]:
 
 
 @contextmanager
-def told_steps(first: str) -> Iterator[Callable[[str], None]]:
+def reported_steps(first: str) -> Iterator[Callable[[str], None]]:
     """A function to call with the words for each step: they stand on standard error, if that is a
     terminal, while the whole takes longer than `_PATIENCE_S`.
     """

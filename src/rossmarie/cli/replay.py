@@ -11,7 +11,7 @@ import typer
 
 from dslkit.writing import replacing_text, write_whole
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
@@ -37,7 +37,7 @@ def run_replay(
     pairs = topic_pairs(topic_map)
     if out is not None:
         output.try_folder(out, TIMELINE, VERDICTS)
-    with refusing(), told_progress("replaying") as on_progress:
+    with refusing(), reported_progress("replaying") as on_progress:
         replay, found = replay_file(
             rules,
             recording,

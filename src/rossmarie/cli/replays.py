@@ -32,7 +32,7 @@ from rossmarie.report.wording import format_length
 @dataclass(frozen=True)
 class Job:
     """The part of a job that is the same for all recordings. `warnings` are so many of the rules,
-    which were told already; `width` is that of the terminal, if there is one.
+    which were reported already; `width` is that of the terminal, if there is one.
     """
 
     rules: Path
@@ -90,7 +90,7 @@ def _folders(out: Path, keys: Sequence[str]) -> dict[str, Path]:
     return folders
 
 
-class _Told:
+class _Reported:
     """A line on standard error for each recording that is done."""
 
     def __init__(self) -> None:
@@ -109,13 +109,13 @@ class _Told:
 
 def _campaign(keys: Sequence[str], job: Job) -> Campaign:
     workers = Processes(Processes.cores(), limit_s=None)
-    told = _Told()
+    reported = _Reported()
     try:
         with (
             TemporaryDirectory() as folder,
             Journal(Path(folder) / "journal.jsonl", "replays") as journal,
         ):
-            return run(keys, partial(replay_one, job), journal, workers, told)
+            return run(keys, partial(replay_one, job), journal, workers, reported)
     except KeyboardInterrupt:
         output.fail("interrupted", exit_code=INTERRUPTED)
 

@@ -11,7 +11,7 @@ import typer
 from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.cli.replay import refusing, topic_pairs
 from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
@@ -58,8 +58,8 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
     written = generate_tests(rules, systems=systems, message_folders=message_folders)
     output.save(written.path, written.text)
     typer.echo(f"wrote {_counted(written.count, 'test')} to {written.path}")
-    for told in written.left_out:
-        typer.echo(told)
+    for reported in written.left_out:
+        typer.echo(reported)
 
 
 def report(tested: Outcome) -> None:
@@ -95,7 +95,7 @@ def run_coverage(
     if report is not None:
         refuse_report(report, (rules, *recordings))
         output.try_file(report)
-    with refusing(), told_progress("moving thresholds") as on_progress:
+    with refusing(), reported_progress("moving thresholds") as on_progress:
         found = cover_recordings(
             rules,
             recordings,

@@ -12,17 +12,17 @@ import typer
 from dslkit.diagnostics import Template
 from dslkit.source import Span
 from rossmarie.cli.output import output
-from rossmarie.cli.progress import told_progress
+from rossmarie.cli.progress import reported_progress
 from rossmarie.cli.saving import refuse_report
 from rossmarie.cli.written import lines_of_written
 from rossmarie.driver import RulesError
 from rossmarie.driver.ownership import ForeignFileError
 from rossmarie.driver.verifying import (
-    Questions,
+    Queries,
     complaint,
     keep,
     prove,
-    questions_of,
+    queries_of,
     verification_report,
 )
 from rossmarie.ir import Category
@@ -49,41 +49,41 @@ def run_verify(
     if kept is not None:
         output.try_folder(kept)
     try:
-        questions = questions_of(rules, systems=systems, message_folders=message_folders, only=only)
+        queries = queries_of(rules, systems=systems, message_folders=message_folders, only=only)
     except RulesError as error:
         output.reject(error.diagnostics)
-    output.print_findings(questions.compiled.warnings)
+    output.print_findings(queries.compiled.warnings)
     if report is not None:
-        refuse_report(report, [Path(each.path) for each in questions.compiled.sources])
+        refuse_report(report, [Path(each.path) for each in queries.compiled.sources])
     if kept is not None:
-        _keep(questions, kept, rules)
-    proofs = _proofs(questions, seconds)
-    whole = Span(questions.compiled.sources[-1], 0, 0)
+        _keep(queries, kept, rules)
+    proofs = _proofs(queries, seconds)
+    whole = Span(queries.compiled.sources[-1], 0, 0)
     output.print_findings(tuple(refutations(proofs, whole)))
     write_proofs(proofs, sys.stdout)
     if report is not None:
         output.save(
-            report, verification_report(questions, proofs, rules, version=output.own_version())
+            report, verification_report(queries, proofs, rules, version=output.own_version())
         )
         output.tell_written(report)
     raise typer.Exit(0 if proofs.is_complete else 1)
 
 
-def _keep(questions: Questions, folder: Path, rules: Path) -> None:
+def _keep(queries: Queries, folder: Path, rules: Path) -> None:
     try:
         with output.writing_to(folder):
-            paths = keep(questions, folder, rules, replaces_others=output.permission.is_given)
+            paths = keep(queries, folder, rules, replaces_others=output.permission.is_given)
     except ForeignFileError as error:
         output.fail(f"{error}; choose another --keep, or replace it with --force", exit_code=2)
     for line in lines_of_written(paths):
         typer.echo(line)
 
 
-def _proofs(questions: Questions, seconds: int) -> Proofs:
+def _proofs(queries: Queries, seconds: int) -> Proofs:
     found = prover()
     try:
-        with told_progress("proving") as on_progress:
-            return prove(questions, found, seconds=seconds, on_progress=on_progress)
+        with reported_progress("proving") as on_progress:
+            return prove(queries, found, seconds=seconds, on_progress=on_progress)
     except ProverError as error:
         _give_up(ProgramRefused(reason=complaint(error)))
 

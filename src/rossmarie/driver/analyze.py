@@ -11,7 +11,7 @@ from dslkit.source import Span
 from dslkit.writing import write_whole
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.witness import Witness
-from rossmarie.check.instances.telling import told
+from rossmarie.check.instances.telling import reported
 from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_checked
 from rossmarie.ir import Category, Machine
 
@@ -47,8 +47,8 @@ def analyze_file(
     only: Sequence[Category] = (),
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Analysis:
-    """Check a rules file, and ask what its rules mean together: the quick questions, or all.
-    `on_step` is told each question, in words.
+    """Check a rules file, and ask what its rules mean together: the quick queries, or all.
+    `on_step` is told each query, in words.
 
     Of a file with errors, or one that no target can run, nothing is asked.
     """
@@ -82,13 +82,13 @@ def analyzed(
     shown: dict[int, Witness] = {}
     proved: set[Span] = set()
     for asked, finding in _answers(compiled, thorough, toggle_ns, on_step):
-        if _is_told(compiled.machine, finding.diagnostic, checked):
+        if _is_reported(compiled.machine, finding.diagnostic, checked):
             continue
         if finding.diagnostic.code == InTime.code:
             proved.add(finding.diagnostic.primary.span)
             if not thorough:
                 continue
-        (diagnostic,) = told((finding.diagnostic,), compiled.instances)
+        (diagnostic,) = reported((finding.diagnostic,), compiled.instances)
         collector.add(diagnostic)
         if finding.witness is not None:
             shown[id(diagnostic)] = within(compiled.machine, finding.witness)
@@ -104,7 +104,7 @@ def _answers(
     compiled: Compiled, thorough: bool, toggle_ns: int, on_step: Callable[[str], None]
 ) -> Iterator[tuple[Machine, Finding]]:
     """Each finding with the machine that it is about."""
-    from rossmarie.analysis.questions import ask_all, ask_required  # the solver loads slowly
+    from rossmarie.analysis.queries import ask_all, ask_required  # the solver loads slowly
 
     machine = compiled.machine
     for found in ask_all(machine, thorough=thorough, within_ns=toggle_ns, on_step=on_step):
@@ -114,7 +114,7 @@ def _answers(
             yield required.machine, found
 
 
-def _is_told(machine: Machine, found: Diagnostic, checked: Sequence[Diagnostic]) -> bool:
+def _is_reported(machine: Machine, found: Diagnostic, checked: Sequence[Diagnostic]) -> bool:
     """Say whether the check has said of a rule by its text that nothing clears it (ROSS408)."""
     if found.code != "ROSS707":
         return False

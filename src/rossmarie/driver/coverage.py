@@ -17,7 +17,7 @@ from rossmarie.report.safety import EvidenceKind, evidence_text
 from rossmarie.report.safety.exercised import coverage_results
 from rossmarie.report.spare import spares
 from rossmarie.targets import python
-from rossmarie.testing.cone import cone_of, told_by
+from rossmarie.testing.cone import cone_of, reported_by
 from rossmarie.testing.coverage import Coverage, Watcher
 from rossmarie.testing.goals import Goal
 from rossmarie.testing.history import History
@@ -143,14 +143,14 @@ def _replay(
     traces: Sequence[Trace],
     histories: Sequence[History],
 ) -> Replay:
-    """A function that runs whatever rests on a threshold: all of the machine if that cannot be told
-    apart.
+    """A function that runs whatever rests on a threshold: all of the machine if that cannot be
+    reported apart.
     """
-    cone = cone_of(machine, threshold.truths)
+    cone = cone_of(machine, threshold.propositions)
     if cone is None:
         return lambda candidate: replayed(candidate, traces)
     return lambda candidate: tuple(
-        tuple(told_by(cone, candidate, history)) for history in histories
+        tuple(reported_by(cone, candidate, history)) for history in histories
     )
 
 

@@ -15,7 +15,7 @@ from dslkit.source import SourceFile
 from rossmarie.check import CheckedProgram, CheckOptions, check, select
 from rossmarie.check.instances.instantiate import instantiate
 from rossmarie.check.instances.spaces import Imported, Instances
-from rossmarie.check.instances.telling import told
+from rossmarie.check.instances.telling import reported
 from rossmarie.driver.shortened import shortened
 from rossmarie.driver.workspace import load_modules
 from rossmarie.ir import Category, Machine, Requirement, verify, without_margins
@@ -72,7 +72,7 @@ def check_file(
     if program is not None and any(each.setting is not None for each in _inputs(modules)):
         collector.extend(misdirected(lower(program)))
         program = None if collector.has_errors else program
-    found = shortened(told(collector.sorted(), instances))
+    found = shortened(reported(collector.sorted(), instances))
     return CheckResult(modules, program, found, instances)
 
 
@@ -121,7 +121,7 @@ def compile_checked(result: CheckResult, message_folders: Sequence[Path] = ()) -
     machine = lower(result.program)
     verify(machine)
     if refused := tuple(unsupported(machine)):
-        raise RulesError((*result.diagnostics, *told(refused, result.instances)))
+        raise RulesError((*result.diagnostics, *reported(refused, result.instances)))
     folders = (*message_folders, *_declared_folders(result.modules))
     frames = {each.declaration.name.text: () for each in result.program.frame_inputs.values()}
     bases = frames | {name: used.base for name, used in result.program.symbols.inputs.items()}

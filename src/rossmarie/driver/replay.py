@@ -43,7 +43,7 @@ def replay_file(
         started = start_monitor(machine)
         take = taking(machine, started.engine, sampler.signals)
         events: list[Event] = []
-        for batch in _told(batches, recording, on_progress):
+        for batch in _reported(batches, recording, on_progress):
             taken = take(batch)
             events += taken.events
             sampler.take(taken.times_ns, taken.values)
@@ -71,14 +71,16 @@ def _notes(started: Started[MonitorEngine], found: Sequence[Diagnostic]) -> tupl
     return (*reasons, *(f"{finding.title}: {finding.primary.text}" for finding in found))
 
 
-def _told(batches: Iterator[Batch], recording: Recording, on_progress: Progress) -> Iterator[Batch]:
+def _reported(
+    batches: Iterator[Batch], recording: Recording, on_progress: Progress
+) -> Iterator[Batch]:
     """The same batches, with word of how far they have come."""
     length = max(recording.end_ns - recording.start_ns, 1)
-    told = 0.0
+    reported = 0.0
     for batch in batches:
         yield batch
         done = (int(batch.times_ns.max(initial=recording.start_ns)) - recording.start_ns) / length
-        if done > told:
-            told = min(done, 1.0)
-            on_progress(told)
+        if done > reported:
+            reported = min(done, 1.0)
+            on_progress(reported)
     on_progress(1.0)

@@ -44,7 +44,7 @@ def safety_file(
     """The safety file, and the findings on the rules and the reports.
 
     `tool` is the program with its version, `date` the day that the file shall bear; all
-    questions about the rules are asked if it is to be `thorough`. Raises
+    queries about the rules are asked if it is to be `thorough`. Raises
     `RulesError`, and `EvidenceError` for a report that cannot be used.
     """
     from rossmarie.analysis.failures import losses  # the solver takes its time to load

@@ -91,7 +91,7 @@ def _rule(machine: ir.Machine, index: int, out: Path) -> Json:
     return {
         "name": rule.name,
         "documentation": rule.documentation,
-        "condition": machine.truths[rule.condition].text,
+        "condition": machine.propositions[rule.condition].text,
         "clears": rule.contract,
         "inputs": [machine.inputs[each].name for each in rule.inputs],
         "hazards": [machine.hazards[each].name for each in rule.hazards],

@@ -38,7 +38,7 @@ class Beside:
         self._machine = machine
         self._engine = engine
         self._shown = shown
-        without_rules = dataclasses.replace(machine, rules=())  # signals may count truths
+        without_rules = dataclasses.replace(machine, rules=())  # signals may count propositions
         self._interpreter = Interpreter(without_rules)
         self._times_ns: list[int] = []
         self._rows: list[list[float]] = []

@@ -26,8 +26,8 @@ from rossmarie.verification.reactor_harness import reactor_harness
 
 
 @dataclass(frozen=True)
-class Questions:
-    """The questions about a rules file: `programs`, each with its checks, about `files`."""
+class Queries:
+    """The queries about a rules file: `programs`, each with its checks, about `files`."""
 
     compiled: Compiled
     files: Mapping[str, str]
@@ -38,14 +38,14 @@ class Questions:
         return {**self.files, **{f"{program.name}.c": program.text for program in self.programs}}
 
 
-def questions_of(
+def queries_of(
     rules: Path,
     *,
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
     only: Sequence[ir.Category] = (),
-) -> Questions:
-    """The questions about the rules of a file, or `only` about those of these categories.
+) -> Queries:
+    """The queries about the rules of a file, or `only` about those of these categories.
 
     Raises `RulesError`.
     """
@@ -56,7 +56,7 @@ def questions_of(
         replace(program, text=f"{origin} */\n{program.text}")
         for program in _programs(compiled.machine)
     )
-    return Questions(compiled, files, programs)
+    return Queries(compiled, files, programs)
 
 
 def _programs(machine: ir.Machine) -> Iterator[Harness]:
@@ -67,46 +67,46 @@ def _programs(machine: ir.Machine) -> Iterator[Harness]:
 
 
 def keep(
-    questions: Questions, folder: Path, rules: Path, *, replaces_others: bool = False
+    queries: Queries, folder: Path, rules: Path, *, replaces_others: bool = False
 ) -> list[Path]:
     """Write the prover's input files. Raises as `build_files` does."""
-    return write_generated(questions.texts(), folder, rules, replaces_others=replaces_others)
+    return write_generated(queries.texts(), folder, rules, replaces_others=replaces_others)
 
 
 def prove(
-    questions: Questions,
+    queries: Queries,
     prover: Prover,
     *,
     seconds: int,
     on_progress: Callable[[float], None] = lambda _: None,
 ) -> Proofs:
-    """Ask all questions; no solver is given more than so many seconds for one.
+    """Ask all queries; no solver is given more than so many seconds for one.
 
     Raises `ProverError` if the prover does not take the program.
     """
-    checks = [(program, check) for program in questions.programs for check in program.checks]
+    checks = [(program, check) for program in queries.programs for check in program.checks]
     with prover.workshop() as folder:
-        write_texts(folder, questions.files)
-        for program in questions.programs:
+        write_texts(folder, queries.files)
+        for program in queries.programs:
             prover.compile(folder, program)
         ask = partial(_outcome, prover, folder, seconds)
         found = list(answers(ask, checks, on_progress))
     pairs = zip(checks, found, strict=True)
     return Proofs(
-        machine=questions.compiled.machine,
+        machine=queries.compiled.machine,
         outcomes=tuple(outcome or _ended(check) for (_, check), outcome in pairs),
-        unasked=tuple(_unasked(questions)),
+        unasked=tuple(_unasked(queries)),
         tools={tool: its for tool in PROGRAMS if (its := prover.version(tool))},
     )
 
 
-def _unasked(questions: Questions) -> Iterator[str]:
+def _unasked(queries: Queries) -> Iterator[str]:
     """Sources that no program includes."""
-    for name in questions.files:
-        asked = any(f'"{name}"' in program.text for program in questions.programs)
+    for name in queries.files:
+        asked = any(f'"{name}"' in program.text for program in queries.programs)
         if name.endswith(".c") and not asked:
             yield name
-    if has_windows(questions.compiled.machine):
+    if has_windows(queries.compiled.machine):
         yield "samples of windows"
 
 
@@ -129,13 +129,13 @@ def complaint(error: ProverError) -> str:
     return (reasons or lines[-1:] or ["it said nothing"])[0]
 
 
-def verification_report(questions: Questions, proofs: Proofs, rules: Path, *, version: str) -> str:
+def verification_report(queries: Queries, proofs: Proofs, rules: Path, *, version: str) -> str:
     """The report of `prove`, for a safety file."""
     return evidence_text(
         EvidenceKind.VERIFICATION,
         tools={"rossmarie": version, **proofs.tools},
-        sources=hashed_sources(questions.compiled.sources, rules),
-        outputs=[Hashed.of(name, text.encode()) for name, text in questions.texts().items()],
+        sources=hashed_sources(queries.compiled.sources, rules),
+        outputs=[Hashed.of(name, text.encode()) for name, text in queries.texts().items()],
         bound=bound_of(proofs.machine),
         results=tuple(verification_results(proofs)),
     )

@@ -34,7 +34,7 @@ import "{rules}";
 
 @dataclass(frozen=True)
 class WitnessTests:
-    """The text of a file of tests, how many it has, and what could not be told as a test."""
+    """The text of a file of tests, how many it has, and what could not be reported as a test."""
 
     text: str
     count: int

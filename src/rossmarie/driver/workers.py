@@ -1,4 +1,4 @@
-"""Long questions, several at once, each in a process that can be ended at any moment."""
+"""Long queries, several at once, each in a process that can be ended at any moment."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from typing import TypeVar
 
-Question = TypeVar("Question")
+Query = TypeVar("Query")
 Answer = TypeVar("Answer")
 
 
 def answers(
-    ask: Callable[[Question], Answer],
-    questions: Sequence[Question],
+    ask: Callable[[Query], Answer],
+    queries: Sequence[Query],
     on_progress: Callable[[float], None],
 ) -> Iterator[Answer | None]:
-    """The answers in the order of the questions; None where the system ended the process.
+    """The answers in the order of the queries; None where the system ended the process.
 
     If this run ends early, even if it is killed, so do the processes, with what they have opened
     in `with`.
     """
     with _workers() as pool:
-        waiting = [pool.submit(_answer, ask, question) for question in questions]
+        waiting = [pool.submit(_answer, ask, query) for query in queries]
         for count, _ in enumerate(as_completed(waiting), 1):
             on_progress(count / len(waiting))
         yield from map(_result, waiting)
@@ -59,7 +59,7 @@ def _workers() -> Iterator[ProcessPoolExecutor]:
 
 
 def _give_up_writing(pool: ProcessPoolExecutor) -> None:
-    """A long question may be half written to a worker that has ended. Without a reader the writer
+    """A long query may be half written to a worker that has ended. Without a reader the writer
     ends, too. Python closes the reader itself from 3.11.5 on (gh-94777), and waits for ever before.
     """
     if sys.version_info >= (3, 11, 5):
@@ -82,12 +82,12 @@ def _end_with_the_run() -> None:
         os.kill(os.getpid(), signal.SIGTERM)
 
 
-def _answer(ask: Callable[[Question], Answer], question: Question) -> Answer:
+def _answer(ask: Callable[[Query], Answer], query: Query) -> Answer:
     signal.signal(signal.SIGTERM, _leave)
     try:
-        return ask(question)
+        return ask(query)
     except SystemExit:
-        os._exit(1)  # the pool would go on with its next question
+        os._exit(1)  # the pool would go on with its next query
     finally:
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
 

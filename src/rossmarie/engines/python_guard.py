@@ -21,8 +21,8 @@ from rossmarie.ir import (
     Machine,
     Order,
     OrderKind,
+    Reported,
     State,
-    Told,
     Wiring,
     reactions,
 )
@@ -168,7 +168,7 @@ class PythonGuard:
         return PythonRow([self.fresh() for _ in range(count)])
 
     def take_events(self) -> list[Event]:
-        """The events that were told since the last time; orders wait on."""
+        """The events that were reported since the last time; orders wait on."""
         events, self._events = self._events, []
         return events
 
@@ -198,10 +198,10 @@ class PythonGuard:
         """Steps for arrays of the sizes of a wiring."""
         return PythonSteps(self._machine, self, wiring)
 
-    def take(self) -> Told:
-        """All that was told since the last time."""
+    def take(self) -> Reported:
+        """All that was reported since the last time."""
         orders, self._orders = self._orders, []
-        return Told(self.take_events(), orders)
+        return Reported(self.take_events(), orders)
 
     @property
     def has_news(self) -> bool:

@@ -54,7 +54,7 @@ class PythonMonitor:
 
     @property
     def watches(self) -> tuple[TruthValue, ...]:
-        """The values of the watched truths, by index."""
+        """The values of the watched propositions, by index."""
         return tuple(map(TruthValue, self._generated.watches())) if self._has_watches else ()
 
     @property
@@ -152,23 +152,23 @@ class PythonMonitor:
         self._keep()
         if call(at_ns, *arguments) < 0:
             raise ValueError(f"an instant of {at_ns} ns is out of range")
-        return [self._event(told) for told in self._generated.take_events()]
+        return [self._event(reported) for reported in self._generated.take_events()]
 
     def _keep(self) -> None:
         """The events of fast calls wait."""
-        self._waiting += [self._event(told) for told in self._generated.take_events()]
+        self._waiting += [self._event(reported) for reported in self._generated.take_events()]
 
-    def _event(self, told: Any) -> Event:
-        if isinstance(told, self._jump):
-            return TimeJump(*told)
+    def _event(self, reported: Any) -> Event:
+        if isinstance(reported, self._jump):
+            return TimeJump(*reported)
         return Verdict(
-            rule=told.rule,
-            at_ns=told.at_ns,
-            change=Change(told.change),
-            truths=tuple(map(TruthValue, told.truths)),
-            since_ns=told.since_ns,
-            values=told.values,
-            inputs=tuple(map(InputState, told.inputs)),
+            rule=reported.rule,
+            at_ns=reported.at_ns,
+            change=Change(reported.change),
+            truth_values=tuple(map(TruthValue, reported.truth_values)),
+            since_ns=reported.since_ns,
+            values=reported.values,
+            inputs=tuple(map(InputState, reported.inputs)),
         )
 
     def _fields(self, channel: int, values: ChannelValues) -> list[object]:

@@ -28,8 +28,8 @@ class Steered(Protocol):
     def margins(self) -> tuple[float, ...]:
         """The margins that rules declare, in SI units."""
 
-    def take(self) -> ir.Told:
-        """All that was told since the last time."""
+    def take(self) -> ir.Reported:
+        """All that was reported since the last time."""
 
     def take_events(self) -> list[ir.Event]:
         """The events among it; orders wait on."""

@@ -23,7 +23,7 @@ from rossmarie.ir import (
     Wiring,
 )
 from rossmarie.ir.clouds import leave_out
-from rossmarie.native import CHANGED, CLOSED, REFUSED, TOLD, fits, put_back
+from rossmarie.native import CHANGED, CLOSED, REFUSED, REPORTED, fits, put_back
 
 
 class Stepped(Protocol):
@@ -107,7 +107,7 @@ class PythonSteps:
             return None
         said = 0 if action is None else self._decide(at_ns, action)
         said |= 0 if self._guard.has_all_inputs else CLOSED
-        return self._guard.note(said | (TOLD if self._guard.has_news else 0))
+        return self._guard.note(said | (REPORTED if self._guard.has_news else 0))
 
     def _decide(self, at_ns: int, action: NDArray[Any]) -> int:
         """Let an action become what may be done; gives bits of what happened to it."""

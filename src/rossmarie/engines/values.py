@@ -8,7 +8,7 @@ from typing import TypeAlias, cast
 
 import numpy as np
 
-from rossmarie.engines.questions import Questions
+from rossmarie.engines.queries import Queries
 from rossmarie.engines.scans import values_of_scan
 from rossmarie.ir import (
     AXES,
@@ -56,7 +56,7 @@ class NamedValues:
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self.slots, self.arrays = (_by_name(names) for names in field_names(machine))
-        self.questions = Questions(machine)
+        self.queries = Queries(machine)
         self.lists = _by_name(list_names(machine))
         self.arrivals = arrival_names(machine)
         self._clouds = point_columns(machine)
@@ -105,10 +105,10 @@ class NamedValues:
         }
 
     def _answers(self, name: str, value: Value) -> dict[int, float]:
-        """Answers of skills, by slot, where these are named: by the topic, or by one question."""
-        if self.questions.is_context(name, value):
-            return self.questions.answers(name, cast("SkillMessage", value))
-        asked = self.questions.named.get(name, ())
+        """Answers of skills, by slot, where these are named: by the topic, or by one query."""
+        if self.queries.is_context(name, value):
+            return self.queries.answers(name, cast("SkillMessage", value))
+        asked = self.queries.named.get(name, ())
         return {index: self._number(index, value) for index in asked}
 
     def shortest(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -133,7 +133,7 @@ class NamedValues:
         near = near_name(
             name,
             (
-                *self.questions.named,
+                *self.queries.named,
                 *self.slots,
                 *self.arrays,
                 *self.lists,

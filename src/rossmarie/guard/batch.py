@@ -31,8 +31,8 @@ class BatchDecision(NamedTuple):
 
 class GuardBatch:
     """So many guards of the same rules, each for an environment of its own. What rules want done
-    beside the action is not told, and nobody reports how it ended. It cannot be copied; calls of
-    several threads wait for each other.
+    beside the action is not reported, and nobody reports how it ended. It cannot be copied; calls
+    of several threads wait for each other.
     """
 
     def __init__(

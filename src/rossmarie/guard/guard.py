@@ -40,11 +40,11 @@ from rossmarie.ir import (
     near_name,
     require_instant,
 )
-from rossmarie.native import CHANGED, TOLD, StepCall
+from rossmarie.native import CHANGED, REPORTED, StepCall
 from rossmarie.targets import c99
 
 Array = NDArray[Any]
-_NEWS = CHANGED | TOLD
+_NEWS = CHANGED | REPORTED
 
 
 class Guard:
@@ -136,7 +136,7 @@ class Guard:
                 note = arrive(as_instant(at_ns), np.ascontiguousarray(observation))
                 assert note is not None, "it fits now"
             self._see(at_ns, note)
-            if note[0] & TOLD:
+            if note[0] & REPORTED:
                 self._note(self._engine.take_events())
         return active_in(note, len(self.rules))
 
@@ -192,7 +192,7 @@ class Guard:
         before, earlier = self._before, self._earlier
         if not note[0] & _NEWS:
             return Decision(at_ns, executed, note, self._reasons, before, earlier)
-        requests = self._take() if note[0] & TOLD else ()
+        requests = self._take() if note[0] & REPORTED else ()
         given = wanted.copy() if note[0] & CHANGED else None
         return Decision(at_ns, executed, note, self._reasons, before, earlier, given, requests)
 
@@ -304,8 +304,8 @@ class Guard:
     def _fingerprint(self) -> str:
         """The rules, the version of what runs them, and the kind of the guard."""
         text = machine_to_json(self.machine)
-        told = f"{text}\0{c99.version()}\0{self.kind}"
-        return f"{self.machine.name} {hashlib.sha256(told.encode()).hexdigest()[:16]}"
+        reported = f"{text}\0{c99.version()}\0{self.kind}"
+        return f"{self.machine.name} {hashlib.sha256(reported.encode()).hexdigest()[:16]}"
 
     # --- steps -------------------------------------------------------------------------------
 
@@ -366,10 +366,10 @@ class Guard:
             )
 
     def _take(self) -> tuple[Request, ...]:
-        """Take note of what was told."""
-        told = self._engine.take()
-        self._note(told.events)
-        return tuple(requests_of(self.machine, told.orders, self._acted))
+        """Take note of what was reported."""
+        reported = self._engine.take()
+        self._note(reported.events)
+        return tuple(requests_of(self.machine, reported.orders, self._acted))
 
     def _note(self, events: list[Event]) -> None:
         causes = dict(self._reasons.causes)

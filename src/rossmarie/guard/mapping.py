@@ -138,7 +138,7 @@ class ArrayMapping:
         for slot, listed in whole.items():
             part = self._slot_part(slot, name, unit)
             _enter(self._slots, slot, _Entry(name, index, part, listed=listed))
-        asked = values.questions.named.get(name, ())
+        asked = values.queries.named.get(name, ())
         for slot in asked:
             _enter(self._slots, slot, _Entry(name, index, self._slot_part(slot, name, unit)))
         if name in values.slots and not whole:
@@ -170,7 +170,7 @@ class ArrayMapping:
     def _require_all(self) -> None:
         """Every field that rules read is declared."""
         slots, arrays = self._values.shortest()
-        words = self._values.questions.words
+        words = self._values.queries.words
         missing = [
             words(index) or name for index, name in enumerate(slots) if index not in self._slots
         ]

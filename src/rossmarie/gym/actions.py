@@ -17,7 +17,7 @@ from rossmarie.guard import Declared, MappingError
 from rossmarie.gym.observations import Array, Spots
 
 Allows: TypeAlias = Callable[[Array], NDArray[np.bool_]]
-"""A question: would flat actions, of shape (k, m), pass as they are? Answers: (k,) or (n, k)."""
+"""A query: would flat actions, of shape (k, m), pass as they are? Answers: (k,) or (n, k)."""
 
 
 class Actions(Protocol):

@@ -114,7 +114,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         active, feedback = self._active, self._feedback
         if self._with_feedback:
             reward = float(reward) - float(feedback.sum())
-        told = {
+        reported = {
             "proposed": passed.proposed,
             "executed": passed.executed,
             "intervened": bool(passed.intervened),
@@ -124,7 +124,7 @@ class GuardedEnv(Wrapper[Any, Any, Any, Any], RecordConstructorArgs):
         }
         cost = float(info.get("cost", 0.0)) + float(self._was_active)
         is_over = bool(self._interface.is_over(active))
-        whole = self._with_mask({**info, "guard": told, "cost": cost})
+        whole = self._with_mask({**info, "guard": reported, "cost": cost})
         return observation, reward, terminated, truncated or is_over, whole
 
     def action_masks(self) -> NDArray[np.bool_]:

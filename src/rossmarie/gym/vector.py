@@ -98,7 +98,7 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         feedback[anew] = 0.0
         if self._with_feedback:
             rewards = rewards - feedback.sum(axis=-1)
-        told = {
+        reported = {
             "proposed": passed.proposed,
             "executed": passed.executed,
             "intervened": passed.intervened,
@@ -107,9 +107,9 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
             "margin": margin,
         }
         everywhere = np.ones(self.num_envs, np.bool_)
-        masks = {f"_{name}": everywhere for name in told} | {"_executed": ~anew}
+        masks = {f"_{name}": everywhere for name in reported} | {"_executed": ~anew}
         cost = np.asarray(infos.get("cost", 0.0)) + (active.any(axis=-1) & ~anew)
-        whole = {**infos, "guard": {**told, **masks}, "_guard": everywhere}
+        whole = {**infos, "guard": {**reported, **masks}, "_guard": everywhere}
         whole |= {"cost": cost, "_cost": everywhere}
         return observations, rewards, terminated, truncated, self._with_mask(whole)
 
@@ -158,9 +158,9 @@ class GuardedVectorEnv(VectorWrapper[Any, Any, Any, Any, Any]):
         mask = self._interface.actions.mask(self._guards.allows)
         if mask is None:
             return infos
-        told = {"action_mask": mask, "no_choice_passes": ~mask.any(axis=-1)}
+        reported = {"action_mask": mask, "no_choice_passes": ~mask.any(axis=-1)}
         everywhere = np.ones(self.num_envs, np.bool_)
-        return {**infos, **told, **{f"_{name}": everywhere for name in told}}
+        return {**infos, **reported, **{f"_{name}": everywhere for name in reported}}
 
 
 def _mode_of(env: VectorEnv[Any, Any, Any]) -> AutoresetMode:

@@ -1,4 +1,5 @@
-"""Signals and truths over the elements of an array or a list (rules S22 to S26, S51 to S54, S74).
+"""Signals and propositions over the elements of an array or a list (rules S22 to S26, S51 to S54,
+S74).
 
 Every result over an array of which nothing is known is unknown: it has not arrived, has expired, is
 empty, or is a list of too many elements. A list without elements is known.
@@ -39,11 +40,14 @@ class Elements:
         return reduce(lambda found, each: arithmetic.plain(function, (found, each)), values, first)
 
     def count(self, node: ir.Count) -> float:
-        """For how many elements a truth is true; NaN if it is unknown for one, or nothing is known
-        (S24).
+        """For how many elements a proposition is true; NaN if it is unknown for one, or nothing is
+        known (S24).
         """
-        values = self._truths(node.element)
-        if not self._is_known(self._arrays.truths[node.element]) or TruthValue.UNKNOWN in values:
+        values = self._propositions(node.element)
+        if (
+            not self._is_known(self._arrays.propositions[node.element])
+            or TruthValue.UNKNOWN in values
+        ):
             return NAN
         return float(values.count(TruthValue.TRUE))
 
@@ -51,9 +55,9 @@ class Elements:
         """Kleene's disjunction or conjunction over the elements; unknown if nothing is known
         (S25).
         """
-        if not self._is_known(self._arrays.truths[node.element]):
+        if not self._is_known(self._arrays.propositions[node.element]):
             return TruthValue.UNKNOWN
-        values = self._truths(node.element)
+        values = self._propositions(node.element)
         is_any = node.quantifier is ir.Quantifier.ANY
         return kleene.disjunction(values) if is_any else kleene.conjunction(values)
 
@@ -61,10 +65,12 @@ class Elements:
         assert array is not None, "verified: only elementwise nodes are folded"
         return self._memory.arrays[array] is not None
 
-    def _truths(self, index: int) -> list[TruthValue]:
-        array = self._arrays.truths[index]
-        assert array is not None, "verified: only elementwise truths are quantified and counted"
-        return [self._truth(index, place) for place in self._places(array)]
+    def _propositions(self, index: int) -> list[TruthValue]:
+        array = self._arrays.propositions[index]
+        assert array is not None, (
+            "verified: only elementwise propositions are quantified and counted"
+        )
+        return [self._proposition(index, place) for place in self._places(array)]
 
     def values(self, index: int) -> list[float]:
         """An elementwise signal, for each element."""
@@ -92,10 +98,10 @@ class Elements:
             ) as node:  # fmt: skip
                 raise AssertionError(f"verified: {type(node).__name__} is not elementwise")
 
-    def _truth(self, index: int, place: int) -> TruthValue:
-        match self._machine.truths[index].node:
+    def _proposition(self, index: int, place: int) -> TruthValue:
+        match self._machine.propositions[index].node:
             case ir.Literal(value=value):
-                return kleene.truth_of(value)
+                return kleene.proposition_of(value)
             case ir.Compare(comparison=comparison, left=left, right=right):
                 return compare(comparison, self._signal(left, place), self._signal(right, place))
             case ir.Between(signal=signal, low=low, high=high):
@@ -105,11 +111,11 @@ class Elements:
             case ir.Flag(signal=signal):
                 return is_set(self._signal(signal, place))
             case ir.Not(operand=operand):
-                return kleene.negation(self._truth(operand, place))
+                return kleene.negation(self._proposition(operand, place))
             case ir.And(operands=operands):
-                return kleene.conjunction(self._truth(operand, place) for operand in operands)
+                return kleene.conjunction(self._proposition(operand, place) for operand in operands)
             case ir.Or(operands=operands):
-                return kleene.disjunction(self._truth(operand, place) for operand in operands)
+                return kleene.disjunction(self._proposition(operand, place) for operand in operands)
             case (
                 ir.AgeReaches() | ir.Oscillates() | ir.Quantified() | ir.Held() | ir.Since()
                 | ir.Recurs()

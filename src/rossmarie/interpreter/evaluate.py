@@ -1,4 +1,4 @@
-"""One evaluation: every signal, then every truth, from left to right.
+"""One evaluation: every signal, then every proposition, from left to right.
 
 Before it, the inputs in memory are brought up to the instant. All nodes are evaluated each time; a
 target may leave out those that cannot have changed.
@@ -19,7 +19,7 @@ from rossmarie.ir.comparison import compare, is_between, is_set
 
 
 class Evaluator:
-    """Computes the signals and truths of a machine into its memory."""
+    """Computes the signals and propositions of a machine into its memory."""
 
     def __init__(self, machine: ir.Machine, memory: Memory) -> None:
         self._machine = machine
@@ -34,15 +34,15 @@ class Evaluator:
             if self._element_arrays.signals[index] is None:
                 value = self._signal(index, signal.node, at_ns, updated, expired)
                 self._memory.signals[index] = value
-        for index, truth in enumerate(self._machine.truths):
-            if self._element_arrays.truths[index] is None:
-                value = self._truth(index, truth.node, at_ns, updated, expired)
+        for index, proposition in enumerate(self._machine.propositions):
+            if self._element_arrays.propositions[index] is None:
+                value = self._proposition(index, proposition.node, at_ns, updated, expired)
                 self._record(index, value, at_ns)
 
     def _record(self, index: int, value: TruthValue, at_ns: int) -> None:
-        """S34: since when a truth has its value; the first evaluation counts as a change."""
-        if self._memory.truths[index] is not value:
-            self._memory.truths[index] = value
+        """S34: since when a proposition has its value; the first evaluation counts as a change."""
+        if self._memory.truth_values[index] is not value:
+            self._memory.truth_values[index] = value
             self._memory.since_ns[index] = at_ns
 
     # --- signals -----------------------------------------------------------------------------
@@ -105,19 +105,20 @@ class Evaluator:
                 samples.take(_of_samples(node.function, samples), at_ns)
         return samples.view(View.NEWEST) if feeds_back else _of_samples(node.function, samples)
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
-    def _truth(
+    def _proposition(
         self,
         index: int,
-        node: ir.TruthNode,
+        node: ir.PropositionNode,
         at_ns: int,
         updated: frozenset[int],
         expired: frozenset[int],
     ) -> TruthValue:
         match node:
             case ir.Literal(value=value):
-                return kleene.truth_of(value)
+                return kleene.proposition_of(value)
             case ir.Not(operand=operand):
                 return kleene.negation(self._known(operand))
             case ir.And(operands=operands):
@@ -140,7 +141,7 @@ class Evaluator:
                 return self._unknown(index, node) if found is TruthValue.UNKNOWN else found
 
     def _known(self, index: int) -> TruthValue:
-        value = self._memory.truths[index]
+        value = self._memory.truth_values[index]
         assert value is not None, "operands stand before their users"
         return value
 
@@ -166,16 +167,16 @@ class Evaluator:
         expired: frozenset[int],
     ) -> TruthValue:
         """S26, S74, as for folds."""
-        support = self._supports.truths[index]
+        support = self._supports.propositions[index]
         if support.channels & updated:
             self._memory.quantified[index] = self.elements.quantified(node)
         elif support.inputs & expired:
             self._memory.quantified[index] = TruthValue.UNKNOWN
         return self._memory.quantified[index]
 
-    def _unknown(self, index: int, node: ir.TruthNode) -> TruthValue:
-        """S30: an unknown leaf is lost if that is for lack of an input with a timeout."""
-        support = self._supports.truths[index]
+    def _unknown(self, index: int, node: ir.PropositionNode) -> TruthValue:
+        """S30: an unknown leaf is stale if that is for lack of an input with a timeout."""
+        support = self._supports.propositions[index]
         lacking = {
             self._machine.slots[slot].input
             for slot in support.slots
@@ -187,8 +188,8 @@ class Evaluator:
         is_whole = isinstance(node, ir.Quantified | ir.AgeReaches)
         if is_whole or not self._is_excused(support):
             lacking |= support.inputs
-        is_lost = any(self._machine.inputs[used].timeout_ns is not None for used in lacking)
-        return TruthValue.LOST if is_lost else TruthValue.UNKNOWN
+        is_stale = any(self._machine.inputs[used].timeout_ns is not None for used in lacking)
+        return TruthValue.STALE if is_stale else TruthValue.UNKNOWN
 
     def _is_excused(self, support: ir.Support) -> bool:
         """S30: whether a leaf is unknown because of what it rests on, not of its arithmetic: a
@@ -210,7 +211,7 @@ class Evaluator:
         memory = self._memory.inputs[node.input]
         if memory.state is InputState.NEVER:
             return TruthValue.UNKNOWN
-        return kleene.truth_of(at_ns - memory.stamp_ns >= node.age_ns)
+        return kleene.proposition_of(at_ns - memory.stamp_ns >= node.age_ns)
 
     def _oscillates(
         self, index: int, node: ir.Oscillates, at_ns: int, updated: frozenset[int]

@@ -48,7 +48,7 @@ class Interpreter:
 
     @property
     def arrays(self) -> tuple[Sequence[float], ...]:
-        """The present elements of each array, by index; none before they arrive or once lost."""
+        """The present elements of each array, by index; none before they arrive or once stale."""
         return tuple(() if found is None else found for found in self._memory.arrays)
 
     def elements(self, signal: int) -> Sequence[float]:
@@ -57,8 +57,8 @@ class Interpreter:
 
     @property
     def watches(self) -> tuple[TruthValue, ...]:
-        """The values of the watched truths, by index; unknown before the first event."""
-        found = (self._memory.truths[truth] for truth in self._machine.watches)
+        """The values of the watched propositions, by index; unknown before the first event."""
+        found = (self._memory.truth_values[proposition] for proposition in self._machine.watches)
         return tuple(TruthValue.UNKNOWN if value is None else value for value in found)
 
     @property
@@ -147,18 +147,18 @@ class Interpreter:
         """S35 to S37: what an evaluation does to a rule."""
         rule = self._machine.rules[index]
         if not self._active[index]:
-            return _ACTIVATIONS.get(self._truth(rule.condition))
+            return _ACTIVATIONS.get(self._proposition(rule.condition))
         if rule.release is None or not self._is_over(index):
             return None
-        return Change.CLEARED if self._truth(rule.release) is TruthValue.TRUE else None
+        return Change.CLEARED if self._proposition(rule.release) is TruthValue.TRUE else None
 
     def _is_over(self, index: int) -> bool:
         """Say whether a rule is active and its condition false."""
         condition = self._machine.rules[index].condition
-        return self._active[index] and self._truth(condition) is TruthValue.FALSE
+        return self._active[index] and self._proposition(condition) is TruthValue.FALSE
 
-    def _truth(self, index: int) -> TruthValue:
-        value = self._memory.truths[index]
+    def _proposition(self, index: int) -> TruthValue:
+        value = self._memory.truth_values[index]
         assert value is not None, "rules are read after an evaluation"
         return value
 
@@ -170,7 +170,7 @@ class Interpreter:
             rule=index,
             at_ns=at_ns,
             change=change,
-            truths=tuple(self._truth(term) for term in rule.terms),
+            truth_values=tuple(self._proposition(term) for term in rule.terms),
             since_ns=tuple(self._memory.since_ns[term] for term in rule.terms),
             values=tuple(self._memory.signals[signal] for signal in rule.signals),
             inputs=tuple(self._memory.inputs[used].state for used in rule.inputs),
@@ -179,5 +179,5 @@ class Interpreter:
 
 _ACTIVATIONS: Mapping[TruthValue, Change] = {
     TruthValue.TRUE: Change.ACTIVATED,
-    TruthValue.LOST: Change.ACTIVATED_LOST,
+    TruthValue.STALE: Change.ACTIVATED_STALE,
 }

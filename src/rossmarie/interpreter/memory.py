@@ -119,7 +119,7 @@ class Recent:
 
     def look(self, source: TruthValue, window_ns: int, at_ns: int) -> TruthValue:
         """Say whether enough lie in the window, the source of them being known or not."""
-        if source in (TruthValue.UNKNOWN, TruthValue.LOST):
+        if source in (TruthValue.UNKNOWN, TruthValue.STALE):
             self.gap, self.gap_end_ns = source, None
         elif self.gap_end_ns is None:
             self.gap_end_ns = at_ns
@@ -185,10 +185,10 @@ class Oscillation:
 
 @dataclass
 class Memory:
-    """All of it, by the indexes of the machine. Elementwise signals and truths have no entry of
-    their own: they stay NaN and None. `since` holds what each `since` was at the last evaluation.
-    An array of which nothing is known is None. `quantified` are the answers of quantifiers from
-    when their elements arrived (S26).
+    """All of it, by the indexes of the machine. Elementwise signals and propositions have no entry
+    of their own: they stay NaN and None. `since` holds what each `since` was at the last
+    evaluation. An array of which nothing is known is None. `quantified` are the answers of
+    quantifiers from when their elements arrived (S26).
     """
 
     slots: list[float]
@@ -196,7 +196,7 @@ class Memory:
     inputs: list[InputMemory]
     signals: list[float]
     samples: dict[int, Samples]
-    truths: list[TruthValue | None]
+    truth_values: list[TruthValue | None]
     since_ns: list[int]
     oscillations: dict[int, Oscillation]
     recurrences: dict[int, Recurrence]
@@ -217,7 +217,7 @@ class Memory:
             recurrence.recent.forget(at_ns)
         for held in self.held:
             self.held[held] = HeldMemory(before=TruthValue.UNKNOWN)
-        self.truths = [None] * len(self.truths)
+        self.truth_values = [None] * len(self.truth_values)
 
 
 def fresh_memory(machine: ir.Machine) -> Memory:
@@ -232,31 +232,31 @@ def fresh_memory(machine: ir.Machine) -> Memory:
             for index, signal in enumerate(machine.signals)
             if isinstance(signal.node, ir.Sampled)
         },
-        truths=[None] * len(machine.truths),
-        since_ns=[0] * len(machine.truths),
+        truth_values=[None] * len(machine.propositions),
+        since_ns=[0] * len(machine.propositions),
         oscillations={
-            index: Oscillation(Recent(deque(maxlen=truth.node.count)))
-            for index, truth in enumerate(machine.truths)
-            if isinstance(truth.node, ir.Oscillates)
+            index: Oscillation(Recent(deque(maxlen=proposition.node.count)))
+            for index, proposition in enumerate(machine.propositions)
+            if isinstance(proposition.node, ir.Oscillates)
         },
         recurrences={
-            index: Recurrence(Recent(deque(maxlen=truth.node.count)))
-            for index, truth in enumerate(machine.truths)
-            if isinstance(truth.node, ir.Recurs)
+            index: Recurrence(Recent(deque(maxlen=proposition.node.count)))
+            for index, proposition in enumerate(machine.propositions)
+            if isinstance(proposition.node, ir.Recurs)
         },
         held={
-            index: HeldMemory(before=kleene.truth_of(truth.node.initially))
-            for index, truth in enumerate(machine.truths)
-            if isinstance(truth.node, ir.Held)
+            index: HeldMemory(before=kleene.proposition_of(proposition.node.initially))
+            for index, proposition in enumerate(machine.propositions)
+            if isinstance(proposition.node, ir.Held)
         },
         since={
             index: TruthValue.FALSE
-            for index, truth in enumerate(machine.truths)
-            if isinstance(truth.node, ir.Since)
+            for index, proposition in enumerate(machine.propositions)
+            if isinstance(proposition.node, ir.Since)
         },
         quantified={
             index: TruthValue.UNKNOWN
-            for index, truth in enumerate(machine.truths)
-            if isinstance(truth.node, ir.Quantified)
+            for index, proposition in enumerate(machine.propositions)
+            if isinstance(proposition.node, ir.Quantified)
         },
     )

@@ -21,9 +21,9 @@ def _expiries(machine: ir.Machine, memory: Memory) -> Iterator[int]:
 
 
 def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
-    for index, truth in enumerate(machine.truths):
-        value = memory.truths[index]
-        match truth.node:
+    for index, proposition in enumerate(machine.propositions):
+        value = memory.truth_values[index]
+        match proposition.node:
             case ir.Held(duration_ns=duration_ns) if value is not TruthValue.TRUE:
                 if (start_ns := memory.held[index].start_ns) is not None:
                     yield start_ns + duration_ns
@@ -45,13 +45,13 @@ def _timers(machine: ir.Machine, memory: Memory) -> Iterator[int]:
 
 
 def _window_since_ns(recent: Recent, value: TruthValue | None) -> int | None:
-    """The begin of the window at whose end a truth changes (ns); None if it does not."""
+    """The begin of the window at whose end a proposition changes (ns); None if it does not."""
     match value:
         case TruthValue.TRUE:
             oldest_ns = recent.oldest_ns()
             assert oldest_ns is not None, "what is true has all its turning points or edges"
             return oldest_ns
-        case TruthValue.UNKNOWN | TruthValue.LOST:
+        case TruthValue.UNKNOWN | TruthValue.STALE:
             return recent.gap_end_ns
         case TruthValue.FALSE | None:
             return None

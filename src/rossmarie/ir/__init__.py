@@ -1,4 +1,4 @@
-"""The monitor machine: its model, what it says, and the questions that every target asks of it."""
+"""The monitor machine: its model, what it says, and the queries that every target asks of it."""
 
 from rossmarie.core import AnyFunction, Function, Sampling
 from rossmarie.ir import reactions
@@ -12,8 +12,8 @@ from rossmarie.ir.defined import Once, Response, defined, held_of
 from rossmarie.ir.explain import (
     Cause,
     Explanation,
-    LostInput,
     Reading,
+    StaleInput,
     event_line,
     exemption_words,
     explain,
@@ -63,6 +63,8 @@ from rossmarie.ir.model import (
     Not,
     Or,
     Oscillates,
+    Proposition,
+    PropositionNode,
     Quantified,
     Quantifier,
     Read,
@@ -73,8 +75,6 @@ from rossmarie.ir.model import (
     SignalNode,
     Since,
     Slot,
-    Truth,
-    TruthNode,
 )
 from rossmarie.ir.naming import (
     ScanFields,
@@ -84,7 +84,7 @@ from rossmarie.ir.naming import (
     near_name,
     scan_names,
 )
-from rossmarie.ir.orders import FieldBounds, Order, OrderKind, State, Told
+from rossmarie.ir.orders import FieldBounds, Order, OrderKind, Reported, State
 from rossmarie.ir.path import (
     AXES,
     EACH,
@@ -122,14 +122,14 @@ from rossmarie.ir.support import (
     is_leaf,
     is_of_list,
     kind_of,
-    leaf_truths,
-    reachable_truths,
+    leaf_propositions,
+    proposition_operands,
+    reachable_propositions,
     rule_signals,
     signal_operands,
     supports,
-    truth_operands,
 )
-from rossmarie.ir.terms import rule_terms, told_truths
+from rossmarie.ir.terms import reported_propositions, rule_terms
 from rossmarie.ir.text import dump_text
 from rossmarie.ir.verdict import Change, Event, InputState, TimeJump, TruthValue, Verdict
 from rossmarie.ir.verify import verify
@@ -195,7 +195,6 @@ __all__ = [
     "List",
     "Listed",
     "Literal",
-    "LostInput",
     "Machine",
     "MalformedMachine",
     "Margin",
@@ -209,6 +208,8 @@ __all__ = [
     "Path",
     "PointColumns",
     "Points",
+    "Proposition",
+    "PropositionNode",
     "Publication",
     "Quantified",
     "Quantifier",
@@ -217,6 +218,7 @@ __all__ = [
     "Read",
     "Reading",
     "Recurs",
+    "Reported",
     "Requirement",
     "Response",
     "Rule",
@@ -231,15 +233,13 @@ __all__ = [
     "SkillCall",
     "SkillStep",
     "Slot",
+    "StaleInput",
     "State",
     "Step",
     "Support",
     "Supports",
     "Taken",
     "TimeJump",
-    "Told",
-    "Truth",
-    "TruthNode",
     "TruthValue",
     "UnreadableMachine",
     "Verdict",
@@ -270,7 +270,7 @@ __all__ = [
     "is_setting",
     "kind_of",
     "known_count",
-    "leaf_truths",
+    "leaf_propositions",
     "list_names",
     "machine_from_json",
     "machine_to_json",
@@ -281,8 +281,10 @@ __all__ = [
     "path_names",
     "path_text",
     "point_columns",
-    "reachable_truths",
+    "proposition_operands",
+    "reachable_propositions",
     "reactions",
+    "reported_propositions",
     "require_instant",
     "rule_signals",
     "rule_terms",
@@ -293,8 +295,6 @@ __all__ = [
     "signal_operands",
     "stand_beside",
     "supports",
-    "told_truths",
-    "truth_operands",
     "verify",
     "wakes",
     "without_margins",

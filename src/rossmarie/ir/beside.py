@@ -30,7 +30,7 @@ def stand_beside(machine: ir.Machine) -> tuple[bool, ...]:
 
 def beside(machine: ir.Machine) -> Mapping[int, tuple[int, ...]]:
     """The signals beside the elements of each array, constants left out, in index order. All
-    columns of a list are told by the first one; arrays without such signals are left out.
+    columns of a list are reported by the first one; arrays without such signals are left out.
     """
     arrays = element_arrays(machine)
     found: dict[int, set[int]] = {}
@@ -43,8 +43,8 @@ def beside(machine: ir.Machine) -> Mapping[int, tuple[int, ...]]:
 
     for index, each in enumerate(machine.signals):
         take(arrays.signals[index], signal_operands(each.node))
-    for index, truth in enumerate(machine.truths):
-        take(arrays.truths[index], compared_signals(truth.node))
+    for index, proposition in enumerate(machine.propositions):
+        take(arrays.propositions[index], compared_signals(proposition.node))
     return {array: tuple(sorted(signals)) for array, signals in sorted(found.items())}
 
 

@@ -10,7 +10,7 @@ may have begun before; between two of them C both ceases to be true and becomes 
 most one more than the lesser of how often C becomes true and how often it ceases to be.
 
 How often that is follows from left to right. Signals change only to NaN, when an input that they
-rest on expires, and a leaf over one is lost from then on (S30). An `and` or `or` becomes or ceases
+rest on expires, and a leaf over one is stale from then on (S30). An `and` or `or` becomes or ceases
 to be true or false only together with one of its operands. `C for d` becomes true when its timer
 falls due and ceases to be when C does; it becomes false only when C does, for while C is true and
 it is not, it is what C was before (S33); and it ceases to be false when its timer falls due, or
@@ -33,7 +33,7 @@ from functools import reduce
 from operator import or_
 
 from rossmarie.ir import model as ir
-from rossmarie.ir.support import supports, truth_operands
+from rossmarie.ir.support import proposition_operands, supports
 
 
 def most_evaluations(machine: ir.Machine) -> int:
@@ -45,25 +45,25 @@ def most_evaluations(machine: ir.Machine) -> int:
     return 1 + sum(count for _, count in wakes(machine))
 
 
-def wakes(machine: ir.Machine) -> Iterator[tuple[ir.Input | ir.Truth, int]]:
-    """The evaluations that each input and each truth adds, from left to right: the number of times
-    that its timer falls due in one call. It is 0 if there is no timer, or if it shares that of one
-    before it.
+def wakes(machine: ir.Machine) -> Iterator[tuple[ir.Input | ir.Proposition, int]]:
+    """The evaluations that each input and each proposition adds, from left to right: the number of
+    times that its timer falls due in one call. It is 0 if there is no timer, or if it shares that
+    of one before it.
     """
     counted = _Counted(machine)
     for declared in machine.inputs:
         before = counted.total
         counted.expiry(declared)
         yield declared, counted.total - before
-    for index, truth in enumerate(machine.truths):
+    for index, proposition in enumerate(machine.propositions):
         before = counted.total
         counted.add(index)
-        yield truth, counted.total - before
+        yield proposition, counted.total - before
 
 
 @dataclass(frozen=True)
 class _Changes:
-    """The evaluations, as the bits of integers, at which a truth can change."""
+    """The evaluations, as the bits of integers, at which a proposition can change."""
 
     becomes_true: int = 0
     ceases_true: int = 0
@@ -83,12 +83,12 @@ class _Changes:
 
 
 class _Counted:
-    """The evaluations found so far, and how the truths up to here can change at them."""
+    """The evaluations found so far, and how the propositions up to here can change at them."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.total = 0
         self._machine = machine
-        self._supports = supports(machine).truths
+        self._supports = supports(machine).propositions
         self._changes: list[_Changes] = []
         self._ages: dict[tuple[int, int], int] = {}
 
@@ -99,11 +99,11 @@ class _Counted:
         return self._age(declared.channel, declared.timeout_ns)
 
     def add(self, index: int) -> None:
-        """The next truth."""
-        self._changes.append(self._found(index, self._machine.truths[index].node))
+        """The next proposition."""
+        self._changes.append(self._found(index, self._machine.propositions[index].node))
 
-    def _found(self, index: int, node: ir.TruthNode) -> _Changes:
-        operands = [self._changes[operand] for operand in truth_operands(node)]
+    def _found(self, index: int, node: ir.PropositionNode) -> _Changes:
+        operands = [self._changes[operand] for operand in proposition_operands(node)]
         match node:
             case ir.And() | ir.Or():
                 return reduce(or_, operands)
@@ -120,9 +120,9 @@ class _Counted:
                 return _Changes(becomes_true=due, ceases_false=due)
             case ir.Oscillates():
                 closes = self._new(1)
-                return self._lost(index) | _Changes(ceases_true=closes, becomes_false=closes)
+                return self._stale(index) | _Changes(ceases_true=closes, becomes_false=closes)
             case ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Quantified():
-                return self._lost(index)
+                return self._stale(index)
 
     def _held(self, operand: _Changes) -> _Changes:
         again = min(operand.becomes_true.bit_count(), operand.ceases_true.bit_count())
@@ -145,8 +145,8 @@ class _Counted:
             ceases_false=operand.ceases_true | operand.ceases_false,
         )
 
-    def _lost(self, index: int) -> _Changes:
-        """A leaf is lost when an input that it rests on expires."""
+    def _stale(self, index: int) -> _Changes:
+        """A leaf is stale when an input that it rests on expires."""
         inputs = (self._machine.inputs[used] for used in self._supports[index].inputs)
         expires = reduce(or_, map(self.expiry, inputs), 0)
         return _Changes(ceases_true=expires, ceases_false=expires)

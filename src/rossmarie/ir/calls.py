@@ -1,4 +1,4 @@
-"""The ways in which skills may run, as far as the questions of a machine can tell them apart."""
+"""The ways in which skills may run, as far as the queries of a machine can tell them apart."""
 
 from __future__ import annotations
 
@@ -29,12 +29,12 @@ class SkillCall:
         return RunningSkill(self.skill, tuple(arguments), self.is_ahead)
 
     def answers(self, step: Doing) -> bool:
-        """Say whether a question is answered by yes while this call runs."""
+        """Say whether a query is answered by yes while this call runs."""
         return answer(step, SkillContext.of(step.export, [self.running])) == 1.0
 
 
-def question_at(path: Path) -> Doing | None:
-    """The question that a path asks of the skills that run; None if it asks none."""
+def query_at(path: Path) -> Doing | None:
+    """The query that a path asks of the skills that run; None if it asks none."""
     match path:
         case (Doing() as step,):
             return step
@@ -43,7 +43,7 @@ def question_at(path: Path) -> Doing | None:
 
 
 def covering(calls: Iterable[SkillCall], wanted: dict[Doing, bool]) -> tuple[SkillCall, ...] | None:
-    """Calls that together give questions these answers, a few of them; None if there are none."""
+    """Calls that together give queries these answers, a few of them; None if there are none."""
     possible = [(call, {step for step in wanted if call.answers(step)}) for call in calls]
     left = {step for step, is_yes in wanted.items() if is_yes}
     useful = [(call, yes) for call, yes in possible if yes <= left]

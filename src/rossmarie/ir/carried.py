@@ -35,7 +35,7 @@ def carries(source: Slot | Array, si: float) -> bool:
 
 
 def holds_flags(array: Array) -> bool:
-    """Say whether the elements are truths."""
+    """Say whether the elements are propositions."""
     return array.limits == FLAG_LIMITS
 
 

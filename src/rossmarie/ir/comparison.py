@@ -1,5 +1,5 @@
-"""Truths about numbers (rules S27 to S29). A NaN operand makes them unknown; infinities, which
-only elements of arrays can be, are ordinary numbers here.
+"""Propositions about numbers (rules S27 to S29). A NaN operand makes them unknown; infinities,
+which only elements of arrays can be, are ordinary numbers here.
 """
 
 from __future__ import annotations
@@ -9,7 +9,7 @@ import operator
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rossmarie.ir.kleene import truth_of
+from rossmarie.ir.kleene import proposition_of
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.verdict import TruthValue
 
@@ -28,16 +28,16 @@ def compare(comparison: Comparison, left: float, right: float) -> TruthValue:
     """`left OP right` (S27)."""
     if math.isnan(left) or math.isnan(right):
         return TruthValue.UNKNOWN
-    return truth_of(bool(COMPARISONS[comparison](left, right)))
+    return proposition_of(bool(COMPARISONS[comparison](left, right)))
 
 
 def is_between(value: float, low: float, high: float) -> TruthValue:
     """`value in [low, high]` (S28)."""
     if math.isnan(value) or math.isnan(low) or math.isnan(high):
         return TruthValue.UNKNOWN
-    return truth_of(low <= value <= high)
+    return proposition_of(low <= value <= high)
 
 
 def is_set(value: float) -> TruthValue:
     """A flag, which is 0.0 or else true (S29)."""
-    return TruthValue.UNKNOWN if math.isnan(value) else truth_of(value != 0.0)
+    return TruthValue.UNKNOWN if math.isnan(value) else proposition_of(value != 0.0)

@@ -19,7 +19,7 @@ class Once:
 
     @property
     def operands(self) -> tuple[int, ...]:
-        """The truths that the user names."""
+        """The propositions that the user names."""
         return (self.condition,)
 
 
@@ -33,17 +33,17 @@ class Response:
 
     @property
     def operands(self) -> tuple[int, ...]:
-        """The truths that the user names."""
+        """The propositions that the user names."""
         return (self.cause, self.answer)
 
 
-def defined(machine: ir.Machine, truth: int) -> Once | Response | None:
-    """The operator that a truth is by definition; None if it is none of them."""
-    outer = machine.truths[truth].node
-    held = machine.truths[outer.operand].node if isinstance(outer, ir.Not) else outer
+def defined(machine: ir.Machine, proposition: int) -> Once | Response | None:
+    """The operator that a proposition is by definition; None if it is none of them."""
+    outer = machine.propositions[proposition].node
+    held = machine.propositions[outer.operand].node if isinstance(outer, ir.Not) else outer
     if held is outer or not isinstance(held, ir.Held):
         return None
-    inner = machine.truths[held.operand].node
+    inner = machine.propositions[held.operand].node
     if isinstance(inner, ir.Not) and held.initially:
         return Once(inner.operand, held.duration_ns)
     if isinstance(inner, ir.Since) and not held.initially:
@@ -53,8 +53,8 @@ def defined(machine: ir.Machine, truth: int) -> Once | Response | None:
 
 def _response(machine: ir.Machine, since: ir.Since, duration_ns: int) -> Response | None:
     """`not answer since (cause and not answer)`."""
-    missing = machine.truths[since.held].node
-    begun = machine.truths[since.begun].node
+    missing = machine.propositions[since.held].node
+    begun = machine.propositions[since.begun].node
     if not isinstance(missing, ir.Not):
         return None
     if since.begun == since.held:  # the cause is that the answer is missing
@@ -64,10 +64,10 @@ def _response(machine: ir.Machine, since: ir.Since, duration_ns: int) -> Respons
     return None
 
 
-def held_of(machine: ir.Machine, truth: int) -> int | None:
-    """The `for` that a truth is, or that its definition has; None if there is none."""
-    node = machine.truths[truth].node
+def held_of(machine: ir.Machine, proposition: int) -> int | None:
+    """The `for` that a proposition is, or that its definition has; None if there is none."""
+    node = machine.propositions[proposition].node
     if isinstance(node, ir.Held):
-        return truth
-    is_by_definition = isinstance(node, ir.Not) and defined(machine, truth) is not None
+        return proposition
+    is_by_definition = isinstance(node, ir.Not) and defined(machine, proposition) is not None
     return node.operand if isinstance(node, ir.Not) and is_by_definition else None

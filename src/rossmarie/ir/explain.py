@@ -14,7 +14,7 @@ from dslkit.source import Span
 from rossmarie.ir import kleene
 from rossmarie.ir import model as ir
 from rossmarie.ir.defined import defined
-from rossmarie.ir.support import compared_signals, is_leaf, kind_of, leaf_truths, supports
+from rossmarie.ir.support import compared_signals, is_leaf, kind_of, leaf_propositions, supports
 from rossmarie.ir.verdict import Change, Event, InputState, TruthValue, Verdict
 
 
@@ -38,7 +38,7 @@ class Cause:
     named constants that the condition compares with.
     """
 
-    truth: int
+    proposition: int
     name: str | None
     text: str
     value: TruthValue
@@ -66,20 +66,20 @@ class Cause:
 
 
 @dataclass(frozen=True)
-class LostInput:
+class StaleInput:
     """An input to blame for an unknown condition. FRESH: messages come, without a usable value; or
-    it `was_lost` earlier, within the time that the condition looks back on.
+    it `was_stale` earlier, within the time that the condition looks back on.
     """
 
     input: int
     name: str
     topic: str
     state: InputState
-    was_lost: bool = False
+    was_stale: bool = False
 
     def line(self) -> str:
         """One line."""
-        state = "was lost earlier" if self.was_lost else _STATES[self.state]
+        state = "was stale earlier" if self.was_stale else _STATES[self.state]
         return f"input {self.name} ({self.topic}) {state}"
 
 
@@ -93,17 +93,17 @@ class Explanation:
     at_ns: int
     change: Change
     causes: tuple[Cause, ...]
-    lost_inputs: tuple[LostInput, ...]
+    stale_inputs: tuple[StaleInput, ...]
     contract: str
     exempted: str | None = None
 
     def lines(self, origin_ns: int = 0) -> tuple[str, ...]:
-        """A line for each lost input; where none is to blame, one for each cause. In front of them
+        """A line for each stale input; where none is to blame, one for each cause. In front of them
         stands the rule that is not applied.
         """
         first = () if self.exempted is None else (self.exempted,)
-        if self.lost_inputs:
-            return (*first, *(lost.line() for lost in self.lost_inputs))
+        if self.stale_inputs:
+            return (*first, *(stale.line() for stale in self.stale_inputs))
         return (*first, *(cause.line(origin_ns) for cause in self.causes))
 
     def line(self, origin_ns: int = 0) -> str:
@@ -115,7 +115,7 @@ _WORDS = {
     TruthValue.FALSE: "false",
     TruthValue.TRUE: "true",
     TruthValue.UNKNOWN: "unknown",
-    TruthValue.LOST: "unknown",
+    TruthValue.STALE: "unknown",
 }
 
 _STATES = {
@@ -139,13 +139,13 @@ def explain(machine: ir.Machine, verdict: Verdict) -> Explanation:
     snapshot = _Snapshot(machine, verdict)
     causes: dict[int, Cause] = {}
     for cause in snapshot.causes(rule.condition):
-        causes.setdefault(cause.truth, cause)
+        causes.setdefault(cause.proposition, cause)
     return Explanation(
         rule=rule.name,
         at_ns=verdict.at_ns,
         change=verdict.change,
         causes=tuple(causes.values()),
-        lost_inputs=snapshot.lost_inputs(tuple(causes.values())),
+        stale_inputs=snapshot.stale_inputs(tuple(causes.values())),
         contract=rule.contract,
         exempted=exemption_words(rule) if snapshot.is_exemption_used() else None,
     )
@@ -168,7 +168,7 @@ class _Snapshot:
     def __init__(self, machine: ir.Machine, verdict: Verdict) -> None:
         rule = machine.rules[verdict.rule]
         self._machine, self._verdict, self._rule = machine, verdict, rule
-        self._truths = dict(zip(rule.terms, verdict.truths, strict=True))
+        self._propositions = dict(zip(rule.terms, verdict.truth_values, strict=True))
         self._since_ns = dict(zip(rule.terms, verdict.since_ns, strict=True))
         self._values = dict(zip(rule.signals, verdict.values, strict=True))
         self._inputs = dict(zip(rule.inputs, verdict.inputs, strict=True))
@@ -183,8 +183,9 @@ class _Snapshot:
             is_active
             and exempts is not None
             and any(
-                value is TruthValue.TRUE and self._machine.truths[truth].text == exempts.doing
-                for truth, value in self._truths.items()
+                value is TruthValue.TRUE
+                and self._machine.propositions[proposition].text == exempts.doing
+                for proposition, value in self._propositions.items()
             )
         )
 
@@ -192,45 +193,51 @@ class _Snapshot:
         """The causes that decided a condition, from left to right."""
         waiting: list[tuple[int, str | None]] = [(condition, None)]
         while waiting:
-            truth, around = waiting.pop()
-            name = self._machine.truths[truth].name or around
-            if self._is_unit(truth):
-                yield self._cause(truth, around)
+            proposition, around = waiting.pop()
+            name = self._machine.propositions[proposition].name or around
+            if self._is_unit(proposition):
+                yield self._cause(proposition, around)
             else:
-                waiting += [(operand, name) for operand in reversed(self._deciding(truth))]
+                waiting += [(operand, name) for operand in reversed(self._deciding(proposition))]
 
-    def lost_inputs(self, causes: tuple[Cause, ...]) -> tuple[LostInput, ...]:
+    def stale_inputs(self, causes: tuple[Cause, ...]) -> tuple[StaleInput, ...]:
         """The inputs to blame for the causes that are unknown for lack of one."""
-        unknown = [each.truth for each in causes if each.value is TruthValue.LOST]
-        leaves = [leaf for truth in unknown for leaf in leaf_truths(self._machine, truth)]
-        lost = [leaf for leaf in leaves if self._truths[leaf] is TruthValue.LOST]
-        rests_on = supports(self._machine).truths if leaves else ()
-        blamed = {used for leaf in lost or leaves for used in self._blamed(rests_on[leaf].inputs)}
-        return tuple(self._lost(index, was_lost=not lost) for index in sorted(blamed))
+        unknown = [each.proposition for each in causes if each.value is TruthValue.STALE]
+        leaves = [
+            leaf
+            for proposition in unknown
+            for leaf in leaf_propositions(self._machine, proposition)
+        ]
+        stale = [leaf for leaf in leaves if self._propositions[leaf] is TruthValue.STALE]
+        rests_on = supports(self._machine).propositions if leaves else ()
+        blamed = {used for leaf in stale or leaves for used in self._blamed(rests_on[leaf].inputs)}
+        return tuple(self._stale(index, was_stale=not stale) for index in sorted(blamed))
 
     def _blamed(self, inputs: frozenset[int]) -> set[int]:
         guarded = {i for i in inputs if self._machine.inputs[i].timeout_ns is not None}
         silent = {index for index in guarded if self._inputs[index] is not InputState.FRESH}
         return silent or guarded
 
-    def _lost(self, index: int, *, was_lost: bool) -> LostInput:
+    def _stale(self, index: int, *, was_stale: bool) -> StaleInput:
         declared = self._machine.inputs[index]
         topic = self._machine.channels[declared.channel].topic
         state = self._inputs[index]
-        return LostInput(index, declared.name, topic, state, was_lost and state is InputState.FRESH)
+        return StaleInput(
+            index, declared.name, topic, state, was_stale and state is InputState.FRESH
+        )
 
     # --- causes ------------------------------------------------------------------------------
 
-    def _deciding(self, truth: int) -> tuple[int, ...]:
-        """The operands that alone decide a truth: those of an equal value, or the negated one; of
-        what looks back in time, those that it names.
+    def _deciding(self, proposition: int) -> tuple[int, ...]:
+        """The operands that alone decide a proposition: those of an equal value, or the negated
+        one; of what looks back in time, those that it names.
         """
-        whole = defined(self._machine, truth)
+        whole = defined(self._machine, proposition)
         if whole is not None:
             return whole.operands
-        match self._machine.truths[truth].node:
+        match self._machine.propositions[proposition].node:
             case ir.And(operands=operands) | ir.Or(operands=operands):
-                value = self._value(truth)
+                value = self._value(proposition)
                 return tuple(operand for operand in operands if self._value(operand) is value)
             case ir.Not(operand=operand) | ir.Held(operand=operand):
                 return (operand,)
@@ -242,63 +249,63 @@ class _Snapshot:
             ):  # fmt: skip
                 return ()
 
-    def _is_unit(self, truth: int) -> bool:
-        """Say whether a truth is told as a whole: a leaf, a duration, a count of edges, or the
-        negation of one.
+    def _is_unit(self, proposition: int) -> bool:
+        """Say whether a proposition is reported as a whole: a leaf, a duration, a count of edges,
+        or the negation of one.
         """
-        node = self._machine.truths[truth].node
+        node = self._machine.propositions[proposition].node
         while isinstance(node, ir.Not):
-            node = self._machine.truths[node.operand].node
+            node = self._machine.propositions[node.operand].node
         return is_leaf(node) or isinstance(node, ir.Held | ir.Since | ir.Recurs)
 
-    def _cause(self, truth: int, around: str | None) -> Cause:
-        chain = tuple(self._chain(truth))
-        names = (self._machine.truths[index].name for index in chain)
+    def _cause(self, proposition: int, around: str | None) -> Cause:
+        chain = tuple(self._chain(proposition))
+        names = (self._machine.propositions[index].name for index in chain)
         return Cause(
-            truth=truth,
+            proposition=proposition,
             name=next(filter(None, names), around),
-            text=self._machine.truths[truth].text,
-            value=self._value(truth),
-            since_ns=self._since(truth),
-            readings=tuple(map(self._reading, self._compared(truth, constant=False))),
-            limits=tuple(self._limits(truth)),
-            span=self._machine.truths[truth].span,
+            text=self._machine.propositions[proposition].text,
+            value=self._value(proposition),
+            since_ns=self._since(proposition),
+            readings=tuple(map(self._reading, self._compared(proposition, constant=False))),
+            limits=tuple(self._limits(proposition)),
+            span=self._machine.propositions[proposition].span,
         )
 
-    def _chain(self, truth: int) -> Iterator[int]:
-        """The truth and what it negates or prolongs, from the outside to the inside."""
-        yield truth
-        node = self._machine.truths[truth].node
+    def _chain(self, proposition: int) -> Iterator[int]:
+        """The proposition and what it negates or prolongs, from the outside to the inside."""
+        yield proposition
+        node = self._machine.propositions[proposition].node
         while isinstance(node, ir.Not | ir.Held):
             yield node.operand
-            node = self._machine.truths[node.operand].node
+            node = self._machine.propositions[node.operand].node
 
-    def _since(self, truth: int) -> int:
-        node = self._machine.truths[truth].node
-        is_true = isinstance(node, ir.Held) and self._value(truth) is TruthValue.TRUE
+    def _since(self, proposition: int) -> int:
+        node = self._machine.propositions[proposition].node
+        is_true = isinstance(node, ir.Held) and self._value(proposition) is TruthValue.TRUE
         if isinstance(node, ir.Held) and is_true and not node.initially:
-            return self._since_ns[truth] - node.duration_ns
+            return self._since_ns[proposition] - node.duration_ns
         # A negation changes together with what it negates.
-        return next(self._since_ns[i] for i in self._chain(truth) if i in self._since_ns)
+        return next(self._since_ns[i] for i in self._chain(proposition) if i in self._since_ns)
 
-    def _compared(self, truth: int, *, constant: bool) -> Iterator[int]:
+    def _compared(self, proposition: int, *, constant: bool) -> Iterator[int]:
         """The signals that the leaves that decided compare, each once."""
         signals: dict[int, None] = {}
-        waiting = [truth]
+        waiting = [proposition]
         while waiting:
             index = waiting.pop()
             waiting += reversed(self._deciding(index))
-            for signal in compared_signals(self._machine.truths[index].node):
+            for signal in compared_signals(self._machine.propositions[index].node):
                 is_constant = isinstance(self._machine.signals[signal].node, ir.Constant)
                 if is_constant if constant else signal in self._values:
                     signals.setdefault(signal)
         return iter(signals)
 
-    def _limits(self, truth: int) -> Iterator[str]:
+    def _limits(self, proposition: int) -> Iterator[str]:
         """Named constants with their values; both ends of an interval have its name."""
         ends: dict[str, list[float]] = {}
         units: dict[str, str] = {}
-        for index in self._compared(truth, constant=True):
+        for index in self._compared(proposition, constant=True):
             signal = self._machine.signals[index]
             if signal.text.isidentifier() and isinstance(signal.node, ir.Constant):
                 ends.setdefault(signal.text, []).append(
@@ -328,13 +335,15 @@ class _Snapshot:
             case ir.Kind.REAL:
                 return f"{value:.6g} {self._machine.signals[index].unit}".rstrip()
 
-    def _value(self, truth: int) -> TruthValue:
-        """The value of any truth below the rule's condition: told, or computed from those told."""
-        if truth in self._truths:
-            return self._truths[truth]
-        match self._machine.truths[truth].node:
+    def _value(self, proposition: int) -> TruthValue:
+        """The value of any proposition below the rule's condition: reported, or computed from those
+        reported.
+        """
+        if proposition in self._propositions:
+            return self._propositions[proposition]
+        match self._machine.propositions[proposition].node:
             case ir.Literal(value=value):
-                return kleene.truth_of(value)
+                return kleene.proposition_of(value)
             case ir.Not(operand=operand):
                 return kleene.negation(self._value(operand))
             case ir.And(operands=operands):

@@ -1,4 +1,4 @@
-"""Kleene's logic over false, true, unknown and lost (rules S1 and S2)."""
+"""Kleene's logic over false, true, unknown and stale (rules S1 and S2)."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rossmarie.ir.verdict import TruthValue
 _NEGATED = {TruthValue.FALSE: TruthValue.TRUE, TruthValue.TRUE: TruthValue.FALSE}
 
 
-def truth_of(value: bool) -> TruthValue:
+def proposition_of(value: bool) -> TruthValue:
     """A definite value."""
     return TruthValue.TRUE if value else TruthValue.FALSE
 

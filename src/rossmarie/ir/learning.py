@@ -38,7 +38,11 @@ def without_margins(machine: ir.Machine) -> ir.Machine:
         dataclasses.replace(rule, feedback=dataclasses.replace(rule.feedback, margin=None))
         for rule in machine.rules
     )
-    needed = {signal for truth in machine.truths for signal in compared_signals(truth.node)}
+    needed = {
+        signal
+        for proposition in machine.propositions
+        for signal in compared_signals(proposition.node)
+    }
     needed |= set(machine.readings)
     needed |= {signal for rule in rules for signal in rule.signals}
     signals = list(machine.signals)

@@ -1,8 +1,8 @@
 """The monitor machine, on one screen: what every target compiles and the interpreter executes.
 
 A machine reads **slots** (scalar numbers that arrive with messages), computes **signals** (numbers)
-and **truths** (three-valued), and runs **rules** on them. Tuples refer to each other by index, and
-every operand stands before its user, so evaluation is one pass from left to right.
+and **propositions** (three-valued), and runs **rules** on them. Tuples refer to each other by
+index, and every operand stands before its user, so evaluation is one pass from left to right.
 
 All numbers are IEEE 754 binary64 in SI units (angles in radians, time in seconds); NaN is
 "unknown". Flags are 0.0 or 1.0; a text is the index of its literal in `Machine.texts`, or -1.0
@@ -39,7 +39,7 @@ FLAG_LIMITS = (0.0, 1.0)
 
 @dataclass(frozen=True)
 class Input:
-    """A named input; `timeout_ns` is the age at which it is lost, None if it never is."""
+    """A named input; `timeout_ns` is the age at which it is stale, None if it never is."""
 
     name: str
     channel: int
@@ -66,7 +66,7 @@ class Slot:
 
 @dataclass(frozen=True)
 class List:
-    """A list of messages that a message carries. One of more than `most` elements counts as lost,
+    """A list of messages that a message carries. One of more than `most` elements counts as stale,
     as if it had not come (S51).
     """
 
@@ -132,7 +132,9 @@ class Sampled:
 
 @dataclass(frozen=True)
 class Element:
-    """The element at hand of an array; signals and truths over it exist only inside a fold."""
+    """The element at hand of an array; signals and propositions over it exist only inside a
+    fold.
+    """
 
     array: int
 
@@ -159,7 +161,7 @@ class Fold:
 
 @dataclass(frozen=True)
 class Count:
-    """For how many elements an elementwise truth is true."""
+    """For how many elements an elementwise proposition is true."""
 
     element: int
 
@@ -179,7 +181,8 @@ class Signal:
     span: Span
 
 
-# --- truths: true, false, unknown ------------------------------------------------------------
+# --- propositions: true, false, unknown
+# ------------------------------------------------------------
 
 
 @dataclass(frozen=True)
@@ -243,7 +246,7 @@ class Quantifier(enum.Enum):
 
 @dataclass(frozen=True)
 class Quantified:
-    """An elementwise truth holds for some or for every element."""
+    """An elementwise proposition holds for some or for every element."""
 
     quantifier: Quantifier
     element: int
@@ -298,17 +301,17 @@ class Recurs:
     window_ns: int
 
 
-TruthNode = (
+PropositionNode = (
     Literal | Compare | Between | Flag | AgeReaches | Oscillates | Quantified | Not | And | Or
     | Held | Since | Recurs
 )  # fmt: skip
 
 
 @dataclass(frozen=True)
-class Truth:
+class Proposition:
     """A condition; `name` is `entity.condition` where the user gave it one."""
 
-    node: TruthNode
+    node: PropositionNode
     name: str | None
     text: str
     span: Span
@@ -324,8 +327,8 @@ class Rule:
     reset while `condition` is false.
 
     `head` is where it is pointed at, its name or else its condition. `contract` says in words what
-    clears it. `terms` are the truths, and `signals` the signals that are not constant, whose state
-    a verdict carries; `inputs` are the inputs it rests on, `hazards` those it mitigates.
+    clears it. `terms` are the propositions, and `signals` the signals that are not constant, whose
+    state a verdict carries; `inputs` are the inputs it rests on, `hazards` those it mitigates.
     `categories` are what it is filed under; no monitor heeds them, nor `feedback`. One that holds
     `always` has no exemptions, and an operator can grant none. `exempts` is the exemption that it
     stands for; no monitor heeds that either.
@@ -350,16 +353,16 @@ class Rule:
 
     @property
     def roots(self) -> tuple[int, ...]:
-        """The truths that decide about it: its condition, and what clears it."""
+        """The propositions that decide about it: its condition, and what clears it."""
         return (self.condition,) if self.release is None else (self.condition, self.release)
 
 
 @dataclass(frozen=True)
 class Machine:
-    """A whole rules file. `watches` are the truths that the confirmations in `reactions` ask.
+    """A whole rules file. `watches` are the propositions that the confirmations in `reactions` ask.
     `left_out` are the rules that a selection does not hold, None if nobody selected.
     `readings` are the signals that memories of poses ask. `calls` are the calls of skills that the
-    questions to skills tell apart, none if that is not known.
+    queries to skills tell apart, none if that is not known.
     """
 
     name: str
@@ -369,7 +372,7 @@ class Machine:
     arrays: tuple[Array, ...]
     texts: tuple[str, ...]
     signals: tuple[Signal, ...]
-    truths: tuple[Truth, ...]
+    propositions: tuple[Proposition, ...]
     rules: tuple[Rule, ...]
     watches: tuple[int, ...] = ()
     reactions: Reactions = NO_REACTIONS

@@ -44,7 +44,7 @@ class Order:
     pose: tuple[float, ...] = ()
 
 
-class Told(NamedTuple):
+class Reported(NamedTuple):
     """The words of a monitor and its reactor, each in its order."""
 
     events: list[Event]

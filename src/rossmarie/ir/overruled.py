@@ -26,8 +26,8 @@ def may_be_overdue(task: Task) -> bool:
 def can_fail(task: Task) -> bool:
     """Say whether a task can ever get the order FAILED."""
     is_awaited = reactions.timeout_ns(task.effect) is not None
-    is_lost = task.resource is not None and not reactions.waits(task.effect)
-    return is_awaited or is_lost or fails_at_once(task)
+    is_stale = task.resource is not None and not reactions.waits(task.effect)
+    return is_awaited or is_stale or fails_at_once(task)
 
 
 Deed = tuple[object, ...]

@@ -129,8 +129,8 @@ class Doing:
 class Quantity:
     """The number that is the argument `parameter` of the one running skill among `skills`, of a
     `skill_context_msgs/SkillContext`; with a `property`, that of the thing that is the argument. It
-    is in SI where it has a unit. One that stands for a truth is 0 or 1 (`is_truth`). `skills` and
-    `written` are as those of `Doing`.
+    is in SI where it has a unit. One that stands for a boolean is 0 or 1 (`is_boolean`). `skills`
+    and `written` are as those of `Doing`.
     """
 
     export: str
@@ -138,7 +138,7 @@ class Quantity:
     parameter: str
     property: str | None = None
     written: str = ""
-    is_truth: bool = False
+    is_boolean: bool = False
 
     def __str__(self) -> str:
         behind = "" if self.property is None else f".{self.property}"
@@ -146,14 +146,14 @@ class Quantity:
 
 
 SkillStep = Doing | Quantity
-"""A question to the skills that run. It stands at the message itself, alone on its path."""
+"""A query to the skills that run. It stands at the message itself, alone on its path."""
 
 AXES = ("x", "y", "z")
 """The fields that are the place of a point: what has no place is no point (S57)."""
 
 Step = str | int | ByName | Listed | Each | Points | Sector | Beams | Doing | Quantity
 """The name of a field, the place or the name of an element, every element, the points of a cloud,
-a sector or the beams of a scan, or a question to the skills that run.
+a sector or the beams of a scan, or a query to the skills that run.
 """
 
 Path = tuple[Step, ...]

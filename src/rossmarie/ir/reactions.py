@@ -334,7 +334,7 @@ def is_block(command: CommandTopic, effect: Limit) -> bool:
 @dataclass(frozen=True)
 class Target:
     """The target that an effect needs for itself: `controller manager /controller_manager`. `name`
-    is the ROS name; a parameter is told apart by its own behind that.
+    is the ROS name; a parameter is distinguished by its own behind that.
     """
 
     kind: str

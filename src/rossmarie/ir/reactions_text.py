@@ -18,7 +18,9 @@ _WIDTH = 44
 def reaction_sections(machine: Machine) -> Iterator[tuple[str, ...]]:
     """The lines of each part: watches, command topics, resources, actions, tasks, plans."""
     found = machine.reactions
-    yield tuple(f"watch {index} = t{truth}" for index, truth in enumerate(machine.watches))
+    yield tuple(
+        f"watch {index} = t{proposition}" for index, proposition in enumerate(machine.watches)
+    )
     yield tuple(f"reading {index} = s{signal}" for index, signal in enumerate(machine.readings))
     yield tuple(map(_memory, enumerate(found.memories)))
     yield tuple(line for index in range(len(found.commands)) for line in _command(found, index))

@@ -61,4 +61,4 @@ class Requirement:
     places: str
     braking: Braking
     machine: Machine
-    truth: int
+    proposition: int

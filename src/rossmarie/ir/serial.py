@@ -81,7 +81,7 @@ _PARTS = (
 )  # fmt: skip
 _NODES: dict[str, type] = {
     node.__name__: node
-    for union in (ir.SignalNode, ir.TruthNode, Effect)
+    for union in (ir.SignalNode, ir.PropositionNode, Effect)
     for node in typing.get_args(union)
 } | {step.__name__: step for step in _PARTS}
 

@@ -1,9 +1,9 @@
-"""Answers of the skills that run to the questions of a machine.
+"""Answers of the skills that run to the queries of a machine.
 
 A context is a `skill_context_msgs/SkillContext`, with attributes as rosbags, rospy and rclpy give
 them, or a `SkillContext` of this module. The nodes have the same in C++ (`runtime/ros/skills.h`).
 Nothing in a message is trusted: where it is not as its definition says, is from another export, or
-is too large, nobody knows the answer, which is NaN, so that the input counts as lost.
+is too large, nobody knows the answer, which is NaN, so that the input counts as stale.
 """
 
 from __future__ import annotations
@@ -101,8 +101,8 @@ class _UnreadableError(Exception):
 
 
 def answer(step: SkillStep, context: SkillMessage) -> float:
-    """The answer of a context to a question: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
-    the message has it; NaN if nobody knows, or if a truth is neither 0 nor 1.
+    """The answer of a context to a query: 1.0 for yes, 0.0 for no, the number of a `Quantity` as
+    the message has it; NaN if nobody knows, or if a boolean is neither 0 nor 1.
     """
     try:
         if _text(context, "digest") != step.export:
@@ -141,7 +141,7 @@ def _quantity(step: Quantity, running: Sequence[RunningSkill]) -> float:
         return math.nan
     numbers = list(_numbers(step, asked[0]))
     is_one = bool(numbers) and all(each == numbers[0] for each in numbers[1:])
-    if not is_one or (step.is_truth and numbers[0] not in (0.0, 1.0)):
+    if not is_one or (step.is_boolean and numbers[0] not in (0.0, 1.0)):
         return math.nan
     return numbers[0]
 

@@ -1,4 +1,4 @@
-"""The support of a signal or a truth: questions about a machine that every target asks.
+"""The support of a signal or a proposition: queries about a machine that every target asks.
 
 Takes a machine whose operands stand before their users; answers never depend on values.
 """
@@ -45,10 +45,10 @@ class Support:
 
 @dataclass(frozen=True)
 class Supports:
-    """The support of every signal and every truth of a machine, by index."""
+    """The support of every signal and every proposition of a machine, by index."""
 
     signals: tuple[Support, ...]
-    truths: tuple[Support, ...]
+    propositions: tuple[Support, ...]
 
 
 def all_channels(machine: ir.Machine, support: Support) -> frozenset[int]:
@@ -71,8 +71,8 @@ def signal_operands(node: ir.SignalNode) -> tuple[int, ...]:
             return ()
 
 
-def truth_operands(node: ir.TruthNode) -> tuple[int, ...]:
-    """The truths that a truth is computed from, elementwise ones included."""
+def proposition_operands(node: ir.PropositionNode) -> tuple[int, ...]:
+    """The propositions that a proposition is computed from, elementwise ones included."""
     match node:
         case ir.Not(operand=operand) | ir.Held(operand=operand) | ir.Recurs(operand=operand):
             return (operand,)
@@ -89,8 +89,8 @@ def truth_operands(node: ir.TruthNode) -> tuple[int, ...]:
             return ()
 
 
-def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
-    """The signals that a leaf truth looks at, in the order in which it names them."""
+def compared_signals(node: ir.PropositionNode) -> tuple[int, ...]:
+    """The signals that a leaf proposition looks at, in the order in which it names them."""
     match node:
         case ir.Compare(left=left, right=right):
             return (left, right)
@@ -105,8 +105,8 @@ def compared_signals(node: ir.TruthNode) -> tuple[int, ...]:
             return ()
 
 
-def is_leaf(node: ir.TruthNode) -> bool:
-    """Say whether a truth looks at numbers, arrays or ages instead of other truths."""
+def is_leaf(node: ir.PropositionNode) -> bool:
+    """Say whether a proposition looks at numbers, arrays or ages instead of other propositions."""
     match node:
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
@@ -118,23 +118,25 @@ def is_leaf(node: ir.TruthNode) -> bool:
 
 
 def supports(machine: ir.Machine) -> Supports:
-    """The support of every signal and truth; an elementwise one rests on its array, and on the
-    numbers beside that.
+    """The support of every signal and proposition; an elementwise one rests on its array, and on
+    the numbers beside that.
     """
     signals: list[Support] = []
     for index, signal in enumerate(machine.signals):
         signals.append(_signal_support(machine, index, signal.node, signals))
-    truths: list[Support] = []
-    for truth in machine.truths:
-        truths.append(_truth_support(machine, truth.node, signals, truths))
-    return Supports(tuple(signals), tuple(truths))
+    propositions: list[Support] = []
+    for proposition in machine.propositions:
+        propositions.append(_proposition_support(machine, proposition.node, signals, propositions))
+    return Supports(tuple(signals), tuple(propositions))
 
 
-def _below_count(machine: ir.Machine, truth: int, signals: list[Support]) -> Support:
-    """The support of a truth that is counted: `Count` asks before the truths are visited."""
-    node = machine.truths[truth].node
+def _below_count(machine: ir.Machine, proposition: int, signals: list[Support]) -> Support:
+    """The support of a proposition that is counted: `Count` asks before the propositions are
+    visited.
+    """
+    node = machine.propositions[proposition].node
     parts = [signals[signal] for signal in compared_signals(node)]
-    parts += [_below_count(machine, each, signals) for each in truth_operands(node)]
+    parts += [_below_count(machine, each, signals) for each in proposition_operands(node)]
     return _union(parts)
 
 
@@ -189,8 +191,11 @@ def _signal_support(
             return _union(signals[operand] for operand in signal_operands(node))
 
 
-def _truth_support(
-    machine: ir.Machine, node: ir.TruthNode, signals: list[Support], truths: list[Support]
+def _proposition_support(
+    machine: ir.Machine,
+    node: ir.PropositionNode,
+    signals: list[Support],
+    propositions: list[Support],
 ) -> Support:
     match node:
         case ir.AgeReaches(input=used):
@@ -199,11 +204,11 @@ def _truth_support(
         case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
             return _union(signals[signal] for signal in compared_signals(node))
         case ir.Quantified(element=element):
-            return _over_elements(machine, truths[element])
+            return _over_elements(machine, propositions[element])
         case (
             ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
-            return _union(truths[operand] for operand in truth_operands(node))
+            return _union(propositions[operand] for operand in proposition_operands(node))
 
 
 def _union(parts: Iterable[Support]) -> Support:
@@ -245,16 +250,16 @@ def is_of_list(machine: ir.Machine, support: Support) -> bool:
 
 @dataclass(frozen=True)
 class ElementArrays:
-    """For every signal and truth, by index: the array of which it takes one element, or None if
-    it has one value for the whole machine. All columns of a list are told by the first one.
+    """For every signal and proposition, by index: the array of which it takes one element, or None
+    if it has one value for the whole machine. All columns of a list are reported by the first one.
     """
 
     signals: tuple[int | None, ...]
-    truths: tuple[int | None, ...]
+    propositions: tuple[int | None, ...]
 
 
 def element_arrays(machine: ir.Machine) -> ElementArrays:
-    """The signals and truths that exist once for each element, and the array of each.
+    """The signals and propositions that exist once for each element, and the array of each.
 
     Raises `ValueError` if one takes elements of two arrays, other than columns of one list.
     """
@@ -269,10 +274,10 @@ def element_arrays(machine: ir.Machine) -> ElementArrays:
     signals: list[int | None] = []
     for signal in machine.signals:
         signals.append(_signal_array(signal.node, signals, owners))
-    truths: list[int | None] = []
-    for truth in machine.truths:
-        truths.append(_truth_array(truth.node, signals, truths))
-    return ElementArrays(tuple(signals), tuple(truths))
+    propositions: list[int | None] = []
+    for proposition in machine.propositions:
+        propositions.append(_proposition_array(proposition.node, signals, propositions))
+    return ElementArrays(tuple(signals), tuple(propositions))
 
 
 def _signal_array(node: ir.SignalNode, signals: list[int | None], owners: list[int]) -> int | None:
@@ -285,12 +290,12 @@ def _signal_array(node: ir.SignalNode, signals: list[int | None], owners: list[i
             return None
 
 
-def _truth_array(
-    node: ir.TruthNode, signals: list[int | None], truths: list[int | None]
+def _proposition_array(
+    node: ir.PropositionNode, signals: list[int | None], propositions: list[int | None]
 ) -> int | None:
     match node:
         case ir.Not() | ir.And() | ir.Or():
-            return _single(truths[operand] for operand in truth_operands(node))
+            return _single(propositions[operand] for operand in proposition_operands(node))
         case ir.Compare() | ir.Between() | ir.Flag():
             return _single(signals[signal] for signal in compared_signals(node))
         case (
@@ -329,20 +334,20 @@ def kind_of(machine: ir.Machine, signal: int) -> ir.Kind:
 # --- what a rule stands on -------------------------------------------------------------------
 
 
-def reachable_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
-    """The truth itself and all below it in index order; elementwise ones are left out."""
+def reachable_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
+    """The proposition itself and all below it in index order; elementwise ones are left out."""
     found: set[int] = set()
-    waiting = [truth]
+    waiting = [proposition]
     while waiting:
         index = waiting.pop()
         if index not in found:
             found.add(index)
-            waiting.extend(whole_operands(machine.truths[index].node))
+            waiting.extend(whole_operands(machine.propositions[index].node))
     return tuple(sorted(found))
 
 
-def whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
-    """The truths that a truth is computed from, without elementwise ones."""
+def whole_operands(node: ir.PropositionNode) -> tuple[int, ...]:
+    """The propositions that a proposition is computed from, without elementwise ones."""
     match node:
         case ir.Quantified():
             return ()
@@ -350,13 +355,15 @@ def whole_operands(node: ir.TruthNode) -> tuple[int, ...]:
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
             | ir.Oscillates() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
         ):  # fmt: skip
-            return truth_operands(node)
+            return proposition_operands(node)
 
 
-def leaf_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
-    """The leaves on which a truth stands, in index order."""
+def leaf_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
+    """The leaves on which a proposition stands, in index order."""
     return tuple(
-        index for index in reachable_truths(machine, truth) if is_leaf(machine.truths[index].node)
+        index
+        for index in reachable_propositions(machine, proposition)
+        if is_leaf(machine.propositions[index].node)
     )
 
 
@@ -366,8 +373,8 @@ def rule_signals(machine: ir.Machine, condition: int) -> tuple[int, ...]:
     """
     found = {
         signal
-        for leaf in leaf_truths(machine, condition)
-        for signal in compared_signals(machine.truths[leaf].node)
+        for leaf in leaf_propositions(machine, condition)
+        for signal in compared_signals(machine.propositions[leaf].node)
         if not isinstance(machine.signals[signal].node, ir.Constant)
     }
     return tuple(sorted(found))

@@ -1,4 +1,4 @@
-"""The terms of a rule: the truths of which its verdicts tell (S41)."""
+"""The terms of a rule: the propositions of which its verdicts tell (S41)."""
 
 from __future__ import annotations
 
@@ -10,30 +10,33 @@ from rossmarie.ir.support import is_leaf, whole_operands
 
 
 def rule_terms(machine: ir.Machine, condition: int) -> tuple[int, ...]:
-    """The truths that a verdict of a rule on this condition carries: the named ones, the leaves,
-    what rests on time, and instead of its parts what is defined by others (`once`, `after`).
+    """The propositions that a verdict of a rule on this condition carries: the named ones, the
+    leaves, what rests on time, and instead of its parts what is defined by others (`once`,
+    `after`).
     """
     return tuple(_terms(machine, condition))
 
 
 def _terms(machine: ir.Machine, condition: int) -> Iterator[int]:
-    for index in told_truths(machine, condition):
-        truth = machine.truths[index]
-        is_over_time = isinstance(truth.node, ir.Held | ir.Since | ir.Recurs)
-        is_telling = truth.name is not None or is_over_time or defined(machine, index) is not None
-        if is_telling or is_leaf(truth.node):
+    for index in reported_propositions(machine, condition):
+        proposition = machine.propositions[index]
+        is_over_time = isinstance(proposition.node, ir.Held | ir.Since | ir.Recurs)
+        is_telling = (
+            proposition.name is not None or is_over_time or defined(machine, index) is not None
+        )
+        if is_telling or is_leaf(proposition.node):
             yield index
 
 
-def told_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
-    """The truth and all below it that users wrote, in index order; no elementwise ones."""
+def reported_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
+    """The proposition and all below it that users wrote, in index order; no elementwise ones."""
     found: set[int] = set()
-    waiting = [truth]
+    waiting = [proposition]
     while waiting:
         index = waiting.pop()
         if index not in found:
             found.add(index)
             whole = defined(machine, index)
-            node = machine.truths[index].node
+            node = machine.propositions[index].node
             waiting.extend(whole_operands(node) if whole is None else whole.operands)
     return tuple(sorted(found))

@@ -1,7 +1,7 @@
 """A machine as text for people: one line per part, in the order of the machine.
 
-Signals are written `s0`, truths `t0`, tasks `k0`; behind the bar stands what the user wrote and
-where.
+Signals are written `s0`, propositions `t0`, tasks `k0`; behind the bar stands what the user wrote
+and where.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ def dump_text(machine: ir.Machine) -> str:
         tuple(_sources(machine)),
         tuple(f"text {i} = {_quoted(text)}" for i, text in enumerate(machine.texts)),
         tuple(_signals(machine)),
-        tuple(_truths(machine)),
+        tuple(_propositions(machine)),
         tuple(line for rule in machine.rules for line in _rule(rule)),
         tuple(_hazards(machine)),
         *reaction_sections(machine),
@@ -110,14 +110,14 @@ def _signal(node: ir.SignalNode) -> str:
             return f"count over elements t{element}"
 
 
-def _truths(machine: ir.Machine) -> Iterator[str]:
-    for index, truth in enumerate(machine.truths):
-        line = f"t{index} = {_truth(truth.node)}"
-        name = f"{truth.name}: " if truth.name else ""
-        yield f"{line:{_WIDTH}} | {name}{truth.text} | {truth.span}"
+def _propositions(machine: ir.Machine) -> Iterator[str]:
+    for index, proposition in enumerate(machine.propositions):
+        line = f"t{index} = {_proposition(proposition.node)}"
+        name = f"{proposition.name}: " if proposition.name else ""
+        yield f"{line:{_WIDTH}} | {name}{proposition.text} | {proposition.span}"
 
 
-def _truth(node: ir.TruthNode) -> str:
+def _proposition(node: ir.PropositionNode) -> str:
     match node:
         case ir.Literal(value=value):
             return str(value).lower()
@@ -171,8 +171,8 @@ def _rule(rule: ir.Rule) -> Iterator[str]:
     if rule.feedback != NO_FEEDBACK:
         once, lasting = rule.feedback.per_activation, rule.feedback.per_second
         margin = rule.feedback.margin
-        told = "" if margin is None else f", margin s{margin.signal}{_in_unit(margin.unit)}"
-        yield f"  feedback {once:g} per activation, {lasting:g} per s{told}"
+        reported = "" if margin is None else f", margin s{margin.signal}{_in_unit(margin.unit)}"
+        yield f"  feedback {once:g} per activation, {lasting:g} per s{reported}"
 
 
 def _hazards(machine: ir.Machine) -> Iterator[str]:

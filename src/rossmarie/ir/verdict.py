@@ -18,7 +18,7 @@ class TruthValue(enum.IntEnum):
     FALSE = 0
     TRUE = 1
     UNKNOWN = 2
-    LOST = 3
+    STALE = 3
 
 
 class Change(enum.IntEnum):
@@ -26,7 +26,7 @@ class Change(enum.IntEnum):
 
     CLEARED = 0
     ACTIVATED = 1
-    ACTIVATED_LOST = 2
+    ACTIVATED_STALE = 2
 
 
 class InputState(enum.IntEnum):
@@ -41,14 +41,14 @@ class InputState(enum.IntEnum):
 class Verdict:
     """One change of one rule, with a snapshot of what the rule rests on.
 
-    `truths[i]` and `since_ns[i]` belong to `rule.terms[i]` (since when it has had this value),
-    `values[i]` to `rule.signals[i]` (SI; NaN is unknown), `inputs[i]` to `rule.inputs[i]`.
+    `propositions[i]` and `since_ns[i]` belong to `rule.terms[i]` (since when it has had this
+    value), `values[i]` to `rule.signals[i]` (SI; NaN is unknown), `inputs[i]` to `rule.inputs[i]`.
     """
 
     rule: int
     at_ns: int
     change: Change
-    truths: tuple[TruthValue, ...]
+    truth_values: tuple[TruthValue, ...]
     since_ns: tuple[int, ...]
     values: tuple[float, ...]
     inputs: tuple[InputState, ...]

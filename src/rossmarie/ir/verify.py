@@ -31,11 +31,11 @@ from rossmarie.ir.support import (
     compared_signals,
     element_arrays,
     kind_of,
-    reachable_truths,
+    proposition_operands,
+    reachable_propositions,
     rule_signals,
     signal_operands,
     supports,
-    truth_operands,
 )
 from rossmarie.ir.terms import rule_terms
 from rossmarie.ir.verify_reactions import verify_reactions
@@ -47,7 +47,7 @@ def verify(machine: ir.Machine) -> None:
     """Raise `MalformedMachine` at the first defect, naming the node and what is wrong with it."""
     _verify_inputs(machine)
     _verify_signals(machine)
-    _verify_truths(machine)
+    _verify_propositions(machine)
     arrays = _verified_arrays(machine)
     _verify_counts(machine)
     _verify_element_use(machine, arrays)
@@ -85,7 +85,7 @@ def _verify_inputs(machine: ir.Machine) -> None:
         is_number = slot.limits is None or slot.kind is ir.Kind.REAL
         require(is_number, where, f"limits of a {slot.kind.value}")
         _require_limits(slot.limits, where)
-        _verify_question(slot, where)
+        _verify_query(slot, where)
     for index, array in enumerate(machine.arrays):
         where = f"array {index}"
         require_index(array.input, len(machine.inputs), where, "input")
@@ -100,8 +100,8 @@ def _verify_inputs(machine: ir.Machine) -> None:
         require(bool(columns_of(machine, index)), where, "no columns")
 
 
-def _verify_question(slot: ir.Slot, where: str) -> None:
-    """A question to the skills that run is asked of the message itself."""
+def _verify_query(slot: ir.Slot, where: str) -> None:
+    """A query to the skills that run is asked of the message itself."""
     match slot.path:
         case (Doing(skills=skills, arguments=arguments),):
             require(slot.kind is ir.Kind.FLAG, where, f"an answer of the kind {slot.kind.value}")
@@ -109,12 +109,12 @@ def _verify_question(slot: ir.Slot, where: str) -> None:
             require(all(map(_is_choice, choices)), where, "names that are not sorted, or none")
             parameters = tuple(parameter for parameter, _ in arguments)
             require(parameters == tuple(sorted(set(parameters))), where, "unsorted parameters")
-        case (Quantity(skills=skills, is_truth=is_truth),):
-            kind = ir.Kind.FLAG if is_truth else ir.Kind.REAL
+        case (Quantity(skills=skills, is_boolean=is_boolean),):
+            kind = ir.Kind.FLAG if is_boolean else ir.Kind.REAL
             require(slot.kind is kind, where, f"a quantity of the kind {slot.kind.value}")
             require(_is_choice(skills), where, "names that are not sorted, or none")
         case _:  # open: other paths ask no skills
-            require(not _asks_skills(slot.path), where, "a question to skills inside a message")
+            require(not _asks_skills(slot.path), where, "a query to skills inside a message")
 
 
 def _asks_skills(path: Path) -> bool:
@@ -165,7 +165,7 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Element(array=array):
                 require_index(array, len(machine.arrays), where, "array")
             case ir.Count(element=element):
-                require_index(element, len(machine.truths), where, "truth")
+                require_index(element, len(machine.propositions), where, "truth")
             case ir.Apply(function=function, operands=operands):
                 is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
@@ -181,16 +181,16 @@ def _verify_signals(machine: ir.Machine) -> None:
                 pass
 
 
-def _verify_truths(machine: ir.Machine) -> None:
-    for index, truth in enumerate(machine.truths):
-        where = f"truth {index} ({type(truth.node).__name__})"
-        _require_before(truth_operands(truth.node), index, where)
-        for signal in compared_signals(truth.node):
+def _verify_propositions(machine: ir.Machine) -> None:
+    for index, proposition in enumerate(machine.propositions):
+        where = f"proposition {index} ({type(proposition.node).__name__})"
+        _require_before(proposition_operands(proposition.node), index, where)
+        for signal in compared_signals(proposition.node):
             require_index(signal, len(machine.signals), where, "signal")
-        _verify_truth(machine, truth.node, where)
+        _verify_proposition(machine, proposition.node, where)
 
 
-def _verify_truth(machine: ir.Machine, node: ir.TruthNode, where: str) -> None:
+def _verify_proposition(machine: ir.Machine, node: ir.PropositionNode, where: str) -> None:
     match node:
         case ir.And(operands=operands) | ir.Or(operands=operands):
             require(len(operands) >= 2, where, f"{len(operands)} operands")
@@ -225,17 +225,22 @@ def _verified_arrays(machine: ir.Machine) -> ElementArrays:
 
 
 def _verify_counts(machine: ir.Machine) -> None:
-    """The signals below a counted truth stand before the count."""
+    """The signals below a counted proposition stand before the count."""
     for index, signal in enumerate(machine.signals):
         if isinstance(signal.node, ir.Count):
             where = f"signal {index} (Count)"
-            below = _element_truths(machine, signal.node.element)
-            for truth in below:
-                _require_before(compared_signals(machine.truths[truth].node), index, where)
+            below = _element_propositions(machine, signal.node.element)
+            for proposition in below:
+                _require_before(
+                    compared_signals(machine.propositions[proposition].node), index, where
+                )
 
 
-def _element_truths(machine: ir.Machine, truth: int) -> tuple[int, ...]:
-    return (truth, *(index for index in reachable_truths(machine, truth) if index != truth))
+def _element_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
+    return (
+        proposition,
+        *(index for index in reachable_propositions(machine, proposition) if index != proposition),
+    )
 
 
 def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
@@ -247,23 +252,23 @@ def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
             case ir.Fold(element=element):
                 require(arrays.signals[element] is not None, where, "folds no elements")
             case ir.Count(element=element):
-                require(arrays.truths[element] is not None, where, "counts no elements")
+                require(arrays.propositions[element] is not None, where, "counts no elements")
             case ir.Sampled():
                 _require_whole(operands, arrays.signals, where)
             case ir.Constant() | ir.Read() | ir.Element() | ir.Apply():
                 if arrays.signals[index] is not None:
                     _require_element_signals(operands, arrays, may_stand, where)
-    for index, truth in enumerate(machine.truths):
-        where = f"truth {index} ({type(truth.node).__name__})"
-        operands = truth_operands(truth.node)
-        if isinstance(truth.node, ir.Quantified):
-            require(arrays.truths[operands[0]] is not None, where, "quantifies no elements")
-        elif arrays.truths[index] is None:
-            _require_whole(operands, arrays.truths, where)
-            _require_whole(compared_signals(truth.node), arrays.signals, where)
+    for index, proposition in enumerate(machine.propositions):
+        where = f"proposition {index} ({type(proposition.node).__name__})"
+        operands = proposition_operands(proposition.node)
+        if isinstance(proposition.node, ir.Quantified):
+            require(arrays.propositions[operands[0]] is not None, where, "quantifies no elements")
+        elif arrays.propositions[index] is None:
+            _require_whole(operands, arrays.propositions, where)
+            _require_whole(compared_signals(proposition.node), arrays.signals, where)
         else:
-            _require_element_signals(compared_signals(truth.node), arrays, may_stand, where)
-            _require_element_truths(machine, operands, arrays, where)
+            _require_element_signals(compared_signals(proposition.node), arrays, may_stand, where)
+            _require_element_propositions(machine, operands, arrays, where)
 
 
 def _require_whole(operands: Iterable[int], arrays: tuple[int | None, ...], where: str) -> None:
@@ -280,12 +285,12 @@ def _require_element_signals(
         require(is_element or may_stand[operand], where, message)
 
 
-def _require_element_truths(
+def _require_element_propositions(
     machine: ir.Machine, operands: Iterable[int], arrays: ElementArrays, where: str
 ) -> None:
     for operand in operands:
-        is_constant = isinstance(machine.truths[operand].node, ir.Literal)
-        is_element = arrays.truths[operand] is not None
+        is_constant = isinstance(machine.propositions[operand].node, ir.Literal)
+        is_element = arrays.propositions[operand] is not None
         require(is_constant or is_element, where, f"operand {operand} is not elementwise")
 
 
@@ -304,15 +309,17 @@ def _verify_kinds(machine: ir.Machine) -> None:
                 continue
             is_right = kind is ir.Kind.REAL or (kind is ir.Kind.FLAG and _keeps(signal.node))
             require(is_right, where, f"operand {operand} is a {kind.value}")
-    for index, truth in enumerate(machine.truths):
-        where = f"truth {index} ({type(truth.node).__name__})"
-        if isinstance(truth.node, ir.Flag):
-            kind = kind_of(machine, truth.node.signal)
-            is_element = isinstance(machine.signals[truth.node.signal].node, ir.Element)
+    for index, proposition in enumerate(machine.propositions):
+        where = f"proposition {index} ({type(proposition.node).__name__})"
+        if isinstance(proposition.node, ir.Flag):
+            kind = kind_of(machine, proposition.node.signal)
+            is_element = isinstance(machine.signals[proposition.node.signal].node, ir.Element)
             is_flag = kind is ir.Kind.FLAG or (is_element and kind is ir.Kind.REAL)
             require(is_flag, where, f"tests a {kind.value}")
-        elif not (_compares_text(machine, truth.node) or _compares_flags(machine, truth.node)):
-            for operand in compared_signals(truth.node):
+        elif not (
+            _compares_text(machine, proposition.node) or _compares_flags(machine, proposition.node)
+        ):
+            for operand in compared_signals(proposition.node):
                 kind = kind_of(machine, operand)
                 require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
 
@@ -328,8 +335,8 @@ def _frames_of(machine: ir.Machine, node: ir.SignalNode, where: str) -> tuple[in
             pass
         case _:  # open: no other function compares texts
             return ()
-    is_told = kind_of(machine, seen) is ir.Kind.TEXT
-    require(is_told or _is_literal(machine, seen), where, "a frame that is no text")
+    is_reported = kind_of(machine, seen) is ir.Kind.TEXT
+    require(is_reported or _is_literal(machine, seen), where, "a frame that is no text")
     require(_is_literal(machine, wanted), where, "the wanted frame is no text")
     return (seen, wanted)
 
@@ -344,13 +351,13 @@ def _keeps(node: ir.SignalNode) -> bool:
     return isinstance(node, ir.Sampled) and sampling_row(node.function).gives_a_sample
 
 
-def _compares_flags(machine: ir.Machine, node: ir.TruthNode) -> bool:
+def _compares_flags(machine: ir.Machine, node: ir.PropositionNode) -> bool:
     if not isinstance(node, ir.Compare) or node.comparison not in _EQUALITY:
         return False
     return all(kind_of(machine, side) is ir.Kind.FLAG for side in (node.left, node.right))
 
 
-def _compares_text(machine: ir.Machine, node: ir.TruthNode) -> bool:
+def _compares_text(machine: ir.Machine, node: ir.PropositionNode) -> bool:
     """Two unknown texts have the same number, so one side has to be a literal."""
     if not isinstance(node, ir.Compare):
         return False
@@ -362,12 +369,16 @@ def _compares_text(machine: ir.Machine, node: ir.TruthNode) -> bool:
 
 
 def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
-    rests_on = supports(machine).truths
+    rests_on = supports(machine).propositions
     for index, rule in enumerate(machine.rules):
         where = f"rule {index} ({rule.name})"
-        for truth in rule.roots:
-            require_index(truth, len(machine.truths), where, "truth")
-            require(arrays.truths[truth] is None, where, f"truth {truth} is elementwise")
+        for proposition in rule.roots:
+            require_index(proposition, len(machine.propositions), where, "truth")
+            require(
+                arrays.propositions[proposition] is None,
+                where,
+                f"proposition {proposition} is elementwise",
+            )
         require(rule.terms == rule_terms(machine, rule.condition), where, "wrong terms")
         require(rule.signals == rule_signals(machine, rule.condition), where, "wrong signals")
         inputs = tuple(sorted(rests_on[rule.condition].inputs))
@@ -389,12 +400,16 @@ def _verify_margin(machine: ir.Machine, margin: Margin, arrays: ElementArrays, w
 
 
 def _verify_asked(machine: ir.Machine, arrays: ElementArrays) -> None:
-    """The signals and truths that actions ask are single ones."""
+    """The signals and propositions that actions ask are single ones."""
     for index, signal in enumerate(machine.readings):
         where = f"reading {index}"
         require_index(signal, len(machine.signals), where, "signal")
         require(arrays.signals[signal] is None, where, f"signal {signal} is elementwise")
-    for index, truth in enumerate(machine.watches):
+    for index, proposition in enumerate(machine.watches):
         where = f"watch {index}"
-        require_index(truth, len(machine.truths), where, "truth")
-        require(arrays.truths[truth] is None, where, f"truth {truth} is elementwise")
+        require_index(proposition, len(machine.propositions), where, "truth")
+        require(
+            arrays.propositions[proposition] is None,
+            where,
+            f"proposition {proposition} is elementwise",
+        )

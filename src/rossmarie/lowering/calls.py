@@ -1,6 +1,6 @@
-"""The calls of skills that the questions of a machine tell apart, of each kind one.
+"""The calls of skills that the queries of a machine tell apart, of each kind one.
 
-A question asks for skills and for classes of arguments, so that two calls with the same answers
+A query asks for skills and for classes of arguments, so that two calls with the same answers
 are one to the machine. Which answers there can be together is what solvers have to know.
 """
 
@@ -71,21 +71,21 @@ def _text(skill: Skill, chosen: Sequence[tuple[Parameter, Kinds]], word: str) ->
     """
     if not all(len(kinds) == 1 and kinds != NO_VALUE for _, kinds in chosen):
         return None
-    told = [f"{thing.name}: {kind}" for thing, (kind,) in chosen if kind != thing.type]
-    limits = f"({', '.join(told)})" if told else ""
+    reported = [f"{thing.name}: {kind}" for thing, (kind,) in chosen if kind != thing.type]
+    limits = f"({', '.join(reported)})" if reported else ""
     return f"{word} {skill.name}{limits}"
 
 
 def _kinds(
     thing: Parameter, asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> list[Kinds]:
-    """Classes that an argument may have, of each kind that the questions tell apart one; the most
+    """Classes that an argument may have, of each kind that the queries tell apart one; the most
     general first. Of another class than its parameter demands, a thing can be beside that one. Any
     parameter may have no value: what is gone from the world is told so.
     """
     below, above = skills.classes.below(thing.type), skills.classes.above(thing.type)
-    own = _told_apart(below, asked, skills)
-    others = _told_apart(
+    own = _distinguished(below, asked, skills)
+    others = _distinguished(
         {name for each in asked for name in each} - {*below, *above}, asked, skills
     )
     found: dict[tuple[bool, ...], Kinds] = {answers: (name,) for answers, name in own.items()}
@@ -97,7 +97,7 @@ def _kinds(
     return list(found.values())
 
 
-def _told_apart(
+def _distinguished(
     names: Iterable[str], asked: Sequence[tuple[str, ...]], skills: CheckedSkills
 ) -> dict[tuple[bool, ...], str]:
     """Classes by the answers that they give, of each kind the most general."""

@@ -8,7 +8,7 @@ from rossmarie.check.model import CheckedProgram
 from rossmarie.check.rules.plans import latch_of
 from rossmarie.lowering.durations import duration_ns
 from rossmarie.lowering.nodes import Nodes, Shown
-from rossmarie.lowering.truths import Truths
+from rossmarie.lowering.propositions import Propositions
 from rossmarie.lowering.wording import words
 from rossmarie.syntax import ast
 
@@ -29,16 +29,18 @@ class Contract:
 class _Condition:
     """The condition of a rule, in words as well; `ends` is what else makes it false."""
 
-    truth: int
+    proposition: int
     stated: str
     written: int
     ends: str = ""
 
 
-def contract_of(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedProgram) -> Contract:
-    """The contract of a rule, with its truths."""
-    found = _condition_of(rule, truths, nodes)
-    condition, stated, written = found.truth, found.stated, found.written
+def contract_of(
+    rule: ast.Rule, propositions: Propositions, nodes: Nodes, program: CheckedProgram
+) -> Contract:
+    """The contract of a rule, with its propositions."""
+    found = _condition_of(rule, propositions, nodes)
+    condition, stated, written = found.proposition, found.stated, found.written
     on_reset = f"clears on reset while {stated} is false{found.ends}"
     if latch_of(rule, program.effects, program.symbols.actions) is not None:
         return Contract(condition, None, on_reset, written)
@@ -46,7 +48,7 @@ def contract_of(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedPr
     match contract:
         case ast.ClearWhen(condition=release):
             text = f"clears when {stated} is false and {_stated(release)} is true"
-            return Contract(condition, truths.lower(release), text, written)
+            return Contract(condition, propositions.lower(release), text, written)
         case ast.ClearFor(duration=duration, span=span):
             opposite = Shown(f"not {stated}", rule.condition.span)
             over = nodes.negation(condition, opposite)
@@ -62,12 +64,12 @@ def contract_of(rule: ast.Rule, truths: Truths, nodes: Nodes, program: CheckedPr
             return Contract(condition, always, text, written)
 
 
-def _condition_of(rule: ast.Rule, truths: Truths, nodes: Nodes) -> _Condition:
+def _condition_of(rule: ast.Rule, propositions: Propositions, nodes: Nodes) -> _Condition:
     """S60: what is written, while a skill of the scope runs, and no exempted one does; or while the
     skill of the exemption runs that the rule stands for.
     """
-    written = truths.lower(rule.condition)
-    skills = truths.skills
+    written = propositions.lower(rule.condition)
+    skills = propositions.skills
     text = words(rule.condition.span)
     parts = [written]
     if rule.scope:

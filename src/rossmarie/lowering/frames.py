@@ -7,7 +7,7 @@ from collections.abc import Callable
 from rossmarie import ir
 from rossmarie.check.frames import CheckedFrame, Leg
 from rossmarie.check.model import CheckedInput, CheckedProgram
-from rossmarie.check.names.frames import frame_field, is_told
+from rossmarie.check.names.frames import frame_field, is_reported
 from rossmarie.check.names.parts import Part
 from rossmarie.lowering.inputs import Inputs, Place
 from rossmarie.lowering.nodes import Nodes, Shown
@@ -33,7 +33,7 @@ _METRE = parse_unit("m")
 def is_in_frame(place: Place) -> bool:
     """Say whether the rules say the frame of a part of a message."""
     used = place.input
-    return used.frame is not None and is_told(used, place.path)
+    return used.frame is not None and is_reported(used, place.path)
 
 
 class Frames:
@@ -61,11 +61,11 @@ class Frames:
     def frame(self, place: Place, shown: Shown) -> int:
         """The signal of the frame in which rules see a part of a message, as a text."""
         used = place.input
-        told = frame_field(used.whole, place.path)
+        reported = frame_field(used.whole, place.path)
         if used.target is not None:
             return self._text(used.target, shown)
-        if told is not None:
-            return self._told(used, told, shown)
+        if reported is not None:
+            return self._reported(used, reported, shown)
         assert used.source is not None, "checked: somebody says the frame"
         return self._text(used.source, shown)
 
@@ -74,20 +74,20 @@ class Frames:
     def _in_source(self, place: Place, arrived: Axis) -> Axis:
         """The number that has arrived, unknown where the message says another frame (S77)."""
         used = place.input
-        told = frame_field(used.whole, place.path)
-        if told is None or used.source is None:
+        reported = frame_field(used.whole, place.path)
+        if reported is None or used.source is None:
             return arrived
         source = used.source
 
         def seen(number: int) -> int:
             part = arrived(number)
             shown = self._shown(part)
-            frame, wanted = self._told(used, told, shown), self._text(source, shown)
+            frame, wanted = self._reported(used, reported, shown), self._text(source, shown)
             return self._nodes.apply(ir.Function.SEEN, (part, frame, wanted), shown)
 
         return seen
 
-    def _told(self, used: CheckedInput, field: ir.Path, shown: Shown) -> int:
+    def _reported(self, used: CheckedInput, field: ir.Path, shown: Shown) -> int:
         place, name = Place(used, Part(field)), Shown("frame", shown.span)
         if place.list_path is not None:
             return self._nodes.signal(ir.Element(self._inputs.column(place, Text())), name)

@@ -14,15 +14,15 @@ from rossmarie import ir
 from rossmarie.check.model import CheckedFeedback, CheckedProgram
 from rossmarie.check.rules.rule_names import rule_names
 from rossmarie.check.scopes.exemptions import exempted_by
-from rossmarie.ir.calls import question_at
+from rossmarie.ir.calls import query_at
 from rossmarie.lowering.calls import calls_of
 from rossmarie.lowering.contracts import Contract, contract_of
 from rossmarie.lowering.inputs import Inputs
 from rossmarie.lowering.margins import Margins
 from rossmarie.lowering.nodes import Nodes
 from rossmarie.lowering.prohibitions import with_prohibitions
+from rossmarie.lowering.propositions import Propositions
 from rossmarie.lowering.reactions import Plans
-from rossmarie.lowering.truths import Truths
 from rossmarie.units import DIMENSIONLESS
 
 
@@ -34,7 +34,7 @@ class Lowered:
     contracts: Sequence[Contract]
     inputs: Inputs
     nodes: Nodes
-    truths: Truths
+    propositions: Propositions
 
 
 def lower(program: CheckedProgram) -> ir.Machine:
@@ -45,9 +45,9 @@ def lower(program: CheckedProgram) -> ir.Machine:
 def lowered(program: CheckedProgram) -> Lowered:
     """The machine of a checked program, for what is lowered behind it."""
     inputs, nodes = Inputs(program.gaps), Nodes()
-    truths = Truths(program, inputs, nodes)
-    contracts = [contract_of(rule, truths, nodes, program) for rule in program.rules]
-    plans = Plans(program, truths)
+    propositions = Propositions(program, inputs, nodes)
+    contracts = [contract_of(rule, propositions, nodes, program) for rule in program.rules]
+    plans = Plans(program, propositions)
     reactions = plans.lower()
     # Behind all that monitors need, so that these can do without (`ir.without_margins`).
     margins = Margins(nodes)
@@ -64,7 +64,7 @@ def lowered(program: CheckedProgram) -> Lowered:
         lists=tuple(inputs.lists),
         texts=tuple(inputs.texts),
         signals=tuple(nodes.signals),
-        truths=tuple(nodes.truths),
+        propositions=tuple(nodes.propositions),
         rules=(),
         watches=tuple(plans.watches),
         readings=tuple(plans.readings),
@@ -78,11 +78,11 @@ def lowered(program: CheckedProgram) -> Lowered:
     )
     machine = _with_rules(machine, program, contracts, feedback)
     machine = with_prohibitions(machine, program.skills)
-    return Lowered(machine, contracts, inputs, nodes, truths)
+    return Lowered(machine, contracts, inputs, nodes, propositions)
 
 
 def _calls(program: CheckedProgram, inputs: Inputs) -> tuple[ir.SkillCall, ...]:
-    asked = (question_at(slot.path) for slot in inputs.slots)
+    asked = (query_at(slot.path) for slot in inputs.slots)
     steps = dict.fromkeys(step for step in asked if step is not None)
     return () if program.skills is None else calls_of(program.skills, tuple(steps))
 
@@ -102,7 +102,7 @@ def _with_rules(
     contracts: list[Contract],
     feedback: list[ir.Feedback],
 ) -> ir.Machine:
-    rests_on = ir.supports(machine).truths
+    rests_on = ir.supports(machine).propositions
     hazards = {name: index for index, name in enumerate(program.hazards)}
     names = rule_names(program.rules)
     rules = tuple(

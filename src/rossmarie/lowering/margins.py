@@ -1,9 +1,9 @@
 """The margins of conditions as signals: how far a condition is from becoming true.
 
-Takes truths that were lowered. A margin is positive while its condition is false, and negative
-while it is true: what robustness is in signal temporal logic, of the requirement that the condition
-stays false. Negation is carried down to the comparisons, so that each margin is a difference, or
-the least or greatest of others.
+Takes propositions that were lowered. A margin is positive while its condition is false, and
+negative while it is true: what robustness is in signal temporal logic, of the requirement that the
+condition stays false. Negation is carried down to the comparisons, so that each margin is a
+difference, or the least or greatest of others.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from rossmarie import ir
 from rossmarie.lowering.nodes import Nodes, Shown
 
 _Key = tuple[int, bool]
-"""A truth, and whether its negation is meant."""
+"""A proposition, and whether its negation is meant."""
 
 _GREATEST = sys.float_info.max
 _UPWARDS = (ir.Comparison.GREATER, ir.Comparison.GREATER_OR_EQUAL)
@@ -28,15 +28,15 @@ class Margins:
         self._nodes = nodes
         self._known: dict[_Key, int] = {}
 
-    def of(self, truth: int) -> int:
+    def of(self, proposition: int) -> int:
         """The signal of the margin of a condition, which was checked to have one."""
-        for key in self._needed((truth, False)):
+        for key in self._needed((proposition, False)):
             if key not in self._known:
                 self._known[key] = self._made(*key)
-        return self._known[truth, False]
+        return self._known[proposition, False]
 
     def _needed(self, key: _Key) -> list[_Key]:
-        """A truth and all below it, operands first: they have lesser indexes."""
+        """A proposition and all below it, operands first: they have lesser indexes."""
         found: set[_Key] = set()
         waiting = [key]
         while waiting:
@@ -46,8 +46,8 @@ class Margins:
                 waiting += self._operands(*each)
         return sorted(found)
 
-    def _operands(self, truth: int, negated: bool) -> tuple[_Key, ...]:
-        match self._nodes.truths[truth].node:
+    def _operands(self, proposition: int, negated: bool) -> tuple[_Key, ...]:
+        match self._nodes.propositions[proposition].node:
             case ir.Not(operand=operand):
                 return ((operand, not negated),)
             case ir.And(operands=operands) | ir.Or(operands=operands):
@@ -62,10 +62,10 @@ class Margins:
             ):  # fmt: skip
                 return ()
 
-    def _made(self, truth: int, negated: bool) -> int:
-        shown = self._shown(truth, negated)
-        below = [self._known[key] for key in self._operands(truth, negated)]
-        match self._nodes.truths[truth].node:
+    def _made(self, proposition: int, negated: bool) -> int:
+        shown = self._shown(proposition, negated)
+        below = [self._known[key] for key in self._operands(proposition, negated)]
+        match self._nodes.propositions[proposition].node:
             case ir.Compare() as comparison:
                 return self._of_comparison(comparison, negated, shown)
             case ir.Between(signal=signal, low=low, high=high):
@@ -100,9 +100,9 @@ class Margins:
             return self._gap(node.right, node.left, shown)
         return self._gap(node.left, node.right, shown)
 
-    def _against_a_constant(self, truth: int) -> ir.Compare | None:
-        """The comparison of a number with a constant that a truth is."""
-        node = self._nodes.truths[truth].node
+    def _against_a_constant(self, proposition: int) -> ir.Compare | None:
+        """The comparison of a number with a constant that a proposition is."""
+        node = self._nodes.propositions[proposition].node
         if isinstance(node, ir.Compare) and any(map(self._is_constant, (node.left, node.right))):
             return node
         return None
@@ -119,9 +119,9 @@ class Margins:
         right = self._folded(node.right, is_least is holds_above, shown)
         return self._of_comparison(ir.Compare(node.comparison, left, right), negated, shown)
 
-    def _against_a_number(self, truth: int) -> ir.Compare | None:
-        """The comparison of elements with a number beside these (S74) that a truth is."""
-        node = self._nodes.truths[truth].node
+    def _against_a_number(self, proposition: int) -> ir.Compare | None:
+        """The comparison of elements with a number beside these (S74) that a proposition is."""
+        node = self._nodes.propositions[proposition].node
         is_one = isinstance(node, ir.Compare) and (
             self._is_beside(node.left) is not self._is_beside(node.right)
         )
@@ -177,9 +177,9 @@ class Margins:
             first = self._nodes.apply(function, (first, other), shown)
         return first
 
-    def _shown(self, truth: int, negated: bool) -> Shown:
+    def _shown(self, proposition: int, negated: bool) -> Shown:
         """The words of a margin, with the place of its condition."""
-        found = self._nodes.truths[truth]
+        found = self._nodes.propositions[proposition]
         text = f"not ({found.text})" if negated else found.text
         return Shown(f"margin of {text}", found.span)
 

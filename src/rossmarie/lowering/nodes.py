@@ -1,4 +1,5 @@
-"""The signals and truths of a machine in the making: equal ones are shared, constant ones folded.
+"""The signals and propositions of a machine in the making: equal ones are shared, constant ones
+folded.
 
 Every method that takes operands gets indexes that an earlier call returned, so operands stand
 before their users.
@@ -19,7 +20,7 @@ from rossmarie.units import DIMENSIONLESS, Unit
 
 @dataclass(frozen=True)
 class Shown:
-    """The look of a signal or truth to the user, and the place where it stands."""
+    """The look of a signal or proposition to the user, and the place where it stands."""
 
     text: str
     span: Span
@@ -31,10 +32,10 @@ class Nodes:
     """Grows node by node; every method returns the index of the node asked for."""
 
     signals: list[ir.Signal] = field(default_factory=list)
-    truths: list[ir.Truth] = field(default_factory=list)
+    propositions: list[ir.Proposition] = field(default_factory=list)
     _settled_units: set[int] = field(default_factory=set)
     _signal_indexes: dict[object, int] = field(default_factory=dict)
-    _truth_indexes: dict[ir.TruthNode, int] = field(default_factory=dict)
+    _proposition_indexes: dict[ir.PropositionNode, int] = field(default_factory=dict)
 
     # --- signals -----------------------------------------------------------------------------
 
@@ -70,40 +71,42 @@ class Nodes:
             self.signals.append(_signal(node, shown))
         return index
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
     def literal(self, value: bool, shown: Shown) -> int:
         """Always true or always false."""
-        return self._add_truth(ir.Literal(value), shown)
+        return self._add_proposition(ir.Literal(value), shown)
 
-    def leaf(self, node: ir.TruthNode, shown: Shown) -> int:
-        """A truth about signals, inputs or elements; about constants, a literal."""
+    def leaf(self, node: ir.PropositionNode, shown: Shown) -> int:
+        """A proposition about signals, inputs or elements; about constants, a literal."""
         value = self._folded(node)
         if value is not None:
             return self.literal(value is TruthValue.TRUE, shown)
-        return self._add_truth(node, shown)
+        return self._add_proposition(node, shown)
 
     def negation(self, operand: int, shown: Shown) -> int:
         """`not`."""
-        node = self.truths[operand].node
+        node = self.propositions[operand].node
         if isinstance(node, ir.Literal):
             return self.literal(not node.value, shown)
-        return self._add_truth(ir.Not(operand), shown)
+        return self._add_proposition(ir.Not(operand), shown)
 
     def conjunction(
         self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
     ) -> int:
-        """`and` of one or more; what is true goes without saying. A truth `of_elements` stays one,
-        also where a literal decides it: whether there are elements is for their message to say.
+        """`and` of one or more; what is true goes without saying. A proposition `of_elements` stays
+        one, also where a literal decides it: whether there are elements is for their message to
+        say.
         """
         if any(self._is_literal(operand, value=False) for operand in operands):
             if of_elements and not self._are_literals(operands):
-                return self._add_truth(ir.And(operands), shown)
+                return self._add_proposition(ir.And(operands), shown)
             return self.literal(False, shown)
         left = _distinct(index for index in operands if not self._is_literal(index, value=True))
         if len(left) < 2:
             return left[0] if left else self.literal(True, shown)
-        return self._add_truth(ir.And(left), shown)
+        return self._add_proposition(ir.And(left), shown)
 
     def disjunction(
         self, operands: tuple[int, ...], shown: Shown, *, of_elements: bool = False
@@ -111,41 +114,41 @@ class Nodes:
         """`or` of one or more; what is false goes without saying. Of elements as `conjunction`."""
         if any(self._is_literal(operand, value=True) for operand in operands):
             if of_elements and not self._are_literals(operands):
-                return self._add_truth(ir.Or(operands), shown)
+                return self._add_proposition(ir.Or(operands), shown)
             return self.literal(True, shown)
         left = _distinct(index for index in operands if not self._is_literal(index, value=False))
         if len(left) < 2:
             return left[0] if left else self.literal(False, shown)
-        return self._add_truth(ir.Or(left), shown)
+        return self._add_proposition(ir.Or(left), shown)
 
     def held(self, operand: int, duration_ns: int, shown: Shown, *, initially: bool = False) -> int:
         """`for`; even what is always true has not held before the start, unless `initially`."""
         if self._is_literal(operand, value=initially) or self._is_literal(operand, value=False):
             return operand
-        return self._add_truth(ir.Held(operand, duration_ns, initially), shown)
+        return self._add_proposition(ir.Held(operand, duration_ns, initially), shown)
 
     def since(self, held: int, begun: int, shown: Shown) -> int:
         """`since`; what always begins, or never, decides alone, and what never holds is nothing."""
-        is_decided = isinstance(self.truths[begun].node, ir.Literal)
+        is_decided = isinstance(self.propositions[begun].node, ir.Literal)
         if is_decided or self._is_literal(held, value=False):
             return begun
-        return self._add_truth(ir.Since(held, begun), shown)
+        return self._add_proposition(ir.Since(held, begun), shown)
 
     def recurs(self, operand: int, count: int, window_ns: int, shown: Shown) -> int:
         """At least `count` edges within a time; what is always false has none."""
         if count == 0 or self._is_literal(operand, value=False):
             return self.literal(count == 0, shown)
-        return self._add_truth(ir.Recurs(operand, count, window_ns), shown)
+        return self._add_proposition(ir.Recurs(operand, count, window_ns), shown)
 
     def name(self, index: int, name: str) -> None:
-        """Give a truth the name of a condition. The first name stays; literals have none, for
+        """Give a proposition the name of a condition. The first name stays; literals have none, for
         equal ones are shared by conditions that have nothing to do with each other.
         """
-        truth = self.truths[index]
-        if truth.name is None and not isinstance(truth.node, ir.Literal):
-            self.truths[index] = dataclasses.replace(truth, name=name)
+        proposition = self.propositions[index]
+        if proposition.name is None and not isinstance(proposition.node, ir.Literal):
+            self.propositions[index] = dataclasses.replace(proposition, name=name)
 
-    def _folded(self, node: ir.TruthNode) -> TruthValue | None:
+    def _folded(self, node: ir.PropositionNode) -> TruthValue | None:
         known = [self._constant_value(signal) for signal in ir.compared_signals(node)]
         values = tuple(value for value in known if value is not None)
         if len(values) < len(known):
@@ -162,15 +165,15 @@ class Nodes:
                 return None
 
     def _is_literal(self, index: int, *, value: bool) -> bool:
-        return self.truths[index].node == ir.Literal(value)
+        return self.propositions[index].node == ir.Literal(value)
 
     def _are_literals(self, operands: tuple[int, ...]) -> bool:
-        return all(isinstance(self.truths[each].node, ir.Literal) for each in operands)
+        return all(isinstance(self.propositions[each].node, ir.Literal) for each in operands)
 
-    def _add_truth(self, node: ir.TruthNode, shown: Shown) -> int:
-        index = self._truth_indexes.setdefault(node, len(self.truths))
-        if index == len(self.truths):
-            self.truths.append(ir.Truth(node, None, shown.text, shown.span))
+    def _add_proposition(self, node: ir.PropositionNode, shown: Shown) -> int:
+        index = self._proposition_indexes.setdefault(node, len(self.propositions))
+        if index == len(self.propositions):
+            self.propositions.append(ir.Proposition(node, None, shown.text, shown.span))
         return index
 
 

@@ -80,12 +80,12 @@ class Numbers:
         program: CheckedProgram,
         inputs: Inputs,
         nodes: Nodes,
-        truth: Callable[[ast.Expression], int],
+        proposition: Callable[[ast.Expression], int],
     ) -> None:
         self._program = program
         self._inputs = inputs
         self._nodes = nodes
-        self._truth = truth
+        self._proposition = proposition
         self._frames = Frames(program, inputs, nodes)
         self._places = Places(program)
 
@@ -237,14 +237,14 @@ class Numbers:
             if counts_all(node, self._program.types, self._program.values):
                 folded: ir.SignalNode = ir.Count(self._is_there(node))
             elif node.function.text == "count":
-                folded = ir.Count(self._truth(node.body))
+                folded = ir.Count(self._proposition(node.body))
             else:
                 folded = ir.Fold(_FOLDINGS[node.function.text], self.scalar(node.body))
         return self._nodes.signal(folded, self.shown(node))
 
     def _is_there(self, node: ast.ListFold) -> int:
-        """The truth that is true of each beam of a scan, and of each point of a cloud: without its
-        place there is none.
+        """The proposition that is true of each beam of a scan, and of each point of a cloud:
+        without its place there is none.
         """
         points = self.type_of(node.list)
         assert isinstance(points, List), "checked: it is the points of a cloud, or beams"
@@ -295,7 +295,7 @@ class Numbers:
             case "min" | "max":
                 return (self._extreme(node, shown),)
             case "count":
-                return (self._nodes.signal(ir.Count(self._truth(arguments[0])), shown),)
+                return (self._nodes.signal(ir.Count(self._proposition(arguments[0])), shown),)
             case "norm" | "roll" | "pitch" | "yaw":
                 parts = self.components(arguments[0])
                 return (self._nodes.apply(_WHOLE[name], parts, shown),)

@@ -1,6 +1,6 @@
 """Skills that rules stop whenever they run: no way for a planner that looks for another (S68).
 
-What a rule asks is read off its condition, not proved: a question to the skills that run, or an
+What a rule asks is read off its condition, not proved: a query to the skills that run, or an
 `or` with one. So it holds of each skill that is named, and nothing is said of others.
 """
 
@@ -32,7 +32,7 @@ _RUNS_ALL = (*SERIAL, FIRST_FAILURE, RETRY, TIMEOUT)
 _RUNS_ONE = (*SELECTOR, FIRST_SUCCESS)
 """Nodes that succeed if one of their children does."""
 _MOST_WAYS = 64
-"""Combinations of things of one skill that are told. With the others, a rule stops it again."""
+"""Combinations of things of one skill that are reported. With the others, a rule stops it again."""
 _MOST_LEVELS = 64
 """Compounds in compounds that are looked into."""
 
@@ -43,8 +43,8 @@ def with_prohibitions(machine: ir.Machine, skills: CheckedSkills | None) -> ir.M
     if skills is None or not any(_replans(task.effect) for task in tasks):
         return machine
     found = tuple(prohibitions(machine, skills))
-    told = tuple(replace(task, effect=_telling(task.effect, found)) for task in tasks)
-    return replace(machine, reactions=replace(machine.reactions, tasks=told))
+    reported = tuple(replace(task, effect=_telling(task.effect, found)) for task in tasks)
+    return replace(machine, reactions=replace(machine.reactions, tasks=reported))
 
 
 def prohibitions(machine: ir.Machine, skills: CheckedSkills) -> Iterator[str]:
@@ -66,8 +66,8 @@ def _replans(effect: reactions.Effect) -> bool:
 def _telling(effect: reactions.Effect, found: tuple[str, ...]) -> reactions.Effect:
     if not isinstance(effect, reactions.SendGoal) or not _replans(effect):
         return effect
-    told = reactions.Assignment((WITHOUT,), found)
-    return replace(effect, assignments=(*effect.assignments, told))
+    reported = reactions.Assignment((WITHOUT,), found)
+    return replace(effect, assignments=(*effect.assignments, reported))
 
 
 def _without_special_cases(ways: Collection[Things]) -> Iterator[Things]:
@@ -87,18 +87,18 @@ def _stopped(machine: ir.Machine, skills: CheckedSkills) -> Mapping[str, frozens
         if not asked or not lost or machine.reactions.plans[rule].unless:
             continue
         needing = _needing(lost, skills.file.skills)
-        for question in asked:
-            things = _things(question, skills)
-            for name in needing.intersection(question.skills):
+        for query in asked:
+            things = _things(query, skills)
+            for name in needing.intersection(query.skills):
                 found[name] = found.get(name, frozenset()) | {things}
     return _with_compounds(found, skills.file.skills)
 
 
 def _asked(machine: ir.Machine, condition: int) -> Iterator[ir.Doing]:
-    """The questions to skills that run of which each alone makes a condition true."""
+    """The queries to skills that run of which each alone makes a condition true."""
     waiting = [condition]
     while waiting:
-        node = machine.truths[waiting.pop()].node
+        node = machine.propositions[waiting.pop()].node
         if isinstance(node, ir.Or):
             waiting += node.operands
         elif isinstance(node, ir.Flag):
@@ -126,12 +126,12 @@ def _lasts(effect: reactions.Effect) -> bool:
     return reactions.is_lasting(effect) or isinstance(effect, reactions.SendGoal)
 
 
-def _things(question: ir.Doing, skills: CheckedSkills) -> Things:
-    """The classes that a question names, each the one that all the others are below."""
+def _things(query: ir.Doing, skills: CheckedSkills) -> Things:
+    """The classes that a query names, each the one that all the others are below."""
     below = skills.classes.below
     return frozenset(
         (parameter, next(each for each in classes if below(each) == classes))
-        for parameter, classes in question.arguments
+        for parameter, classes in query.arguments
     )
 
 

@@ -26,7 +26,7 @@ from rossmarie.check.effects import (
 from rossmarie.check.model import CheckedProgram
 from rossmarie.check.rules.plans import reached_actions
 from rossmarie.ir import reactions
-from rossmarie.lowering.truths import Truths
+from rossmarie.lowering.propositions import Propositions
 from rossmarie.syntax import ast
 
 
@@ -50,19 +50,21 @@ class _Escalation:
 
 @dataclass
 class Plans:
-    """Lowers the plans of all rules; `watches` are the truths that confirmations ask,
+    """Lowers the plans of all rules; `watches` are the propositions that confirmations ask,
     `readings` the signals that memories of poses ask.
     """
 
     program: CheckedProgram
-    truths: Truths
+    propositions: Propositions
     watches: list[int] = field(default_factory=list)
     readings: list[int] = field(default_factory=list)
     _memories: dict[reactions.Memory, int] = field(default_factory=dict)
     _drafts: list[_Draft] = field(default_factory=list)
 
     def lower(self) -> ir.Reactions:
-        """The reactions of the rules; truths are added to the machine for the confirmations."""
+        """The reactions of the rules; propositions are added to the machine for the
+        confirmations.
+        """
         plans = tuple(
             self._plan(rule, unless)
             for rule, unless in zip(self.program.rules, self.program.unless, strict=True)
@@ -179,7 +181,7 @@ class Plans:
 
     def _retrace(self, sent: CheckedRetrace) -> reactions.Retrace:
         """Poses that are remembered alike are one memory. A monitor keeps what it watches."""
-        signals, known = self.truths.pose(sent.pose)
+        signals, known = self.propositions.pose(sent.pose)
         if known not in self.watches:
             self.watches.append(known)
         self.readings += [signal for signal in signals if signal not in self.readings]
@@ -204,8 +206,8 @@ class Plans:
                 return reactions.CancelGoal(server, kind, watch, timeout_ns, interrupted)
 
     def _watch(self, confirmation: ast.Expression) -> int:
-        """The number of the truth of a confirmation among those that are watched."""
-        truth = self.truths.lower(confirmation)
-        if truth not in self.watches:
-            self.watches.append(truth)
-        return self.watches.index(truth)
+        """The number of the proposition of a confirmation among those that are watched."""
+        proposition = self.propositions.lower(confirmation)
+        if proposition not in self.watches:
+            self.watches.append(proposition)
+        return self.watches.index(proposition)

@@ -17,7 +17,7 @@ def lower_requirements(program: CheckedProgram) -> tuple[ir.Requirement, ...]:
         return ()
     found = lowered(program)
     kept = [(rule, keeps) for rule, keeps in enumerate(program.keeps) if keeps is not None]
-    truths = [_not_in_time(rule, keeps, program, found) for rule, keeps in kept]
+    propositions = [_not_in_time(rule, keeps, program, found) for rule, keeps in kept]
     machine = dataclasses.replace(
         found.machine,
         inputs=tuple(found.inputs.inputs),
@@ -25,7 +25,7 @@ def lower_requirements(program: CheckedProgram) -> tuple[ir.Requirement, ...]:
         slots=tuple(found.inputs.slots),
         texts=tuple(found.inputs.texts),
         signals=tuple(found.nodes.signals),
-        truths=tuple(found.nodes.truths),
+        propositions=tuple(found.nodes.propositions),
     )
     return tuple(
         ir.Requirement(
@@ -36,18 +36,18 @@ def lower_requirements(program: CheckedProgram) -> tuple[ir.Requirement, ...]:
             places=keeps.region.about,
             braking=_braking(keeps.motion),
             machine=machine,
-            truth=truth,
+            proposition=proposition,
         )
-        for (rule, keeps), truth in zip(kept, truths, strict=True)
+        for (rule, keeps), proposition in zip(kept, propositions, strict=True)
     )
 
 
 def _not_in_time(rule: int, keeps: CheckedKeeps, program: CheckedProgram, found: Lowered) -> int:
-    """The truth that it is too late, and the condition of the rule is false: also where a skill of
-    its scope does not run, or one of its exemptions does.
+    """The proposition that it is too late, and the condition of the rule is false: also where a
+    skill of its scope does not run, or one of its exemptions does.
     """
     span, name = keeps.written.span, found.machine.rules[rule].name
-    late = found.truths.too_late(keeps, Shown(f"too late: {words(span)}", span))
+    late = found.propositions.too_late(keeps, Shown(f"too late: {words(span)}", span))
     stated = words(program.rules[rule].condition.span)
     inactive = found.nodes.negation(found.contracts[rule].condition, Shown(f"not {stated}", span))
     shown = Shown(f"too late, and {name} is not active", span)

@@ -1,6 +1,6 @@
-"""Questions to the skills that run, as flags of the message that tells of them.
+"""Queries to the skills that run, as flags of the message that tells of them.
 
-One question has two forms (S59). What a rule asks is lost when the context is late. What an
+One query has two forms (S59). What a rule asks is stale when the context is late. What an
 exemption rests on comes by an input without a timeout, and is false then.
 """
 
@@ -22,7 +22,7 @@ CONTEXT = "skill_context"
 
 
 class Skills:
-    """Lowers questions to skills. What is asked twice is one slot."""
+    """Lowers queries to skills. What is asked twice is one slot."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
         self._program = program
@@ -30,24 +30,26 @@ class Skills:
         self._nodes = nodes
 
     def asked(self, node: ast.Doing) -> int:
-        """The truth that the skill runs: lost when nobody says for too long what runs."""
+        """The proposition that the skill runs: stale when nobody says for too long what runs."""
         return self._flag(node, self._context(CONTEXT, self._skills.timeout_ns))
 
     def kept(self, node: ast.Doing) -> int:
-        """The truth that the skill runs and that the context is not late: false when it is."""
+        """The proposition that the skill runs and that the context is not late: false when it
+        is.
+        """
         used = self._context(f"{CONTEXT}_kept", None)
         timeout_ns = self._skills.timeout_ns
         timeout = duration_text(timeout_ns)
         late = self._nodes.leaf(
             ir.AgeReaches(self._inputs.input(used), timeout_ns),
-            Shown(f"no skills told for {timeout}", node.span),
+            Shown(f"no skills reported for {timeout}", node.span),
         )
-        fresh = self._nodes.negation(late, Shown(f"skills told within {timeout}", node.span))
-        text = Shown(f"{self.text(node)}, as told in time", node.span)
+        fresh = self._nodes.negation(late, Shown(f"skills reported within {timeout}", node.span))
+        text = Shown(f"{self.text(node)}, as reported in time", node.span)
         return self._nodes.conjunction((self._flag(node, used), fresh), text)
 
     def text(self, node: ast.Doing) -> str:
-        """A question in the words of the rules."""
+        """A query in the words of the rules."""
         return self._found(node).text
 
     def permits(self, node: ast.Doing) -> tuple[str, ...]:

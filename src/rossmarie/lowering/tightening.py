@@ -1,8 +1,8 @@
 """Parameters of the node that do not tighten what they stand in. With a tighter value, a rule is to
 be active whenever it was before, and to clear no earlier (S87).
 
-Moves are the directions in which a number, or a truth from false to true, can go when parameters
-are tightened. A number whose direction is not known may go both ways.
+Moves are the directions in which a number, or a proposition from false to true, can go when
+parameters are tightened. A number whose direction is not known may go both ways.
 """
 
 from __future__ import annotations
@@ -34,13 +34,13 @@ def misdirected(machine: ir.Machine) -> Iterator[Diagnostic]:
         return
     moves = _MovesOf(machine)
     for rule in machine.rules:
-        if -1 in moves.truth(rule.condition):
+        if -1 in moves.proposition(rule.condition):
             yield moves.finding(rule.condition, -1, rule)
-        elif rule.release is not None and 1 in moves.truth(rule.release):
+        elif rule.release is not None and 1 in moves.proposition(rule.release):
             yield moves.finding(rule.release, 1, rule)
-    for truth in machine.watches:
-        if moves.truth(truth):
-            yield moves.finding(truth, min(moves.truth(truth)), None)
+    for proposition in machine.watches:
+        if moves.proposition(proposition):
+            yield moves.finding(proposition, min(moves.proposition(proposition)), None)
 
 
 def _turned(moves: _Moves) -> _Moves:
@@ -55,24 +55,26 @@ def _times(moves: _Moves, sign: int | None) -> _Moves:
 
 
 class _MovesOf:
-    """The moves of the signals and truths of a machine."""
+    """The moves of the signals and propositions of a machine."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
         self._signals: list[_Moves] = []
         self._signs: list[int | None] = []
-        self._truths: dict[int, _Moves] = {}
+        self._propositions: dict[int, _Moves] = {}
         for signal in machine.signals:
             self._signals.append(self._of_signal(signal.node))
             self._signs.append(self._sign(signal.node))
-        for index in range(len(machine.truths)):
-            self.truth(index)
+        for index in range(len(machine.propositions)):
+            self.proposition(index)
 
-    def truth(self, index: int) -> _Moves:
-        """The moves of a truth. Truths stand behind what they rest on, so nothing recurses far."""
-        if index not in self._truths:
-            self._truths[index] = self._of_truth(self._machine.truths[index].node)
-        return self._truths[index]
+    def proposition(self, index: int) -> _Moves:
+        """The moves of a proposition. Propositions stand behind what they rest on, so nothing
+        recurses far.
+        """
+        if index not in self._propositions:
+            self._propositions[index] = self._of_proposition(self._machine.propositions[index].node)
+        return self._propositions[index]
 
     # --- signals -----------------------------------------------------------------------------
 
@@ -83,7 +85,7 @@ class _MovesOf:
             case ir.Fold(element=element):
                 return self._signals[element]
             case ir.Count(element=element):
-                return self.truth(element)
+                return self.proposition(element)
             case ir.Sampled(signal=signal):
                 return _BOTH if self._signals[signal] else _NONE
             case ir.Apply():
@@ -139,9 +141,10 @@ class _MovesOf:
             case _:  # open: a function of which it is not known
                 return None
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
-    def _of_truth(self, node: ir.TruthNode) -> _Moves:
+    def _of_proposition(self, node: ir.PropositionNode) -> _Moves:
         match node:
             case ir.Literal() | ir.AgeReaches():
                 return _NONE
@@ -153,15 +156,15 @@ class _MovesOf:
             case ir.Flag(signal=signal) | ir.Oscillates(signal=signal):
                 return _BOTH if self._signals[signal] else _NONE
             case ir.Not(operand=operand):
-                return _turned(self.truth(operand))
+                return _turned(self.proposition(operand))
             case ir.And(operands=operands) | ir.Or(operands=operands):
-                return _NONE.union(*map(self.truth, operands))
+                return _NONE.union(*map(self.proposition, operands))
             case ir.Quantified(element=operand) | ir.Held(operand=operand):
-                return self.truth(operand)
+                return self.proposition(operand)
             case ir.Since(held=held, begun=begun):
-                return self.truth(held) | self.truth(begun)
+                return self.proposition(held) | self.proposition(begun)
             case ir.Recurs(operand=operand):
-                return _BOTH if self.truth(operand) else _NONE
+                return _BOTH if self.proposition(operand) else _NONE
 
     def _compared(self, comparison: Comparison, left: _Moves, right: _Moves) -> _Moves:
         if comparison in _LESS:
@@ -172,14 +175,14 @@ class _MovesOf:
 
     # --- findings ----------------------------------------------------------------------------
 
-    def finding(self, truth: int, move: int, rule: ir.Rule | None) -> Diagnostic:
-        """The finding at the part of a truth that goes where it should not."""
-        node = self._machine.truths[truth].node
+    def finding(self, proposition: int, move: int, rule: ir.Rule | None) -> Diagnostic:
+        """The finding at the part of a proposition that goes where it should not."""
+        node = self._machine.propositions[proposition].node
         while (inner := self._inside(node, move)) is not None:
-            truth, move = inner
-            node = self._machine.truths[truth].node
-        place = self._machine.truths[truth]
-        is_certain = len(self.truth(truth)) == 1
+            proposition, move = inner
+            node = self._machine.propositions[proposition].node
+        place = self._machine.propositions[proposition]
+        is_certain = len(self.proposition(proposition)) == 1
         reason = "tightened, it would make this {}".format("true" if move > 0 else "false")
         if rule is None:
             reason = "a confirmation does not get tighter"
@@ -187,17 +190,17 @@ class _MovesOf:
             reason = "nobody can tell which way this goes when it is tightened"
         return CannotTighten(reason=reason).at(place.span)
 
-    def _inside(self, node: ir.TruthNode, move: int) -> tuple[int, int] | None:
-        """The operand of a truth that goes the wrong way, and that way."""
+    def _inside(self, node: ir.PropositionNode, move: int) -> tuple[int, int] | None:
+        """The operand of a proposition that goes the wrong way, and that way."""
         match node:
             case ir.Not(operand=operand):
                 return operand, -move
             case ir.And(operands=operands) | ir.Or(operands=operands):
-                return next((each, move) for each in operands if move in self.truth(each))
+                return next((each, move) for each in operands if move in self.proposition(each))
             case ir.Held(operand=operand):
                 return operand, move
             case ir.Since(held=held, begun=begun):
-                return (held, move) if move in self.truth(held) else (begun, move)
+                return (held, move) if move in self.proposition(held) else (begun, move)
             case (
                 ir.Literal() | ir.AgeReaches() | ir.Compare() | ir.Between() | ir.Flag()
                 | ir.Oscillates() | ir.Quantified() | ir.Recurs()

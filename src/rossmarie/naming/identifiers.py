@@ -26,7 +26,7 @@ _LANGUAGE = """
 # Names that the generated functions call and have, where a field of a message is a parameter.
 _GENERATED = """
     arcsine arcsine_far arcsine_surplus arctangent arctangent_surplus arrive arrived before begin
-    both catch_up compute cross either element_truth evaluate events every fabs first follow
+    both catch_up compute cross either element_truth_value evaluate events every fabs first follow
     how_many i index_t is_calm is_inside is_pending isfinite isnan known leading m mark monitor
     opposite outcome sample sample_window seconds_between set_wake settle some sqrt t_ns tick visit
     window_middle
@@ -38,12 +38,12 @@ _PRIVATE = """
     above age always append arcsine arctangent are arithmetic array at before begins below by catch
     change channel claiming column command covered cross dbl drop due earliest edge element engages
     enough expire factor failed fails flag flt forget fp from gain gap give goes guard has held
-    host how index input int16 int32 int64 is late latest leaf limit literal look lose lost most
+    host how index input int16 int32 int64 is late latest leaf limit literal look lose stale most
     never no node now on opposite or others pass planned pose poses receive recent report resource
     rossmarie
     row rule sampled samples scale seconds set settle shown since size slot stage staged stamp
-    start started swings t take task term text texts timeout topic truth truths turn uint16 uint64
-    uint8 unknown unknowns value values wake was watched width window x yields
+    start started swings t take task term text texts timeout proposition topic truth turn
+    uint16 uint64 uint8 unknown unknowns value values wake was watched width window x yields
 """
 
 _RESERVED = frozenset((_LANGUAGE + _GENERATED).split())

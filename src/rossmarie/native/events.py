@@ -9,7 +9,7 @@ from rossmarie.ir import Change, Event, InputState, TimeJump, TruthValue, Verdic
 
 _TIME_JUMP = 3
 
-_TRUTHS = tuple(TruthValue)
+_TRUTH_VALUES = tuple(TruthValue)
 _STATES = tuple(InputState)
 _CHANGES = tuple(Change)
 
@@ -43,14 +43,16 @@ class EventReader:
         if change == _TIME_JUMP:
             return TimeJump(from_ns, at_ns)
         rule = self._rules[index]
-        truths_at = rule_at + 2
-        inputs_at = truths_at + self._terms
+        truth_values_at = rule_at + 2
+        inputs_at = truth_values_at + self._terms
         terms = len(rule.terms)
         return Verdict(
             rule=index,
             at_ns=at_ns,
             change=_CHANGES[change],
-            truths=tuple(_TRUTHS[int(x)] for x in fields[truths_at : truths_at + terms]),
+            truth_values=tuple(
+                _TRUTH_VALUES[int(x)] for x in fields[truth_values_at : truth_values_at + terms]
+            ),
             since_ns=tuple(int(x) for x in fields[2 : 2 + terms]),
             values=tuple(float(x) for x in fields[values_at : values_at + len(rule.signals)]),
             inputs=tuple(_STATES[int(x)] for x in fields[inputs_at : inputs_at + len(rule.inputs)]),

@@ -22,8 +22,8 @@ from rossmarie.ir import (
     FieldBounds,
     Order,
     OrderKind,
+    Reported,
     State,
-    Told,
     Wiring,
     require_instant,
 )
@@ -239,7 +239,7 @@ class NativeGuard:
         return NativeRow(self.library, count, self._machine, self._table)
 
     def take_events(self) -> list[Event]:
-        """The events that were told since the last time; orders wait on."""
+        """The events that were reported since the last time; orders wait on."""
         events, self._events = self._events, []
         return events + self._monitor.take_events()
 
@@ -282,11 +282,11 @@ class NativeGuard:
         bits, margins = self._monitor.active_bits, self.margins
         return packed_note(said, bits, margins, list(states)[:tasks], list(since_ns)[:tasks])
 
-    def take(self) -> Told:
-        """All that was told since the last time. Raises `MemoryError` if any of it was lost for
+    def take(self) -> Reported:
+        """All that was reported since the last time. Raises `MemoryError` if any of it was lost for
         lack of memory, from then on.
         """
-        return Told(self.take_events(), self._orders())
+        return Reported(self.take_events(), self._orders())
 
     def _follow(self, at_ns: int) -> None:
         self.library.function("guard_follow")(self.host, at_ns)

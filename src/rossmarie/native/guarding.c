@@ -55,7 +55,7 @@ typedef struct guard_wiring {
 } guard_wiring;
 
 /* What guard_step says: bits of its result. */
-enum { GUARD_CHANGED = 1, GUARD_REFUSED = 2, GUARD_TOLD = 4, GUARD_CLOSED = 8 };
+enum { GUARD_CHANGED = 1, GUARD_REFUSED = 2, GUARD_REPORTED = 4, GUARD_CLOSED = 8 };
 
 static double of_message(const guard_part *part, double x)
 {
@@ -246,7 +246,7 @@ int guard_step(host *h, const guard_wiring *w, int64_t t_ns, const double *obser
     if (action)
         said = decide(h, w, t_ns, action);
     said |= guard_of(h)->is_open ? 0 : GUARD_CLOSED;
-    return said | (h->count || guard_of(h)->count ? GUARD_TOLD : 0);
+    return said | (h->count || guard_of(h)->count ? GUARD_REPORTED : 0);
 }
 
 /* --- many guards --------------------------------------------------------------------------- */

@@ -76,7 +76,7 @@ size_t guards_allow(host *, size_t, guard_wiring *, double *, size_t, unsigned c
 """
 
 _BYTES = "unsigned char[]"
-CHANGED, REFUSED, TOLD, CLOSED = 1, 2, 4, 8
+CHANGED, REFUSED, REPORTED, CLOSED = 1, 2, 4, 8
 """The bits of what happened in a step: the action was changed, was not finite, there is news, and
 nothing passes yet.
 """

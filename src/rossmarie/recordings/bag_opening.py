@@ -77,7 +77,7 @@ def _setbacks(storage: Storage, path: Path) -> tuple[Diagnostic, ...]:
     try:
         return find_setbacks(storage.arrivals(), path)
     except _ARRIVAL_FAILURES:
-        return ()  # told when its messages are read
+        return ()  # reported when its messages are read
 
 
 def _intact(path: Path, files: Sequence[Path]) -> Storage:

@@ -55,7 +55,7 @@ _UNCOMPRESSED = ("", "none")
 def decompress_prefix(
     compression: str, data: bytes, allowance: Allowance
 ) -> tuple[bytes, str | None]:
-    """The content of `data` as far as it can be told, and why no further (None: it is whole).
+    """The content of `data` as far as it can be reported, and why no further (None: it is whole).
 
     Raises nothing: of an unknown compression, or of data beyond a limit, there is no content.
     """

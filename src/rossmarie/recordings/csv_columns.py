@@ -11,7 +11,7 @@ from rossmarie.ir import EACH, Array, Listed, Machine, Slot
 from rossmarie.ir.beams import is_of_scan
 from rossmarie.recordings.clouds import is_of_points
 from rossmarie.recordings.matching import Match
-from rossmarie.recordings.skills import question_of
+from rossmarie.recordings.skills import query_of
 
 _COMPARED = 200
 _EACH = "*"
@@ -160,7 +160,7 @@ def _names(match: Match, field: Slot | Array, machine: Machine) -> Iterator[str]
     yield ".".join([match.topic, *path])
     if path == ("data",):
         yield match.topic
-    if isinstance(field, Slot) and question_of(field) is not None:
+    if isinstance(field, Slot) and query_of(field) is not None:
         # All inputs that read the context ask the same, and one of them is the compiler's own.
         readers = (machine.inputs[reader].name for reader in match.inputs)
         yield from sorted((".".join([name, *path]) for name in readers), key=len, reverse=True)

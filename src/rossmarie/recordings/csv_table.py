@@ -144,14 +144,14 @@ class CsvRecording:
     ) -> None:
         """Tell which inputs have no column, or not all; `unread` are the columns to choose from."""
         is_blank = bool(columns.used()) and not any(self._filled[i] for i in columns.used())
-        told: set[str] = set()
+        reported: set[str] = set()
         for reader in match.inputs:
             span = input_span(machine, reader)
             read = match.fields_of(reader)
             missing = [
                 field
                 for field in columns.missing
-                if field.input == reader and expected_column(match, field, machine) not in told
+                if field.input == reader and expected_column(match, field, machine) not in reported
             ]
             if any(isinstance(field, Array) and is_of_points(field) for field in missing):
                 collector.add(self._no_points(match).at(span, help=FieldNotRecorded.Points()))
@@ -160,7 +160,7 @@ class CsvRecording:
                 collector.add(self._no_beams(match).at(span, help=FieldNotRecorded.Beams()))
                 continue
             wanted = [expected_column(match, field, machine) for field in missing]
-            told.update(wanted)
+            reported.update(wanted)
             if not match.slots and not match.arrays and columns.arrival is None:
                 wanted = [machine.inputs[reader].name]
             if wanted and len(missing) == len(read):

@@ -20,7 +20,7 @@ from rossmarie.recordings.matching import field_text, input_span, lengths, liste
 _MOST_OTHERS = 64
 """Names or lengths that are kept to tell of; more than that nobody reads."""
 _DIGITS = 12
-"""Digits of a digest that are told."""
+"""Digits of a digest that are reported."""
 
 Named = ByName | Listed
 """An element that goes by a name."""
@@ -38,7 +38,7 @@ def place_of(element: Named, names: Sequence[str], length: int) -> int | None:
 @dataclass
 class ElementSearch:
     """The search for an element of a slot in one message after the other: whether any had it, and
-    some of the names, or the lengths of arrays, that they had. Of a question to skills: whether any
+    some of the names, or the lengths of arrays, that they had. Of a query to skills: whether any
     was from its export, and from which others they were.
     """
 
@@ -53,9 +53,9 @@ class ElementSearch:
             self.others.update(dict.fromkeys(_instead(element, names, length)))
         return place_of(element, names, length)
 
-    def see_export(self, question: SkillStep, digest: str) -> None:
+    def see_export(self, query: SkillStep, digest: str) -> None:
         """A message is from an export."""
-        self.is_found = self.is_found or digest == question.export
+        self.is_found = self.is_found or digest == query.export
         if not self.is_found and len(self.others) < _MOST_OTHERS:
             self.others[digest] = None
 

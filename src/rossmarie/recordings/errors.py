@@ -263,7 +263,7 @@ class RecordingDamaged(Warning, code="ROSS615", name="recording-damaged"):
 
     title = "the recording is damaged: {reason}"
     note = "{kept} messages could be read and are used"
-    help = "expect gaps: an input with a timeout is lost where its messages are missing"
+    help = "expect gaps: an input with a timeout is stale where its messages are missing"
     reason: str
     kept: int
 

@@ -37,7 +37,7 @@ from rossmarie.recordings.clouds import CloudReader, cloud_readers, holds_cloud,
 from rossmarie.recordings.definitions import full_type
 from rossmarie.recordings.elements import ElementSearch, Named, place_of
 from rossmarie.recordings.scans import ScanReader, holds_scan, scan_readers
-from rossmarie.recordings.skills import holds_skills, question_of
+from rossmarie.recordings.skills import holds_skills, query_of
 
 _TEXTS = ("string", "wstring")
 _INSTANTS = ("builtin_interfaces/msg/Time", "builtin_interfaces/msg/Duration")
@@ -86,9 +86,9 @@ def compile_extractor(
     searches = {index: ElementSearch(slot) for index, slot in wanted.slots.items()}
     missing: list[Slot | Array] = []
     for index, slot in wanted.slots.items():
-        question = question_of(slot)
-        if question is not None and holds_skills(store, root):
-            others[index] = partial(_answer, searches[index], question)
+        query = query_of(slot)
+        if query is not None and holds_skills(store, root):
+            others[index] = partial(_answer, searches[index], query)
             continue
         description = _describe(store, root, slot.path)
         if description is None or not _holds(description, slot.kind):
@@ -117,7 +117,7 @@ def compile_extractor(
         {i: array for i, array in wanted.arrays.items() if i in arrays or i in sensed},
     )
     read = _reader(numbers, others, arrays)
-    asking = (each for each in searches.values() if question_of(each.slot) is not None)
+    asking = (each for each in searches.values() if query_of(each.slot) is not None)
     named = [each for each in searches.values() if _goes_by_name(each.slot.path)]
     named += islice(asking, 1)  # all are asked of the same messages
     readers: tuple[CloudReader | ScanReader, ...]
@@ -165,9 +165,9 @@ def _scalar_reader(
     return lambda message: to_number(get(message))
 
 
-def _answer(search: ElementSearch, question: SkillStep, message: Message) -> float:
-    search.see_export(question, message.digest)
-    return answer(question, message)
+def _answer(search: ElementSearch, query: SkillStep, message: Message) -> float:
+    search.see_export(query, message.digest)
+    return answer(query, message)
 
 
 def _number(value: Any) -> float:

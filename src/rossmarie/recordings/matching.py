@@ -139,8 +139,8 @@ def with_reasons(
     finding: Diagnostic, collector: Collector, help: Remark | None = None
 ) -> RecordingError:
     """A finding that ends the reading, with all that has been found out before as its notes."""
-    told = {TopicLeftOut(title=each.title, help=each.help or "") for each in collector.sorted()}
-    return RecordingError(remarked(finding, *sorted(told, key=str), help=help))
+    reported = {TopicLeftOut(title=each.title, help=each.help or "") for each in collector.sorted()}
+    return RecordingError(remarked(finding, *sorted(reported, key=str), help=help))
 
 
 def check_topic_map(machine: Machine, topic_map: Mapping[str, str]) -> None:

@@ -1,4 +1,4 @@
-"""Questions to the skills that run, in the messages of recordings."""
+"""Queries to the skills that run, in the messages of recordings."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rosbags.typesys.store import Typestore
 from rossmarie.ir import Doing, Quantity, SkillStep, Slot
 
 _TEXT: Any = (Nodetype.BASE, ("string", 0))
-_TRUTH: Any = (Nodetype.BASE, ("bool", 0))
+_PROPOSITION: Any = (Nodetype.BASE, ("bool", 0))
 _NUMBER: Any = (Nodetype.BASE, ("float64", 0))
 _PACKAGE = "skill_context_msgs/msg"
 
@@ -25,7 +25,7 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
         "digest": _TEXT,
         "running": _list_of("RunningSkill"),
         "ahead": _list_of("SkillAhead"),
-        "is_ahead_known": _TRUTH,
+        "is_ahead_known": _PROPOSITION,
     },
     "RunningSkill": {"skill": _TEXT, "arguments": _list_of("SkillArgument")},
     "SkillAhead": {"skill": _TEXT, "arguments": _list_of("SkillArgument")},
@@ -40,8 +40,8 @@ _NEEDED: Mapping[str, Mapping[str, Any]] = {
 """The fields that answers rest on, as rosbags describes them."""
 
 
-def question_of(slot: Slot) -> SkillStep | None:
-    """The question to skills that a slot is, None if it is a field."""
+def query_of(slot: Slot) -> SkillStep | None:
+    """The query to skills that a slot is, None if it is a field."""
     match slot.path:
         case ((Doing() | Quantity()) as step,):
             return step

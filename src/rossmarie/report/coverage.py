@@ -59,16 +59,16 @@ def _table(coverage: Coverage, reasons: Mapping[Goal, str], *, styled: bool) -> 
 
 
 def _rows(coverage: Coverage, rule: int, reasons: Mapping[Goal, str]) -> Iterator[tuple[str, ...]]:
-    for place, (text, found) in enumerate(questions(coverage, rule)):
+    for place, (text, found) in enumerate(queries(coverage, rule)):
         name = coverage.machine.rules[rule].name if place == 0 else ""
         deciding = [goal for goal in found if goal.aspect in _DECIDING]
-        others = [goal for goal in found if goal.aspect in (*_BOUNDARIES, Aspect.LOST)]
+        others = [goal for goal in found if goal.aspect in (*_BOUNDARIES, Aspect.STALE)]
         counts = (counted(coverage, deciding), counted(coverage, others))
         yield name, text, *counts, missing(coverage, found, reasons)
 
 
-def questions(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
-    """Give the questions about a rule, in words, and the goals that answer each."""
+def queries(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]:
+    """Give the queries about a rule, in words, and the goals that answer each."""
     own = [goal for goal in coverage.goals if goal.rule == rule]
     yield "active, and cleared", [goal for goal in own if goal.aspect in _CHANGES]
     groups: dict[tuple[int, int], list[Goal]] = {}
@@ -76,10 +76,10 @@ def questions(coverage: Coverage, rule: int) -> Iterator[tuple[str, list[Goal]]]
         if goal.aspect in (*_DECIDING, *_BOUNDARIES):
             groups.setdefault((goal.subject, goal.decision), []).append(goal)
     for (subject, _), found in groups.items():
-        truth = coverage.machine.truths[subject]
-        yield truth.name or " ".join(truth.text.split()), found
-    if lost := [goal for goal in own if goal.aspect is Aspect.LOST]:
-        yield "lost inputs", lost
+        proposition = coverage.machine.propositions[subject]
+        yield proposition.name or " ".join(proposition.text.split()), found
+    if stale := [goal for goal in own if goal.aspect is Aspect.STALE]:
+        yield "stale inputs", stale
 
 
 def counted(coverage: Coverage, found: Sequence[Goal]) -> str:
@@ -101,9 +101,9 @@ def missing(coverage: Coverage, found: Sequence[Goal], reasons: Mapping[Goal, st
 
 
 def describe(machine: ir.Machine, goal: Goal) -> str:
-    """A goal in a word or two: `true`, `just under 10 deg`, `imu lost`."""
-    if goal.aspect is Aspect.LOST:
-        return f"{machine.inputs[goal.subject].name} lost"
+    """A goal in a word or two: `true`, `just under 10 deg`, `imu stale`."""
+    if goal.aspect is Aspect.STALE:
+        return f"{machine.inputs[goal.subject].name} stale"
     if goal.aspect not in _BOUNDARIES:
         return str(goal.aspect.value)
     found = edges(machine, goal.subject)
@@ -118,7 +118,7 @@ def _sums(coverage: Coverage) -> Iterator[str]:
     for word, aspects in (
         ("MC/DC", _DECIDING),
         ("boundaries", _BOUNDARIES),
-        ("lost inputs", (Aspect.LOST,)),
+        ("stale inputs", (Aspect.STALE,)),
     ):
         found = [goal for goal in coverage.goals if goal.aspect in aspects]
         reached = sum(goal in coverage.reached for goal in found)

@@ -18,10 +18,10 @@ from rossmarie.ir import (
     Event,
     Explanation,
     InputState,
-    LostInput,
     Machine,
     Reading,
     Rule,
+    StaleInput,
     TruthValue,
     Verdict,
     explain,
@@ -35,13 +35,13 @@ SCHEMA = 1
 CHANGES = {
     Change.CLEARED: "cleared",
     Change.ACTIVATED: "activated",
-    Change.ACTIVATED_LOST: "activated_lost",
+    Change.ACTIVATED_STALE: "activated_stale",
 }
-TRUTHS = {
+TRUTH_VALUES = {
     TruthValue.FALSE: "false",
     TruthValue.TRUE: "true",
     TruthValue.UNKNOWN: "unknown",
-    TruthValue.LOST: "lost",
+    TruthValue.STALE: "stale",
 }
 STATES = {InputState.NEVER: "never", InputState.FRESH: "unusable", InputState.EXPIRED: "expired"}
 
@@ -151,7 +151,7 @@ def cause_data(explanation: Explanation, origin_ns: int) -> dict[str, object]:
     return {
         "text": explanation.line(origin_ns),
         "conditions": [_condition(cause, origin_ns) for cause in explanation.causes],
-        "lost_inputs": [_lost_input(lost) for lost in explanation.lost_inputs],
+        "stale_inputs": [_stale_input(stale) for stale in explanation.stale_inputs],
     }
 
 
@@ -159,7 +159,7 @@ def _condition(cause: Cause, origin_ns: int) -> dict[str, object]:
     return {
         "name": cause.name,
         "text": cause.text,
-        "truth": TRUTHS[cause.value],
+        "truth": TRUTH_VALUES[cause.value],
         "since_ns": cause.since_ns,
         "since_s": (cause.since_ns - origin_ns) / 1e9,
         "values": [_reading(reading) for reading in cause.readings],
@@ -175,9 +175,9 @@ def _reading(reading: Reading) -> dict[str, object]:
     }
 
 
-def _lost_input(lost: LostInput) -> dict[str, object]:
-    state = "was lost" if lost.was_lost else STATES[lost.state]
-    return {"name": lost.name, "topic": lost.topic, "state": state}
+def _stale_input(stale: StaleInput) -> dict[str, object]:
+    state = "was stale" if stale.was_stale else STATES[stale.state]
+    return {"name": stale.name, "topic": stale.topic, "state": state}
 
 
 def json_number(value: float) -> float | str | None:

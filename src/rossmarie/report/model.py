@@ -20,9 +20,9 @@ from rossmarie.report.rehearsal import Rehearsed
 class Threshold:
     """Where a condition stands on the axis of a plot, in the unit of the plot.
 
-    `limits` are the values at which its truth changes, `regions` the closed stretches (ends may be
-    infinite) in which it speaks for a change of `rules`: for their activation, or, if `releases`,
-    for clearing them.
+    `limits` are the values at which its proposition changes, `regions` the closed stretches (ends
+    may be infinite) in which it speaks for a change of `rules`: for their activation, or, if
+    `releases`, for clearing them.
     """
 
     limits: tuple[float, ...]

@@ -73,7 +73,7 @@ def _rule(rule: Rule, spans: tuple[ActiveSpan, ...], places: dict[int, int]) -> 
             [
                 span.start_ns / 1e9,
                 span.end_ns / 1e9,
-                int(span.lost),
+                int(span.stale),
                 places.get(span.opened),
                 None if span.closed is None else places.get(span.closed),
                 int(span.closed is None),

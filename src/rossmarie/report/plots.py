@@ -54,7 +54,7 @@ def plan_plots(machine: ir.Machine) -> tuple[PlotPlan, ...]:
     """
     uses: dict[int, list[_Use]] = {}
     for use in _uses(machine):
-        for signal in ir.compared_signals(machine.truths[use.leaf].node):
+        for signal in ir.compared_signals(machine.propositions[use.leaf].node):
             uses.setdefault(signal, []).append(use)
     elementwise = ir.element_arrays(machine).signals
     return tuple(
@@ -86,17 +86,17 @@ def _below(machine: ir.Machine, rule: str, top: int, *, releases: bool) -> Itera
     seen: set[tuple[int, bool]] = set()
     while waiting:
         index, name, positive = waiting.pop()
-        truth = machine.truths[index]
+        proposition = machine.propositions[index]
         if (index, positive) in seen:
             continue
         seen.add((index, positive))
-        name = truth.name or name
-        if ir.is_leaf(truth.node):
+        name = proposition.name or name
+        if ir.is_leaf(proposition.node):
             yield _Use(rule, index, name, positive, releases)
             continue
         whole = ir.defined(machine, index)
-        inner = positive != (whole is None and isinstance(truth.node, ir.Not))
-        operands = ir.truth_operands(truth.node) if whole is None else whole.operands
+        inner = positive != (whole is None and isinstance(proposition.node, ir.Not))
+        operands = ir.proposition_operands(proposition.node) if whole is None else whole.operands
         waiting.extend((operand, name, inner) for operand in reversed(operands))
 
 
@@ -109,11 +109,11 @@ def _plan(machine: ir.Machine, index: int, uses: list[_Use]) -> PlotPlan:
             rules.append(use.rule)
     found = []
     for (leaf, name, positive, releases), rules in grouped.items():
-        shape = _shape(machine, machine.truths[leaf].node, index)
+        shape = _shape(machine, machine.propositions[leaf].node, index)
         if shape is not None:
-            text = name or machine.truths[leaf].text
+            text = name or machine.propositions[leaf].text
             limits = tuple(limit * signal.scale + signal.offset for limit in shape)
-            regions = _regions(machine.truths[leaf].node, index, limits, positive)
+            regions = _regions(machine.propositions[leaf].node, index, limits, positive)
             found.append(Threshold(limits, regions, text, tuple(rules), releases))
     return PlotPlan(
         index, signal.text, signal.unit, signal.scale, signal.offset, _drawn_once(found)
@@ -128,7 +128,7 @@ def _drawn_once(found: list[Threshold]) -> tuple[Threshold, ...]:
     )
 
 
-def _shape(machine: ir.Machine, node: ir.TruthNode, signal: int) -> tuple[float, ...] | None:
+def _shape(machine: ir.Machine, node: ir.PropositionNode, signal: int) -> tuple[float, ...] | None:
     """The constants (SI) that a leaf compares the signal with; None if they are not constant."""
     others: tuple[int, ...]
     match node:
@@ -147,7 +147,7 @@ def _shape(machine: ir.Machine, node: ir.TruthNode, signal: int) -> tuple[float,
 
 
 def _regions(
-    node: ir.TruthNode, signal: int, limits: tuple[float, ...], positive: bool
+    node: ir.PropositionNode, signal: int, limits: tuple[float, ...], positive: bool
 ) -> tuple[tuple[float, float], ...]:
     if isinstance(node, ir.Between):
         low, high = limits

@@ -33,7 +33,7 @@ _OTHERS = "evaluation, timers, calls"
 
 @dataclass(frozen=True)
 class Proofs:
-    """The outcomes of all questions about the C of a machine. `unasked` are the generated sources,
+    """The outcomes of all queries about the C of a machine. `unasked` are the generated sources,
     or parts of these, that none is about, `tools` the versions of the programs that answered.
     """
 
@@ -85,7 +85,7 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
         if f"rule {rule.name} " in f"{words} ":
             return rule.head
     said = [
-        *((truth.text, truth.span) for truth in machine.truths),
+        *((proposition.text, proposition.span) for proposition in machine.propositions),
         *((signal.text, signal.span) for signal in machine.signals),
     ]
     for text, span in said:
@@ -98,7 +98,7 @@ def _place(machine: ir.Machine, words: str) -> Span | None:
 
 
 def has_windows(machine: ir.Machine) -> bool:
-    """Say whether samples in windows are put in order or added, of which no question asks."""
+    """Say whether samples in windows are put in order or added, of which no query asks."""
     nodes = (signal.node for signal in machine.signals)
     return any(isinstance(n, ir.Sampled) and sampling_row(n.function).has_window for n in nodes)
 
@@ -107,7 +107,7 @@ def has_windows(machine: ir.Machine) -> bool:
 
 
 def write_proofs(proofs: Proofs, out: TextIO) -> None:
-    """Write how many questions of each group are answered, what is not proved and why, for which
+    """Write how many queries of each group are answered, what is not proved and why, for which
     rules it holds without bound, and the verdict.
     """
     print_table(_table(proofs, styled=Console(file=out).is_terminal), out)
@@ -125,7 +125,7 @@ def _table(proofs: Proofs, *, styled: bool) -> Table:
     for name, outcomes in groups.items():
         table.add_row(*map(Text, (name, _counts(outcomes), _left(outcomes))))
     for name in proofs.unasked:
-        table.add_row(*map(Text, (name, "", "no question is asked about it")))
+        table.add_row(*map(Text, (name, "", "no query is asked about it")))
     return table
 
 

@@ -1,9 +1,9 @@
 """A rehearsal: a reactor, driven by the monitor's events, shows what rules would have done.
 
-Takes the events of a monitor of a verified machine. The robot of a recording was not told anything,
-so nothing in it says how an order ended: all that a node would await is taken as done at once, with
-success, and confirmed. What another rule keeps from its resource runs out of time, though. The
-effect `reset` does not act on the verdicts.
+Takes the events of a monitor of a verified machine. The robot of a recording was not reported
+anything, so nothing in it says how an order ended: all that a node would await is taken as done at
+once, with success, and confirmed. What another rule keeps from its resource runs out of time,
+though. The effect `reset` does not act on the verdicts.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def rehearse(
 
 
 class _Rehearsal:
-    """A reactor, and what it is told."""
+    """A reactor, and what it is reported."""
 
     def __init__(self, machine: Machine) -> None:
         self._tasks = machine.reactions.tasks

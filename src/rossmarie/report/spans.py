@@ -19,7 +19,7 @@ class ActiveSpan:
 
     `opened` and `closed` are the places of the two verdicts in `Replay.events`; `closed` is None
     if the rule is still active when the recording ends, `end_ns` is then the end of the replay.
-    `lost` says that the rule became active for lack of an input.
+    `stale` says that the rule became active for lack of an input.
     """
 
     rule: int
@@ -27,7 +27,7 @@ class ActiveSpan:
     end_ns: int
     opened: int
     closed: int | None
-    lost: bool
+    stale: bool
 
     @property
     def length_ns(self) -> int:
@@ -45,7 +45,7 @@ class Summary:
 
     rule: str
     activations: int
-    lost_activations: int
+    stale_activations: int
     total_ns: int
     longest_ns: int
     first_ns: int | None
@@ -75,8 +75,8 @@ def active_spans(replay: Replay) -> tuple[tuple[ActiveSpan, ...], ...]:
 def _span(
     rule: int, opened: int, first: PlacedEvent, closed: int | None, end_ns: int
 ) -> ActiveSpan:
-    lost = isinstance(first.event, Verdict) and first.event.change is Change.ACTIVATED_LOST
-    return ActiveSpan(rule, first.position_ns, end_ns, opened, closed, lost)
+    stale = isinstance(first.event, Verdict) and first.event.change is Change.ACTIVATED_STALE
+    return ActiveSpan(rule, first.position_ns, end_ns, opened, closed, stale)
 
 
 def summarize(replay: Replay) -> tuple[Summary, ...]:
@@ -97,7 +97,7 @@ def _summary(
     return Summary(
         rule=rule,
         activations=len(spans),
-        lost_activations=sum(span.lost for span in spans),
+        stale_activations=sum(span.stale for span in spans),
         total_ns=sum(lengths),
         longest_ns=max(lengths, default=0),
         first_ns=first.start_ns if first else None,
@@ -110,7 +110,7 @@ def _is_start(event: Event) -> bool:
     """Say whether a rule became active for want of a first message."""
     return (
         isinstance(event, Verdict)
-        and event.change is Change.ACTIVATED_LOST
+        and event.change is Change.ACTIVATED_STALE
         and InputState.NEVER in event.inputs
         and InputState.EXPIRED not in event.inputs
     )

@@ -1,4 +1,6 @@
-"""Values of a JSON file, each with the way to it, so that what is wrong is told by its place."""
+"""Values of a JSON file, each with the way to it, so that what is wrong is reported by its
+place.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +12,7 @@ from typing import Any, NoReturn, TypeVar
 
 Made = TypeVar("Made")
 
-_KINDS = {dict: "an object", list: "a list", str: "a text", bool: "a truth", type(None): "null"}
+_KINDS = {dict: "an object", list: "a list", str: "a text", bool: "a boolean", type(None): "null"}
 _LONGEST_SHOWN = 40
 
 
@@ -110,10 +112,10 @@ class Json:
             self.fail("is not a finite number")
         return found
 
-    def truth(self) -> bool:
+    def boolean(self) -> bool:
         """True or false."""
         if not isinstance(self.value, bool):
-            self._expected("a truth")
+            self._expected("a boolean")
         return bool(self.value)
 
     def whole(self) -> int:

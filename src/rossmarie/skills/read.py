@@ -247,7 +247,7 @@ def _children(trees: Iterable[Node]) -> Iterator[Child]:
 
 def _parameter(item: Json) -> Parameter:
     kind = item.get("kind").one_of("given", "inferred", "optional")
-    is_output = item.get("is_output").truth()
+    is_output = item.get("is_output").boolean()
     default = item.get("default").optional(Json.text)
     return Parameter(
         name=_name(item.get("name")),

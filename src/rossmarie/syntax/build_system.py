@@ -38,10 +38,10 @@ class SystemBuilder(ZoneBuilder):
         has_alias = is_token(parts, 2, "=")
         alias = self.name(parts[1]) if has_alias else None
         frame, _, parent, *behind = parts[3 if has_alias else 1 :]
-        told = {word.text: value for word, value in zip(behind[::2], behind[1::2], strict=True)}
+        reported = {word.text: value for word, value in zip(behind[::2], behind[1::2], strict=True)}
         return ast.FrameDeclaration(
             alias, self._frame(frame), self._frame(parent),
-            told.get("at"), told.get("turned"), told.get("timeout"), self._span(parts),
+            reported.get("at"), reported.get("turned"), reported.get("timeout"), self._span(parts),
         )  # fmt: skip
 
     def service_declaration(self, parts: list[Any]) -> ast.ServiceDeclaration:

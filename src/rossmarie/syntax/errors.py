@@ -135,7 +135,7 @@ class ChainedComparison(Error, code="ROSS011", name="chained-comparison"):
     """`a < b < c`."""
 
     title = "comparisons cannot be chained"
-    label = "the second comparison would compare the truth of the first"
+    label = "the second comparison would compare the boolean result of the first"
     note = "a comparison has exactly two sides"
 
     class First(Remark):

@@ -54,18 +54,18 @@ def read_items(source: Scan, findings: Findings) -> list[ast.Item]:
         part = PartParser(mend(source, kinds, findings), findings)
         pieces = cut(part.source)
     items: list[ast.Item] = []
-    is_lost = False
+    is_stale = False
     for piece in pieces:
         if piece.kind is None:
             is_brace = part.source.tokens[piece.first].text == "}"
-            if not (is_lost and is_brace):
+            if not (is_stale and is_brace):
                 findings.add(_unknown(part.source, piece))
                 items.extend(_undeclared(part, piece))
-            is_lost = not is_brace
+            is_stale = not is_brace
         else:
             item = _item(part, piece, piece.kind, readings)
             items.extend(() if item is None else (item,))
-            is_lost = False
+            is_stale = False
         if findings.is_full:
             break
     return items

@@ -175,7 +175,7 @@ FORMS = {
     "`category operation`, `category human` or `category environment`",
     "task": "the task of a rule is written behind its category: "
     "`task dependent` or `task independent`",
-    "feedback": "what a learner is told is written behind the contract of a rule: "
+    "feedback": "what a learner is reported is written behind the contract of a rule: "
     "`feedback 1.0 per activation, 0.5 per sec, margin in N`",
     "mitigates": "what a rule is for is written behind its contract: `mitigates HAZARD, HAZARD`",
     "priority": "the order of rules is written `priority RULE over RULE;`",

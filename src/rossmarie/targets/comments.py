@@ -37,7 +37,7 @@ def inside(path: str, text: str) -> str:
 
 
 def _line(text: str) -> str:
-    """The text on one line; characters that are not shown are question marks."""
+    """The text on one line; characters that are not shown are query marks."""
     joined = " ".join(text.split())
     return "".join("?" if unicodedata.category(x)[0] == "C" else x for x in joined)
 

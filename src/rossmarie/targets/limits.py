@@ -1,7 +1,8 @@
 """Comparisons with fixed limits as places on the line of numbers at which they change.
 
-Takes a leaf truth; gives the limits at which it flips, or None if it has no fixed ones. A limit
-`at` parts the numbers `x <= at` from those above, so `x >= c` has its limit one number below `c`.
+Takes a leaf proposition; gives the limits at which it flips, or None if it has no fixed ones. A
+limit `at` parts the numbers `x <= at` from those above, so `x >= c` has its limit one number below
+`c`.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from rossmarie.ir import Comparison
 
 @dataclass(frozen=True)
 class Limit:
-    """Above `at` the truth is true if it `rises`, else false; below it is the opposite."""
+    """Above `at` the proposition is true if it `rises`, else false; below it is the opposite."""
 
     at: float
     rises: bool
@@ -24,13 +25,13 @@ class Limit:
 
 @dataclass(frozen=True)
 class Limited:
-    """The limits of a truth on one signal, from low to high."""
+    """The limits of a proposition on one signal, from low to high."""
 
     signal: int
     limits: list[Limit]
 
 
-def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
+def limits_of(machine: ir.Machine, node: ir.PropositionNode) -> Limited | None:
     """The limits of a comparison of one signal with constants."""
     match node:
         case ir.Compare(comparison=comparison, left=left, right=right):
@@ -54,8 +55,8 @@ def limits_of(machine: ir.Machine, node: ir.TruthNode) -> Limited | None:
 
 
 def true_below(limits: list[Limit]) -> set[int]:
-    """The truths that hold below all their limits, which are given from low to high; one without
-    limits never holds.
+    """The propositions that hold below all their limits, which are given from low to high; one
+    without limits never holds.
     """
     lowest: dict[int, Limit] = {}
     for limit in limits:
@@ -64,7 +65,7 @@ def true_below(limits: list[Limit]) -> set[int]:
 
 
 def twins(limits: list[Limit]) -> list[int | None]:
-    """For each limit the place of the other limit of the same truth, if it has two."""
+    """For each limit the place of the other limit of the same proposition, if it has two."""
     places: dict[int, list[int]] = {}
     for place, limit in enumerate(limits):
         places.setdefault(limit.leaf, []).append(place)

@@ -1,9 +1,9 @@
 """The cone of a threshold: what rests on it, run again by itself.
 
-A moved threshold leaves most of a machine as it was. What it changes, the truths above it and the
-rules on them, makes a machine of its own, whose inputs are the truths that those rest on: as they
-were, but for the moved comparisons, which are made anew. It is run over the few instants at which
-one of its inputs changes. Its verdicts are those of the whole machine.
+A moved threshold leaves most of a machine as it was. What it changes, the propositions above it and
+the rules on them, makes a machine of its own, whose inputs are the propositions that those rest on:
+as they were, but for the moved comparisons, which are made anew. It is run over the few instants at
+which one of its inputs changes. Its verdicts are those of the whole machine.
 """
 
 from __future__ import annotations
@@ -17,31 +17,31 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie import ir
-from rossmarie.analysis.part import moved_truth
+from rossmarie.analysis.part import moved_proposition
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
 from rossmarie.ir.comparison import COMPARISONS
-from rossmarie.ir.support import compared_signals, truth_operands
+from rossmarie.ir.support import compared_signals, proposition_operands
 from rossmarie.testing.history import Elements, History, backwards
 
-Told = tuple[int, int, int]
+Reported = tuple[int, int, int]
 """A verdict: rule, change, instant in nanoseconds."""
 
 _NEVER_NS = 2 * ir.LATEST_NS
-# A truth is fed in as two flags, of which one is missing where it is not known: that of an input
-# that may be lost makes it lost.
+# A proposition is fed in as two flags, of which one is missing where it is not known: that of an
+# input that may be stale makes it stale.
 _FLAGS = {
     TruthValue.FALSE: (0.0, 0.0),
     TruthValue.TRUE: (1.0, 0.0),
     TruthValue.UNKNOWN: (math.nan, 0.0),
-    TruthValue.LOST: (0.0, math.nan),
+    TruthValue.STALE: (0.0, math.nan),
 }
 
 
 @dataclass(frozen=True)
 class Cone:
-    """The part of a machine that rests on moved truths, by the indexes of the whole machine: the
-    truths `inside`, the `rules`, and what is fed in, the `boundary`.
+    """The part of a machine that rests on moved propositions, by the indexes of the whole machine:
+    the propositions `inside`, the `rules`, and what is fed in, the `boundary`.
     """
 
     moved: tuple[int, ...]
@@ -51,27 +51,35 @@ class Cone:
 
 
 def cone_of(machine: ir.Machine, moved: Sequence[int]) -> Cone | None:
-    """The cone of truths whose thresholds, or durations, are moved. None where that cannot be told
-    apart: elements that are counted, or in several conditions.
+    """The cone of propositions whose thresholds, or durations, are moved. None where that cannot be
+    distinguished: elements that are counted, or in several conditions.
     """
-    if not all(_is_apart(machine, truth, moved) for truth in moved):
+    if not all(_is_apart(machine, proposition, moved) for proposition in moved):
         return None
-    held = {truth for truth in moved if isinstance(machine.truths[truth].node, ir.Held)}
+    held = {
+        proposition
+        for proposition in moved
+        if isinstance(machine.propositions[proposition].node, ir.Held)
+    }
     inside: set[int] = set(held)
-    for index, truth in enumerate(machine.truths):
-        if (inside | set(moved)) & set(truth_operands(truth.node)):
+    for index, proposition in enumerate(machine.propositions):
+        if (inside | set(moved)) & set(proposition_operands(proposition.node)):
             inside.add(index)
     rules = tuple(
         index for index, rule in enumerate(machine.rules) if set(rule.roots) & (inside | set(moved))
     )
-    wanted = {each for truth in inside for each in truth_operands(machine.truths[truth].node)}
+    wanted = {
+        each
+        for proposition in inside
+        for each in proposition_operands(machine.propositions[proposition].node)
+    }
     wanted |= {root for index in rules for root in machine.rules[index].roots}
     boundary = tuple(sorted(wanted - inside))
     return Cone(tuple(moved), boundary, tuple(sorted(inside)), rules)
 
 
-def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
-    node = machine.truths[truth].node
+def _is_apart(machine: ir.Machine, proposition: int, moved: Sequence[int]) -> bool:
+    node = machine.propositions[proposition].node
     match node:
         case ir.Held() | ir.AgeReaches() | ir.Compare() | ir.Between():
             return True
@@ -85,16 +93,16 @@ def _is_apart(machine: ir.Machine, truth: int, moved: Sequence[int]) -> bool:
 
 
 def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) -> bool:
-    """Say whether nothing but what is moved rests on the truth that is quantified, and no numbers
-    stand beside its elements: these are not in the history.
+    """Say whether nothing but what is moved rests on the proposition that is quantified, and no
+    numbers stand beside its elements: these are not in the history.
     """
-    if ir.element_arrays(machine).truths[node.element] in ir.beside(machine):
+    if ir.element_arrays(machine).propositions[node.element] in ir.beside(machine):
         return False
     counted = {each.node.element for each in machine.signals if isinstance(each.node, ir.Count)}
     users = {
         index
-        for index, each in enumerate(machine.truths)
-        if node.element in truth_operands(each.node)
+        for index, each in enumerate(machine.propositions)
+        if node.element in proposition_operands(each.node)
         or (isinstance(each.node, ir.Quantified) and each.node.element == node.element)
     }
     return node.element not in counted and users <= set(moved)
@@ -104,30 +112,32 @@ def _is_alone(machine: ir.Machine, node: ir.Quantified, moved: Sequence[int]) ->
 
 
 def _residual(cone: Cone, machine: ir.Machine) -> ir.Machine:
-    """A channel with two flags for each truth of the boundary, and what rests on them."""
+    """A channel with two flags for each proposition of the boundary, and what rests on them."""
     boundary, inside = cone.boundary, cone.inside
-    span = machine.truths[boundary[0]].span
+    span = machine.propositions[boundary[0]].span
     flags = range(2 * len(boundary))
-    places = {truth: 3 * number + 2 for number, truth in enumerate(boundary)}
-    places |= {truth: 3 * len(boundary) + number for number, truth in enumerate(inside)}
-    truths: list[ir.Truth] = []
-    for number, truth in enumerate(boundary):
-        known, lost = 2 * number, 2 * number + 1
-        pair = (len(truths), len(truths) + 1)
-        nodes = (ir.Flag(known), ir.Flag(lost), ir.Or(pair))
-        truths += [dataclasses.replace(machine.truths[truth], node=node) for node in nodes]
-    truths += [
-        dataclasses.replace(found, node=moved_truth(found.node, {}, places))
-        for found in (machine.truths[truth] for truth in inside)
+    places = {proposition: 3 * number + 2 for number, proposition in enumerate(boundary)}
+    places |= {proposition: 3 * len(boundary) + number for number, proposition in enumerate(inside)}
+    propositions: list[ir.Proposition] = []
+    for number, proposition in enumerate(boundary):
+        known, stale = 2 * number, 2 * number + 1
+        pair = (len(propositions), len(propositions) + 1)
+        nodes = (ir.Flag(known), ir.Flag(stale), ir.Or(pair))
+        propositions += [
+            dataclasses.replace(machine.propositions[proposition], node=node) for node in nodes
+        ]
+    propositions += [
+        dataclasses.replace(found, node=moved_proposition(found.node, {}, places))
+        for found in (machine.propositions[proposition] for proposition in inside)
     ]
     return dataclasses.replace(
         machine,
-        channels=(ir.Channel("/truths", ""),),
-        inputs=(ir.Input("known", 0, None, span), ir.Input("lost", 0, _NEVER_NS, span)),
+        channels=(ir.Channel("/propositions", ""),),
+        inputs=(ir.Input("known", 0, None, span), ir.Input("stale", 0, _NEVER_NS, span)),
         slots=tuple(ir.Slot(flag % 2, (), ir.Kind.FLAG, 1.0, 0.0, "") for flag in flags),
         arrays=(),
         signals=tuple(ir.Signal(ir.Read(flag), "", "", 1.0, 0.0, span) for flag in flags),
-        truths=tuple(truths),
+        propositions=tuple(propositions),
         rules=tuple(_placed_rule(machine.rules[index], places) for index in cone.rules),
         watches=(),
         readings=(),
@@ -146,15 +156,17 @@ def _placed_rule(rule: ir.Rule, places: dict[int, int]) -> ir.Rule:
 # --- a run -----------------------------------------------------------------------------------
 
 
-def told_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Told]:
+def reported_by(cone: Cone, moved: ir.Machine, history: History) -> Iterator[Reported]:
     """The verdicts of the rules of a cone on a trace, as part of the machine `moved`, in the order
     of the trace.
     """
     at_ns = history.at_ns
-    columns = np.column_stack([_column(cone, moved, history, truth) for truth in cone.boundary])
-    for place, truth in enumerate(cone.boundary):
-        node = moved.truths[truth].node
-        if truth in cone.moved and isinstance(node, ir.AgeReaches):
+    columns = np.column_stack(
+        [_column(cone, moved, history, proposition) for proposition in cone.boundary]
+    )
+    for place, proposition in enumerate(cone.boundary):
+        node = moved.propositions[proposition].node
+        if proposition in cone.moved and isinstance(node, ir.AgeReaches):
             at_ns, columns = _with_ages(history, columns, place, node)
     interpreter = Interpreter(_residual(cone, moved))
     events: list[ir.Event] = []
@@ -190,14 +202,14 @@ def _is_new(columns: NDArray[np.int8], at_ns: NDArray[np.int64]) -> NDArray[np.b
     return found
 
 
-def _column(cone: Cone, moved: ir.Machine, history: History, truth: int) -> NDArray[np.int8]:
-    """A truth of the boundary in each row."""
-    node = moved.truths[truth].node
-    usual = history.truths[:, truth]
-    if truth not in cone.moved:
+def _column(cone: Cone, moved: ir.Machine, history: History, proposition: int) -> NDArray[np.int8]:
+    """A proposition of the boundary in each row."""
+    node = moved.propositions[proposition].node
+    usual = history.propositions[:, proposition]
+    if proposition not in cone.moved:
         return usual
     if isinstance(node, ir.Quantified):
-        return _quantified(moved, history, truth, node)
+        return _quantified(moved, history, proposition, node)
     if isinstance(node, ir.AgeReaches):
         made = history.ages_ns[node.input] >= node.age_ns
     else:
@@ -206,7 +218,7 @@ def _column(cone: Cone, moved: ir.Machine, history: History, truth: int) -> NDAr
 
 
 def _compared(
-    machine: ir.Machine, node: ir.TruthNode, values: Mapping[int, NDArray[np.float64]]
+    machine: ir.Machine, node: ir.PropositionNode, values: Mapping[int, NDArray[np.float64]]
 ) -> NDArray[np.bool_]:
     """A comparison, made anew."""
 
@@ -222,10 +234,10 @@ def _compared(
 
 
 def _quantified(
-    machine: ir.Machine, history: History, truth: int, node: ir.Quantified
+    machine: ir.Machine, history: History, proposition: int, node: ir.Quantified
 ) -> NDArray[np.int8]:
     """A comparison of elements, made anew, and whether it holds for any or for all."""
-    element = machine.truths[node.element].node
+    element = machine.propositions[node.element].node
     compared = {
         signal: history.elements[signal]
         for signal in compared_signals(element)
@@ -239,14 +251,14 @@ def _quantified(
     deciding = made if is_any else ~made
     decided = _some(deciding & is_known, found)
     unclear = _some(~is_known, found)
-    inputs = ir.supports(machine).truths[truth].inputs
-    may_be_lost = any(machine.inputs[used].timeout_ns is not None for used in inputs)
-    unknown = TruthValue.LOST if may_be_lost else TruthValue.UNKNOWN
+    inputs = ir.supports(machine).propositions[proposition].inputs
+    may_be_stale = any(machine.inputs[used].timeout_ns is not None for used in inputs)
+    unknown = TruthValue.STALE if may_be_stale else TruthValue.UNKNOWN
     otherwise = np.where(unclear, int(unknown), int(not is_any))
     of_elements = np.where(decided, int(is_any), otherwise)[found.rows]
     # No threshold matters to what has no elements: an array, a list, or one that is not known.
     is_empty = (found.starts == found.ends)[found.rows]
-    return np.where(is_empty, history.truths[:, truth], of_elements).astype(np.int8)
+    return np.where(is_empty, history.propositions[:, proposition], of_elements).astype(np.int8)
 
 
 def _some(flags: NDArray[np.bool_], found: Elements) -> NDArray[np.bool_]:

@@ -67,7 +67,7 @@ class Watcher:
     kept: tuple[int, ...] = ()
 
     def __post_init__(self) -> None:
-        watched = tuple(range(len(self.machine.truths)))
+        watched = tuple(range(len(self.machine.propositions)))
         self._watching = dataclasses.replace(self.machine, watches=watched)
         self._decisions = [
             _Decision(self.machine, rule, decision)
@@ -102,9 +102,9 @@ class _Decision:
         self._machine = machine
         self._known: dict[tuple[TruthValue, ...], frozenset[int]] = {}
 
-    def decisive(self, truths: Sequence[TruthValue]) -> frozenset[int]:
+    def decisive(self, propositions: Sequence[TruthValue]) -> frozenset[int]:
         """The atoms on which the decision hangs: turned round, they turn it round."""
-        key = tuple(truths[atom] for atom in self.atoms)
+        key = tuple(propositions[atom] for atom in self.atoms)
         if key not in self._known:
             values = dict(zip(self.atoms, key, strict=True))
             self._known[key] = frozenset(
@@ -114,17 +114,17 @@ class _Decision:
 
     def _hangs_on(self, atom: int, values: Mapping[int, TruthValue]) -> bool:
         both = {
-            evaluate(self._machine, self.decision, {**values, atom: kleene.truth_of(value)})
+            evaluate(self._machine, self.decision, {**values, atom: kleene.proposition_of(value)})
             for value in (True, False)
         }
         return both == {TruthValue.TRUE, TruthValue.FALSE}
 
 
-def evaluate(machine: ir.Machine, truth: int, values: Mapping[int, TruthValue]) -> TruthValue:
+def evaluate(machine: ir.Machine, proposition: int, values: Mapping[int, TruthValue]) -> TruthValue:
     """The value of a decision from those of its atoms."""
-    if truth in values:
-        return values[truth]
-    match machine.truths[truth].node:
+    if proposition in values:
+        return values[proposition]
+    match machine.propositions[proposition].node:
         case ir.Not(operand=operand):
             return kleene.negation(evaluate(machine, operand, values))
         case ir.And(operands=operands):
@@ -132,7 +132,7 @@ def evaluate(machine: ir.Machine, truth: int, values: Mapping[int, TruthValue]) 
         case ir.Or(operands=operands):
             return kleene.disjunction(evaluate(machine, each, values) for each in operands)
         case ir.Literal(value=value):
-            return kleene.truth_of(value)
+            return kleene.proposition_of(value)
         case (
             ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
             | ir.Quantified() | ir.Held() | ir.Since() | ir.Recurs()
@@ -215,7 +215,7 @@ class _Trace:
 
     def _age(self, decision: _Decision, used: int, age_ns: int) -> None:
         for atom in decision.atoms:
-            node = self._machine.truths[atom].node
+            node = self._machine.propositions[atom].node
             if isinstance(node, ir.AgeReaches) and node.input == used:
                 left_ns = node.age_ns - age_ns
                 if 0 < left_ns <= deadline_step_ns(node.age_ns) + 1:
@@ -226,37 +226,37 @@ class _Trace:
 
     def _look(self, at_ns: int) -> None:
         self._recorder.keep(at_ns, self._interpreter)
-        truths = self._interpreter.watches
+        propositions = self._interpreter.watches
         signals = self._interpreter.signals
         active = self._interpreter.active
         for rule, (before, now) in enumerate(zip(self._before, active, strict=True)):
             if now is not before:
                 self._reached.add(Goal(rule, Aspect.ACTIVE if now else Aspect.CLEARED))
         self._before = active
-        self._look_at_lost(truths)
-        running = {held: self._elapsed(held, truths, at_ns) for held in self._held}
+        self._look_at_stale(propositions)
+        running = {held: self._elapsed(held, propositions, at_ns) for held in self._held}
         for decision in self._decisions:
-            decisive = decision.decisive(truths)
+            decisive = decision.decisive(propositions)
             for atom in decision.atoms:
-                if atom in decisive and truths[atom] in (TruthValue.TRUE, TruthValue.FALSE):
-                    is_true = truths[atom] is TruthValue.TRUE
+                if atom in decisive and propositions[atom] in (TruthValue.TRUE, TruthValue.FALSE):
+                    is_true = propositions[atom] is TruthValue.TRUE
                     aspect = Aspect.TRUE if is_true else Aspect.FALSE
                     self._add(decision, aspect, atom)
                     self._look_at_edges(decision, atom, signals)
-                self._look_at_deadline(decision, atom, truths, at_ns, running)
+                self._look_at_deadline(decision, atom, propositions, at_ns, running)
 
     def _add(self, decision: _Decision, aspect: Aspect, atom: int, edge: int = 0) -> None:
         self._reached.add(Goal(decision.rule, aspect, atom, decision.decision, edge))
 
-    def _look_at_lost(self, truths: Sequence[TruthValue]) -> None:
+    def _look_at_stale(self, propositions: Sequence[TruthValue]) -> None:
         states = self._interpreter.input_states
         for index, rule in enumerate(self._machine.rules):
-            if truths[rule.condition] is TruthValue.LOST:
+            if propositions[rule.condition] is TruthValue.STALE:
                 for used in rule.inputs:
                     is_late = stays(self._machine.inputs[used])
-                    lost = InputState.NEVER if is_late else InputState.EXPIRED
-                    if states[used] is lost:
-                        self._reached.add(Goal(index, Aspect.LOST, used))
+                    stale = InputState.NEVER if is_late else InputState.EXPIRED
+                    if states[used] is stale:
+                        self._reached.add(Goal(index, Aspect.STALE, used))
 
     def _look_at_edges(self, decision: _Decision, atom: int, signals: Sequence[float]) -> None:
         for number, edge in enumerate(decision.edges[atom]):
@@ -269,18 +269,18 @@ class _Trace:
         """The value that a threshold was compared with: a number, or the elements of an array as
         they are.
         """
-        if not isinstance(self._machine.truths[atom].node, ir.Quantified):
+        if not isinstance(self._machine.propositions[atom].node, ir.Quantified):
             return (signals[edge.signal],)
         element = self._machine.signals[edge.signal].node
         return self._elements.get(element.array, ()) if isinstance(element, ir.Element) else ()
 
-    def _elapsed(self, held: int, truths: Sequence[TruthValue], at_ns: int) -> int | None:
+    def _elapsed(self, held: int, propositions: Sequence[TruthValue], at_ns: int) -> int | None:
         """The time for which the operand of a `for` was true when it ended; None if it goes on."""
-        node = self._machine.truths[held].node
+        node = self._machine.propositions[held].node
         assert isinstance(node, ir.Held)
         timer = self._timers.setdefault(held, _Timer(node.initially))
         ended = None
-        if truths[node.operand] is not TruthValue.TRUE:
+        if propositions[node.operand] is not TruthValue.TRUE:
             if timer.start_ns is not None:
                 ended = at_ns - timer.start_ns
             timer.is_from_start, timer.start_ns = False, None
@@ -292,14 +292,14 @@ class _Trace:
         self,
         decision: _Decision,
         atom: int,
-        truths: Sequence[TruthValue],
+        propositions: Sequence[TruthValue],
         at_ns: int,
         running: Mapping[int, int | None],
     ) -> None:
         due_ns = deadline_ns(self._machine, atom)
         if due_ns is None:
             return
-        node = self._machine.truths[atom].node
+        node = self._machine.propositions[atom].node
         held = ir.held_of(self._machine, atom)
         if held is not None:
             start_ns = self._timers[held].start_ns
@@ -309,7 +309,7 @@ class _Trace:
         elif isinstance(node, ir.AgeReaches):
             start_ns = self._stamps.get(node.input)
         is_due = start_ns is not None and at_ns - start_ns == due_ns
-        if is_due and truths[atom if held is None else held] is TruthValue.TRUE:
+        if is_due and propositions[atom if held is None else held] is TruthValue.TRUE:
             self._add(decision, Aspect.AT, atom)
 
 

@@ -36,14 +36,14 @@ def failures(machine: Machine, script: Script, verdicts: Sequence[Verdict]) -> I
 
 def _reasons(machine: Machine, failure: Failure) -> Iterator[str]:
     if failure.cause is not None:
-        yield told(machine, failure.cause)
+        yield reported(machine, failure.cause)
     if failure.following is not None:
-        yield told(machine, failure.following)
+        yield reported(machine, failure.following)
     if failure.cause is None and failure.following is None:
         yield "it never became active"
 
 
-def told(machine: Machine, verdict: Verdict) -> str:
+def reported(machine: Machine, verdict: Verdict) -> str:
     """`it became active at 1.52 s, because ...`."""
     cleared = verdict.change is Change.CLEARED
     word = "was cleared" if cleared else "became active"

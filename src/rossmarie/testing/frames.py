@@ -19,14 +19,14 @@ def asked_frames(machine: Machine) -> Mapping[tuple[str, Path], str]:
                 field, text = machine.signals[seen].node, machine.signals[wanted].node
                 if not isinstance(field, Read | Element) or not isinstance(text, Constant):
                     continue
-                told = (
+                reported = (
                     machine.slots[field.slot]
                     if isinstance(field, Read)
                     else machine.arrays[field.array]
                 )
-                topic = machine.channels[machine.inputs[told.input].channel].topic
-                if told.kind is Kind.TEXT:
-                    found.setdefault((topic, told.path), machine.texts[int(text.value)])
+                topic = machine.channels[machine.inputs[reported.input].channel].topic
+                if reported.kind is Kind.TEXT:
+                    found.setdefault((topic, reported.path), machine.texts[int(text.value)])
             case _:  # open: nothing else has a frame
                 pass
     return found

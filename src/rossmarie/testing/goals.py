@@ -1,4 +1,4 @@
-"""Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, lost inputs.
+"""Goals of the coverage of a rule: its conditions to MC/DC, thresholds, deadlines, stale inputs.
 
 A rule has *decisions*: its condition, what clears it, and what `for`, `since`, `once` and `after`
 look at. A decision is made of *atoms*, joined by `and`, `or` and `not`: comparisons and other
@@ -18,18 +18,18 @@ from dataclasses import dataclass
 from rossmarie import ir
 from rossmarie.ir.support import (
     is_leaf,
-    leaf_truths,
+    leaf_propositions,
+    proposition_operands,
     supports,
-    truth_operands,
 )
 from rossmarie.testing.whole import whole_step
 
 LONGEST_SILENCE_NS = 10**16
-"""A silence that no test plays: what outlasts it is lost only until it has come."""
+"""A silence that no test plays: what outlasts it is stale only until it has come."""
 
 
 def stays(used: ir.Input) -> bool:
-    """Say whether an input is lost only until it has come, as a frame that stays where it is."""
+    """Say whether an input is stale only until it has come, as a frame that stays where it is."""
     return used.timeout_ns is not None and used.timeout_ns > LONGEST_SILENCE_NS
 
 
@@ -43,13 +43,13 @@ class Aspect(enum.Enum):
     UNDER = "just under"
     AT = "at"
     OVER = "just over"
-    LOST = "lost"
+    STALE = "stale"
 
 
 @dataclass(frozen=True)
 class Goal:
-    """Something to be seen. `subject` is a truth, or with LOST an input, or -1 for the rule itself;
-    `decision` the truth it decides; `edge` tells the two ends of a range apart.
+    """Something to be seen. `subject` is a proposition, or with STALE an input, or -1 for the rule
+    itself; `decision` the proposition it decides; `edge` tells the two ends of a range apart.
     """
 
     rule: int
@@ -84,17 +84,17 @@ def goals(machine: ir.Machine) -> Iterator[Goal]:
                 yield Goal(index, Aspect.FALSE, atom, decision)
                 yield from _edges_of(machine, index, atom, decision)
         for used in losable_inputs(machine, rule):
-            yield Goal(index, Aspect.LOST, used)
+            yield Goal(index, Aspect.STALE, used)
 
 
 def losable_inputs(machine: ir.Machine, rule: ir.Rule) -> list[int]:
     """The inputs of a rule that have a timeout and of which more is read than the age, which goes
-    on growing when they are lost.
+    on growing when they are stale.
     """
-    rests_on = supports(machine).truths
+    rests_on = supports(machine).propositions
     read: set[int] = set()
-    for leaf in leaf_truths(machine, rule.condition):
-        if not isinstance(machine.truths[leaf].node, ir.AgeReaches):
+    for leaf in leaf_propositions(machine, rule.condition):
+        if not isinstance(machine.propositions[leaf].node, ir.AgeReaches):
             read |= rests_on[leaf].inputs
     return [used for used in sorted(read) if machine.inputs[used].timeout_ns is not None]
 
@@ -114,7 +114,7 @@ def decisions(machine: ir.Machine, rule: ir.Rule) -> list[int]:
     waiting = [*rule.roots]
     while waiting:
         decision = _plain(machine, waiting.pop(0))
-        if decision in found or isinstance(machine.truths[decision].node, ir.Literal):
+        if decision in found or isinstance(machine.propositions[decision].node, ir.Literal):
             continue
         found[decision] = None
         for atom in atoms(machine, decision):
@@ -127,16 +127,16 @@ def _judged_over_time(machine: ir.Machine, atom: int) -> tuple[int, ...]:
     whole = ir.defined(machine, atom)
     if whole is not None:
         return whole.operands
-    node = machine.truths[atom].node
-    return () if is_leaf(node) else truth_operands(node)
+    node = machine.propositions[atom].node
+    return () if is_leaf(node) else proposition_operands(node)
 
 
-def _plain(machine: ir.Machine, truth: int) -> int:
-    """The truth at the end of a chain of `not`."""
-    node = machine.truths[truth].node
-    while isinstance(node, ir.Not) and ir.defined(machine, truth) is None:
-        truth, node = node.operand, machine.truths[node.operand].node
-    return truth
+def _plain(machine: ir.Machine, proposition: int) -> int:
+    """The proposition at the end of a chain of `not`."""
+    node = machine.propositions[proposition].node
+    while isinstance(node, ir.Not) and ir.defined(machine, proposition) is None:
+        proposition, node = node.operand, machine.propositions[node.operand].node
+    return proposition
 
 
 def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
@@ -144,26 +144,26 @@ def atoms(machine: ir.Machine, decision: int) -> tuple[int, ...]:
     found: set[int] = set()
     waiting = [decision]
     while waiting:
-        truth = waiting.pop()
-        node = machine.truths[truth].node
+        proposition = waiting.pop()
+        node = machine.propositions[proposition].node
         is_over_time = isinstance(node, ir.Held | ir.Since | ir.Recurs) or ir.defined(
-            machine, truth
+            machine, proposition
         )
         if is_over_time or is_leaf(node):
-            found.add(truth)
+            found.add(proposition)
         elif not isinstance(node, ir.Literal):
-            waiting.extend(truth_operands(node))
+            waiting.extend(proposition_operands(node))
     return tuple(sorted(found))
 
 
 # --- thresholds and deadlines ----------------------------------------------------------------
 
 
-def edges(machine: ir.Machine, truth: int) -> list[Edge]:
+def edges(machine: ir.Machine, proposition: int) -> list[Edge]:
     """The thresholds of an atom: constants that something that changes is compared with."""
-    node = machine.truths[truth].node
+    node = machine.propositions[proposition].node
     if isinstance(node, ir.Quantified):
-        node = machine.truths[node.element].node
+        node = machine.propositions[node.element].node
     found = []
     for signal, constant in _pairs(node):
         value = machine.signals[constant].node
@@ -175,7 +175,7 @@ def edges(machine: ir.Machine, truth: int) -> list[Edge]:
     return found
 
 
-def _pairs(node: ir.TruthNode) -> tuple[tuple[int, int], ...]:
+def _pairs(node: ir.PropositionNode) -> tuple[tuple[int, int], ...]:
     """Signals, each with one that it is compared with."""
     match node:
         case ir.Compare(left=left, right=right):
@@ -217,7 +217,7 @@ def deadline_ns(machine: ir.Machine, atom: int) -> int | None:
     of time.
     """
     held = ir.held_of(machine, atom)
-    match machine.truths[atom if held is None else held].node:
+    match machine.propositions[atom if held is None else held].node:
         case ir.Held(duration_ns=duration_ns) | ir.AgeReaches(age_ns=duration_ns):
             return duration_ns
         case (

@@ -1,5 +1,5 @@
-"""The state of an interpreter after each evaluation of a trace, in columns: the truths, and the
-numbers that are compared with constants.
+"""The state of an interpreter after each evaluation of a trace, in columns: the propositions, and
+the numbers that are compared with constants.
 """
 
 from __future__ import annotations
@@ -29,13 +29,13 @@ class Elements:
 
 @dataclass(frozen=True)
 class History:
-    """A row for each evaluation, in the order of the trace. `truths` has a column for each truth;
-    those over elements have none of their own, and are unknown in it. `ages_ns` are those of the
-    inputs that rules ask for theirs, -1 before the first message.
+    """A row for each evaluation, in the order of the trace. `propositions` has a column for each
+    proposition; those over elements have none of their own, and are unknown in it. `ages_ns` are
+    those of the inputs that rules ask for theirs, -1 before the first message.
     """
 
     at_ns: NDArray[np.int64]
-    truths: NDArray[np.int8]
+    propositions: NDArray[np.int8]
     signals: dict[int, NDArray[np.float64]]
     elements: dict[int, Elements]
     ages_ns: dict[int, NDArray[np.int64]]
@@ -47,8 +47,8 @@ def backwards(at_ns: NDArray[np.int64]) -> NDArray[np.bool_]:
 
 
 class Recorder:
-    """Keeps the history of one trace of a machine all of whose truths are watched; `signals` are
-    those whose values are wanted.
+    """Keeps the history of one trace of a machine all of whose propositions are watched; `signals`
+    are those whose values are wanted.
     """
 
     def __init__(self, machine: ir.Machine, signals: Sequence[int]) -> None:
@@ -57,17 +57,17 @@ class Recorder:
         self._elements = {
             index: _Sequences(index, its) for index in signals if (its := arrays[index]) is not None
         }
-        nodes = [truth.node for truth in machine.truths]
+        nodes = [proposition.node for proposition in machine.propositions]
         self._ages_ns = {
             node.input: array("q") for node in nodes if isinstance(node, ir.AgeReaches)
         }
         self._at_ns = array("q")
-        self._truths = bytearray()
+        self._propositions = bytearray()
 
     def keep(self, at_ns: int, interpreter: Interpreter) -> None:
         """Keep what the interpreter holds after an evaluation at an instant."""
         self._at_ns.append(at_ns)
-        self._truths.extend(interpreter.watches)
+        self._propositions.extend(interpreter.watches)
         signals = interpreter.signals
         for index, column in self._columns.items():
             column.append(signals[index])
@@ -82,7 +82,7 @@ class Recorder:
         rows = len(self._at_ns)
         return History(
             at_ns=np.array(self._at_ns, dtype=np.int64),
-            truths=np.frombuffer(bytes(self._truths), dtype=np.int8).reshape(rows, -1),
+            propositions=np.frombuffer(bytes(self._propositions), dtype=np.int8).reshape(rows, -1),
             signals={index: np.array(column) for index, column in self._columns.items()},
             elements={index: found.elements() for index, found in self._elements.items()},
             ages_ns={used: np.array(ages) for used, ages in self._ages_ns.items()},

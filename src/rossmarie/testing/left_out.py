@@ -11,16 +11,16 @@ from rossmarie.testing.goals import Aspect, Goal, goals
 
 def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
     """Say of each condition on points of a scan that it was not made true, or false, and why."""
-    rests_on = supports(machine).truths
+    rests_on = supports(machine).propositions
     missing: dict[tuple[int, int], list[str]] = {}
     for goal in goals(machine):
         if goal.aspect in (Aspect.TRUE, Aspect.FALSE) and goal not in reached:
             missing.setdefault((goal.rule, goal.subject), []).append(goal.aspect.value)
-    for (rule, truth), aspects in missing.items():
-        used = _scan_of(machine, rests_on[truth].inputs)
+    for (rule, proposition), aspects in missing.items():
+        used = _scan_of(machine, rests_on[proposition].inputs)
         if used is None:
             continue
-        text = " ".join(machine.truths[truth].text.split())
+        text = " ".join(machine.propositions[proposition].text.split())
         yield (
             f"{machine.rules[rule].name}: no test makes `{text}` {' or '.join(aspects)}: points "
             f"were tried straight ahead of the scanner, to its left, to its right and behind it; "

@@ -13,13 +13,13 @@ from dataclasses import dataclass
 from functools import cache
 
 from rossmarie import ir
-from rossmarie.testing.cone import Told
+from rossmarie.testing.cone import Reported
 from rossmarie.testing.goals import edges
 
 NEAREST_PLACES = 64
 """On each side of a threshold so many places are tried one by one."""
 
-Verdicts = tuple[tuple[Told, ...], ...]
+Verdicts = tuple[tuple[Reported, ...], ...]
 """Of each trace what the rules that rest on the threshold say, in the order of the trace."""
 
 Replay = Callable[[ir.Machine], Verdicts]
@@ -28,10 +28,11 @@ Replay = Callable[[ir.Machine], Verdicts]
 @dataclass(frozen=True)
 class Threshold:
     """Something that can be moved: the constant of one leaf (`constant` is a signal; a named one
-    moves wherever it stands), or the duration of a truth. `truths` are those that it belongs to.
+    moves wherever it stands), or the duration of a proposition. `propositions` are those that it
+    belongs to.
     """
 
-    truths: tuple[int, ...]
+    propositions: tuple[int, ...]
     constant: int | None
     text: str
     value: float  # SI; seconds for durations
@@ -60,66 +61,72 @@ def thresholds(machine: ir.Machine) -> Iterator[Threshold]:
     """All thresholds and durations that rules rest on, in the order of the machine."""
     named: dict[int, list[int]] = {}
     reached = {
-        truth
+        proposition
         for rule in machine.rules
         for root in rule.roots
-        for truth in ir.reachable_truths(machine, root)
+        for proposition in ir.reachable_propositions(machine, root)
     }
-    wholes = {ir.held_of(machine, truth): truth for truth in reached if ir.defined(machine, truth)}
-    for truth in sorted(reached):
-        found = machine.truths[truth]
+    wholes = {
+        ir.held_of(machine, proposition): proposition
+        for proposition in reached
+        if ir.defined(machine, proposition)
+    }
+    for proposition in sorted(reached):
+        found = machine.propositions[proposition]
         match found.node:
             case ir.Held(duration_ns=due_ns) | ir.AgeReaches(age_ns=due_ns):
-                told = machine.truths[wholes.get(truth, truth)]
-                text = f"the time of {' '.join(told.text.split())}"
-                yield Threshold((truth,), None, text, due_ns / 1e9)
+                reported = machine.propositions[wholes.get(proposition, proposition)]
+                text = f"the time of {' '.join(reported.text.split())}"
+                yield Threshold((proposition,), None, text, due_ns / 1e9)
             case (
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
                 | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since() | ir.Recurs()
             ):  # fmt: skip
                 pass
-        for edge in edges(machine, truth):
+        for edge in edges(machine, proposition):
             shown = machine.signals[edge.constant]
             if shown.text.isidentifier():
-                named.setdefault(edge.constant, []).append(truth)
+                named.setdefault(edge.constant, []).append(proposition)
             else:
                 text = f"{shown.text} in {' '.join(found.text.split())}"
-                yield Threshold((truth,), edge.constant, text, edge.threshold)
-    for constant, truths in named.items():
+                yield Threshold((proposition,), edge.constant, text, edge.threshold)
+    for constant, propositions in named.items():
         value = machine.signals[constant].node
         assert isinstance(value, ir.Constant)
-        yield Threshold(tuple(truths), constant, machine.signals[constant].text, value.value)
+        yield Threshold(tuple(propositions), constant, machine.signals[constant].text, value.value)
 
 
 def moved(machine: ir.Machine, threshold: Threshold, value: float) -> ir.Machine:
     """The machine with a threshold moved to a value in SI."""
     if threshold.constant is None:
-        (truth,) = threshold.truths
-        return _replaced(machine, {truth: _with_duration(machine.truths[truth].node, value)})
+        (proposition,) = threshold.propositions
+        return _replaced(
+            machine, {proposition: _with_duration(machine.propositions[proposition].node, value)}
+        )
     signal = dataclasses.replace(machine.signals[threshold.constant], node=ir.Constant(value))
     longer = dataclasses.replace(machine, signals=(*machine.signals, signal))
-    nodes: dict[int, ir.TruthNode] = {}
-    for truth in threshold.truths:
-        leaf = _leaf_of(machine, truth)
-        node = machine.truths[leaf].node
+    nodes: dict[int, ir.PropositionNode] = {}
+    for proposition in threshold.propositions:
+        leaf = _leaf_of(machine, proposition)
+        node = machine.propositions[leaf].node
         nodes[leaf] = _with_constant(node, threshold.constant, len(machine.signals))
     return _replaced(longer, nodes)
 
 
-def _leaf_of(machine: ir.Machine, truth: int) -> int:
-    node = machine.truths[truth].node
-    return node.element if isinstance(node, ir.Quantified) else truth
+def _leaf_of(machine: ir.Machine, proposition: int) -> int:
+    node = machine.propositions[proposition].node
+    return node.element if isinstance(node, ir.Quantified) else proposition
 
 
-def _replaced(machine: ir.Machine, nodes: Mapping[int, ir.TruthNode]) -> ir.Machine:
-    truths = tuple(
-        dataclasses.replace(truth, node=nodes[index]) if index in nodes else truth
-        for index, truth in enumerate(machine.truths)
+def _replaced(machine: ir.Machine, nodes: Mapping[int, ir.PropositionNode]) -> ir.Machine:
+    propositions = tuple(
+        dataclasses.replace(proposition, node=nodes[index]) if index in nodes else proposition
+        for index, proposition in enumerate(machine.propositions)
     )
-    return dataclasses.replace(machine, truths=truths)
+    return dataclasses.replace(machine, propositions=propositions)
 
 
-def _with_duration(node: ir.TruthNode, value: float) -> ir.TruthNode:
+def _with_duration(node: ir.PropositionNode, value: float) -> ir.PropositionNode:
     length_ns = max(1, round(value * 1e9))
     if isinstance(node, ir.Held):
         return dataclasses.replace(node, duration_ns=length_ns)
@@ -127,7 +134,7 @@ def _with_duration(node: ir.TruthNode, value: float) -> ir.TruthNode:
     return dataclasses.replace(node, age_ns=length_ns)
 
 
-def _with_constant(node: ir.TruthNode, old: int, new: int) -> ir.TruthNode:
+def _with_constant(node: ir.PropositionNode, old: int, new: int) -> ir.PropositionNode:
     def put(signal: int) -> int:
         return new if signal == old else signal
 
@@ -144,14 +151,14 @@ def margin(
     usual = replay(machine)
 
     @cache
-    def told(value: float) -> Verdicts:
+    def reported(value: float) -> Verdicts:
         return replay(moved(machine, threshold, value))
 
     def differs(value: float) -> bool:
-        return told(value) != usual
+        return reported(value) != usual
 
     def differs_in_number(value: float) -> bool:
-        return _changes(told(value)) != _changes(usual)
+        return _changes(reported(value)) != _changes(usual)
 
     ends = []
     for way in (-1.0, 1.0):
@@ -165,8 +172,8 @@ def margin(
 def _changes(verdicts: Verdicts) -> list[list[tuple[int, int]]]:
     """The changes of each rule in each trace, without the instants."""
     return [
-        sorted(((rule, change) for rule, change, _ in told), key=lambda found: found[0])
-        for told in verdicts
+        sorted(((rule, change) for rule, change, _ in reported), key=lambda found: found[0])
+        for reported in verdicts
     ]
 
 

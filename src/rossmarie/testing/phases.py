@@ -18,7 +18,7 @@ from rossmarie.ir.carried import carries, holds_flags
 from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
 from rossmarie.testing.beams import is_column, readings
 from rossmarie.testing.goals import visible_step
-from rossmarie.testing.skills import told_by_skills
+from rossmarie.testing.skills import reported_by_skills
 from rossmarie.testing.solve import World
 from rossmarie.testing.variables import Ramp, Values, Variable
 
@@ -47,7 +47,7 @@ def beat_ns(machine: ir.Machine, rule: ir.Rule) -> int:
     """
     timeouts = [machine.inputs[used].timeout_ns for used in rule.inputs]
     most_ns = min([2 * _USUAL_BEAT_NS, *(each for each in timeouts if each is not None)]) // 2
-    samples = ir.supports(machine).truths[rule.condition].samples
+    samples = ir.supports(machine).propositions[rule.condition].samples
     has_rate = any(_is_rate(machine.signals[each].node) for each in samples)
     if has_rate and most_ns >= _SECOND // 512:
         return _SECOND >> math.ceil(math.log2(_SECOND / most_ns))
@@ -78,16 +78,16 @@ class Stage:
         events: list[ScriptedArrival | ScriptedReset] = list(self._beats(phases, starts, ends))
         before: dict[Variable, float] = {}
         for phase, start_ns, end_ns in zip(phases, starts, ends, strict=True):
-            told = self._told(phase)
-            events += self._changes(told, before, start_ns)
+            reported = self._reported(phase)
+            events += self._changes(reported, before, start_ns)
             kept = {each: before[each] for each in phase.values if each in before}
-            before = kept | dict(told.values)
+            before = kept | dict(reported.values)
             if self.machine.rules[self.rule].release is None:
                 events.append(ScriptedReset(end_ns - self.beat_ns, self.rule))
         events.sort(key=_start)
-        return Script(name, told_by_skills(self.machine, events) or (), (), None)
+        return Script(name, reported_by_skills(self.machine, events) or (), (), None)
 
-    def _told(self, phase: Phase) -> Phase:
+    def _reported(self, phase: Phase) -> Phase:
         """A phase without the numbers that only messages on silent channels could bring."""
         inputs, slots = self.machine.inputs, self.machine.slots
         values = {
@@ -147,9 +147,11 @@ class Stage:
             if before.get(variable) != value and not is_moved:
                 settings += self._setting(variable, value)
         for array in sorted(arrays):
-            told, told_before = (self._told_of(array, each) for each in (phase.values, before))
-            if told != told_before:
-                settings += self._array(array, *told)
+            reported, reported_before = (
+                self._reported_of(array, each) for each in (phase.values, before)
+            )
+            if reported != reported_before:
+                settings += self._array(array, *reported)
         if settings:
             yield self._sent(start_ns, settings)
         merged: dict[int, list[Setting]] = {}
@@ -202,7 +204,7 @@ class Stage:
         usual = USUAL_DISTANCES[1] if is_of_scan(self.machine.arrays[array]) else 0.0
         return tuple(values.get(Variable("element", array, part), usual) for part in places)
 
-    def _told_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
+    def _reported_of(self, array: int, values: Values) -> tuple[tuple[float, ...], float]:
         """All elements of an array; and of points of a scan the side on which they are."""
         its_list = self.machine.arrays[array].list
         side = None if its_list is None else values.get(Variable("side", its_list))
@@ -246,7 +248,7 @@ class Stage:
             yield 0, [self._of_slot(slot, value)]
             yield self.beat_ns, [self._of_slot(slot, now)]
         elif variable.kind == "oscillating" and value != 0.0:
-            node = self.machine.truths[variable.index].node
+            node = self.machine.propositions[variable.index].node
             assert isinstance(node, ir.Oscillates)
             swing = _visible_swing(self.machine.slots[slot], node.swing, now)
             step_ns = min(self.beat_ns, node.window_ns // (node.count + 3))
@@ -257,7 +259,7 @@ class Stage:
     def _slot_of(self, variable: Variable) -> int:
         """The field that a rate, a sample or an oscillation is of; -1 if it is of none alone."""
         if variable.kind == "oscillating":
-            node = self.machine.truths[variable.index].node
+            node = self.machine.propositions[variable.index].node
             signal = node.signal if isinstance(node, ir.Oscillates) else -1
         elif variable.kind in ("rate", "previous"):
             sampled = self.machine.signals[variable.index].node
@@ -284,9 +286,9 @@ def ramp_of(machine: ir.Machine, rule: int, beat: int) -> Ramp:
     return Ramp(beat / 1e9, min(math.ceil(longest_ns / beat), 63))
 
 
-def delay_ns(machine: ir.Machine, truth: int, *, value: bool = True) -> int:
-    """The time after which a truth is `value` once its leaves are so, at most."""
-    node = machine.truths[truth].node
+def delay_ns(machine: ir.Machine, proposition: int, *, value: bool = True) -> int:
+    """The time after which a proposition is `value` once its leaves are so, at most."""
+    node = machine.propositions[proposition].node
     own_ns = 0
     match node:
         case ir.Not(operand=operand):
@@ -313,9 +315,9 @@ def _windows(machine: ir.Machine, signals: Sequence[int]) -> Iterator[int]:
         yield own_ns + max(_windows(machine, ir.signal_operands(node)), default=0)
 
 
-def ir_operands(node: ir.TruthNode) -> tuple[int, ...]:
-    """The truths that a truth joins; those of elements are not among them."""
-    return () if isinstance(node, ir.Quantified) else tuple(ir.truth_operands(node))
+def ir_operands(node: ir.PropositionNode) -> tuple[int, ...]:
+    """The propositions that a proposition joins; those of elements are not among them."""
+    return () if isinstance(node, ir.Quantified) else tuple(ir.proposition_operands(node))
 
 
 def round_up(length_ns: int, beat: int) -> int:

@@ -20,10 +20,12 @@ from rossmarie.testing.margins import Threshold
 def compared_with_constants(machine: ir.Machine) -> tuple[int, ...]:
     """The signals that thresholds are compared with, and what else is in these comparisons."""
     found: set[int] = set()
-    for truth in range(len(machine.truths)):
-        if edges(machine, truth):
-            node = machine.truths[truth].node
-            leaf = machine.truths[node.element].node if isinstance(node, ir.Quantified) else node
+    for proposition in range(len(machine.propositions)):
+        if edges(machine, proposition):
+            node = machine.propositions[proposition].node
+            leaf = (
+                machine.propositions[node.element].node if isinstance(node, ir.Quantified) else node
+            )
             found |= set(compared_signals(leaf))
     return tuple(
         sorted(each for each in found if not isinstance(machine.signals[each].node, ir.Constant))
@@ -35,11 +37,11 @@ def seen_by(machine: ir.Machine, threshold: Threshold, history: History) -> list
     passing.
     """
     found: set[float] = set()
-    for truth in threshold.truths:
-        node = machine.truths[truth].node
+    for proposition in threshold.propositions:
+        node = machine.propositions[proposition].node
         match node:
             case ir.Held(operand=operand):
-                is_on = history.truths[:, operand] == TruthValue.TRUE
+                is_on = history.propositions[:, operand] == TruthValue.TRUE
                 found |= set(_lengths(history, is_on))
             case ir.AgeReaches():
                 found |= set(_ages(history, node))
@@ -47,7 +49,7 @@ def seen_by(machine: ir.Machine, threshold: Threshold, history: History) -> list
                 ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates()
                 | ir.Quantified() | ir.Not() | ir.And() | ir.Or() | ir.Since() | ir.Recurs()
             ):  # fmt: skip
-                for edge in edges(machine, truth):
+                for edge in edges(machine, proposition):
                     if edge.constant == threshold.constant:
                         found |= set(_values(history, edge.signal).tolist())
     return sorted(found)

@@ -61,10 +61,10 @@ class _Proposer:
         self._index = index
         self._rule = machine.rules[index]
         self._roots = self._rule.roots
-        leaves = {leaf for root in self._roots for leaf in ir.leaf_truths(machine, root)}
+        leaves = {leaf for root in self._roots for leaf in ir.leaf_propositions(machine, root)}
         self._leaves = sorted(leaves)
-        below = {each for root in self._roots for each in ir.reachable_truths(machine, root)}
-        nodes = (machine.truths[each].node for each in sorted(below))
+        below = {each for root in self._roots for each in ir.reachable_propositions(machine, root)}
+        nodes = (machine.propositions[each].node for each in sorted(below))
         self._counted = tuple(node.operand for node in nodes if isinstance(node, ir.Recurs))
         self._beat_ns = beat_ns(machine, self._rule)
         ramp = ramp_of(machine, index, self._beat_ns)
@@ -87,7 +87,7 @@ class _Proposer:
             yield from self._leaf(leaf, calm)
         for decision in decisions(self._machine, self._rule):
             for atom in atoms(self._machine, decision):
-                node = self._machine.truths[atom].node
+                node = self._machine.propositions[atom].node
                 if isinstance(node, ir.Recurs):
                     yield from self._recurs(atom, node, decision, calm)
                 else:
@@ -100,12 +100,16 @@ class _Proposer:
         release = [self._world.formula(root) for root in self._roots[1:]]
         return self._world.solve([over, *release]) or self._world.solve([over])
 
-    def _hangs_on(self, truth: int, decision: int | None = None) -> z3.BoolRef:
-        """A formula: what a truth is makes the difference to what clears or activates the rule."""
+    def _hangs_on(self, proposition: int, decision: int | None = None) -> z3.BoolRef:
+        """A formula: what a proposition is makes the difference to what clears or activates the
+        rule.
+        """
         roots = (*self._roots, *self._counted) if decision is None else (decision,)
         ways = []
         for root in roots:
-            true, false = (self._world.formula(root, {truth: value}) for value in (True, False))
+            true, false = (
+                self._world.formula(root, {proposition: value}) for value in (True, False)
+            )
             ways.append(true != false)
         if decision is None and len(self._roots) > 1:
             # A way to clear a rule counts while its condition is false.
@@ -115,7 +119,7 @@ class _Proposer:
     # --- leaves ------------------------------------------------------------------------------
 
     def _leaf(self, leaf: int, calm: Values) -> Iterator[Proposal]:
-        node = self._machine.truths[leaf].node
+        node = self._machine.propositions[leaf].node
         hangs = self._hangs_on(leaf)
         if isinstance(node, ir.AgeReaches):
             yield from self._age(leaf, node, hangs)
@@ -130,7 +134,7 @@ class _Proposer:
             yield from self._made(leaf, self._text(leaf), calm, [true, false, true])
 
     def _edge(self, leaf: int, edge: Edge, hangs: z3.BoolRef, calm: Values) -> Iterator[Proposal]:
-        is_array = isinstance(self._machine.truths[leaf].node, ir.Quantified)
+        is_array = isinstance(self._machine.propositions[leaf].node, ir.Quantified)
         term = self._world.signal(edge.signal, 0 if is_array else None)
         near, found = calm, []
         for way in (-1, 0, 1):
@@ -166,7 +170,7 @@ class _Proposer:
 
     def _held(self, atom: int, decision: int, calm: Values) -> Iterator[Proposal]:
         held = ir.held_of(self._machine, atom)
-        node = None if held is None else self._machine.truths[held].node
+        node = None if held is None else self._machine.propositions[held].node
         if held is None or not isinstance(node, ir.Held):
             return
         formula = self._world.formula(node.operand)
@@ -211,13 +215,13 @@ class _Proposer:
         phases = [(off, self._hold_ns), *often, (off, self._hold_ns)]
         yield self._proposal(self._text(recurs), [self._phase(*each) for each in phases])
 
-    # --- lost inputs -------------------------------------------------------------------------
+    # --- stale inputs -------------------------------------------------------------------------
 
     def _silence(self, used: int) -> Iterator[Proposal]:
         declared = self._machine.inputs[used]
         assert declared.timeout_ns is not None
-        rests_on = ir.supports(self._machine).truths
-        for leaf in ir.leaf_truths(self._machine, self._rule.condition):
+        rests_on = ir.supports(self._machine).propositions
+        for leaf in ir.leaf_propositions(self._machine, self._rule.condition):
             if used not in rests_on[leaf].inputs:
                 continue
             hangs = self._hangs_on(leaf, self._rule.condition)
@@ -253,14 +257,14 @@ class _Proposer:
         phases = [calm, *known, calm]
         if self._has_own_release():
             fire = self._world.solve([self._condition], calm)
-            is_of_condition = leaf in ir.leaf_truths(self._machine, self._rule.condition)
+            is_of_condition = leaf in ir.leaf_propositions(self._machine, self._rule.condition)
             between = calm if is_of_condition or fire is None else fire
             phases = [calm, *(each for value in known for each in (between, value)), calm]
         yield self._proposal(name, [self._phase(each, self._hold_ns) for each in phases])
 
     def _has_own_release(self) -> bool:
         """Say whether a leaf that the condition does not have clears the rule."""
-        condition = ir.leaf_truths(self._machine, self._rule.condition)
+        condition = ir.leaf_propositions(self._machine, self._rule.condition)
         return any(leaf not in condition for leaf in self._leaves)
 
     def _phase(self, values: Values, length_ns: int, silent: frozenset[int] = frozenset()) -> Phase:
@@ -268,7 +272,7 @@ class _Proposer:
         old = {each.index for each, value in values.items() if each.kind == "aged" and value}
         ages_ns = [
             node.age_ns
-            for node in (self._machine.truths[leaf].node for leaf in self._leaves)
+            for node in (self._machine.propositions[leaf].node for leaf in self._leaves)
             if isinstance(node, ir.AgeReaches) and node.input in old
         ]
         if ages_ns:
@@ -293,8 +297,8 @@ class _Proposer:
             phases.insert(0, self._phase(values, self._hold_ns))
         return phases
 
-    def _text(self, truth: int) -> str:
-        found = self._machine.truths[truth]
+    def _text(self, proposition: int) -> str:
+        found = self._machine.propositions[proposition]
         text = " ".join(found.text.split())
         named = f"{found.name} ({text})" if found.name else text
         return named if len(named) <= _LONGEST_NAME else f"{named[: _LONGEST_NAME - 3]}..."

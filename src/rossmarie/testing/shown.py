@@ -16,12 +16,12 @@ from rossmarie.testing.frames import asked_frames
 from rossmarie.testing.goals import edges
 from rossmarie.testing.orientation import ANGLES, UPRIGHT
 from rossmarie.testing.run import expectations_of
-from rossmarie.testing.skills import told_by_skills
+from rossmarie.testing.skills import reported_by_skills
 from rossmarie.units import parse_unit
 
 _DEGREES = parse_unit("deg")
 _DIGITS = 6
-_FEWEST = 3  # messages that are told as a repetition
+_FEWEST = 3  # messages that are reported as a repetition
 _UNSET = object()
 _Run = tuple[int, int, int | None]
 """The first and the last instant, and the period, of messages."""
@@ -31,11 +31,11 @@ def script_of(
     machine: ir.Machine, witness: Witness, name: str, rules: Sequence[int]
 ) -> Script | None:
     """The witness as a script in which some rules do what they do in it; None if there is none.
-    Where it makes no difference, orientations are told by their angles and numbers in the units of
-    the rules; as they are in messages otherwise.
+    Where it makes no difference, orientations are reported by their angles and numbers in the units
+    of the rules; as they are in messages otherwise.
     """
     for is_plain in (False, True):
-        events = told_by_skills(machine, _Teller(machine, is_plain).events(witness))
+        events = reported_by_skills(machine, _Teller(machine, is_plain).events(witness))
         if events is None:
             return None
         script = Script(name, events, (), None)
@@ -69,7 +69,7 @@ class _Teller:
     def events(self, witness: Witness) -> list[ScriptedArrival]:
         """All messages, in their order; those without news as repetitions."""
         instants: dict[int, list[int]] = {}
-        told: list[ScriptedArrival] = []
+        reported: list[ScriptedArrival] = []
         for sending in witness.events:
             settings: list[Setting] = []
             for channel, values in sending.messages.items():
@@ -79,19 +79,19 @@ class _Teller:
                 inputs = tuple(dict.fromkeys(setting.input for setting in settings))
                 topics = tuple(dict.fromkeys(setting.topic for setting in settings))
                 once = (sending.at_ns, sending.at_ns, None)
-                told.append(ScriptedArrival(*once, inputs, topics, tuple(settings)))
-        events = [*self._repeated(instants, told), *told]
+                reported.append(ScriptedArrival(*once, inputs, topics, tuple(settings)))
+        events = [*self._repeated(instants, reported), *reported]
         return sorted(events, key=lambda event: (event.first_ns, event.period_ns is None))
 
     def _repeated(
-        self, instants: Mapping[int, Sequence[int]], told: Sequence[ScriptedArrival]
+        self, instants: Mapping[int, Sequence[int]], reported: Sequence[ScriptedArrival]
     ) -> Iterator[ScriptedArrival]:
         """The messages by their instants; a single one only where nothing else tells of it."""
         groups: dict[_Run, list[int]] = {}
         for channel, times_ns in instants.items():
             for run in _runs(times_ns):
                 groups.setdefault(run, []).append(channel)
-        said = {(topic, event.first_ns) for event in told for topic in event.topics}
+        said = {(topic, event.first_ns) for event in reported for topic in event.topics}
         for (first_ns, last_ns, period_ns), channels in groups.items():
             topics = [
                 topic
@@ -137,10 +137,10 @@ class _Teller:
             if array.list is not None:
                 continue
             si = [raw * array.scale + array.offset for raw in elements]
-            told = tuple(each != 0.0 for each in si) if holds_flags(array) else tuple(si)
+            reported = tuple(each != 0.0 for each in si) if holds_flags(array) else tuple(si)
             unit = self._unit(ir.Element(index), array.unit)
             name = machine.inputs[array.input].name
-            yield Setting(name, topic, array.path, told, None, unit)
+            yield Setting(name, topic, array.path, reported, None, unit)
         for index, raw in values.slots.items():
             if index not in turned:
                 slot = machine.slots[index]
@@ -181,8 +181,8 @@ class _Teller:
 
     def _unit(self, read: ir.SignalNode, own: str) -> str:
         """The unit of a threshold of a field, or else its own."""
-        for truth in range(0 if self.is_plain else len(self.machine.truths)):
-            for edge in edges(self.machine, truth):
+        for proposition in range(0 if self.is_plain else len(self.machine.propositions)):
+            for edge in edges(self.machine, proposition):
                 if self.machine.signals[edge.signal].node == read:
                     return self.machine.signals[edge.constant].unit or own
         return own

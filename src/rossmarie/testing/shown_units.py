@@ -24,13 +24,13 @@ def unit_of_field(machine: ir.Machine, kind: str, index: int) -> Unit:
 
 
 def unit_of_edge(
-    machine: ir.Machine, truths: Iterable[int], own: Unit, reads: Callable[[Edge], bool]
+    machine: ir.Machine, propositions: Iterable[int], own: Unit, reads: Callable[[Edge], bool]
 ) -> Unit | None:
     """The unit of a threshold that `reads` knows, of the dimension of a unit; None if there is
     none.
     """
-    for truth in truths:
-        for edge in edges(machine, truth):
+    for proposition in propositions:
+        for edge in edges(machine, proposition):
             written = parse_unit(machine.signals[edge.constant].unit or "1")
             if written.dimension == own.dimension and reads(edge):
                 return written

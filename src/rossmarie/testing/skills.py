@@ -6,7 +6,7 @@ import dataclasses
 from collections.abc import Sequence
 
 from rossmarie import ir
-from rossmarie.ir.calls import covering, question_at
+from rossmarie.ir.calls import covering, query_at
 from rossmarie.ir.script import Running, ScriptedArrival, ScriptedReset, Setting
 
 Event = ScriptedArrival | ScriptedReset
@@ -15,7 +15,7 @@ DOING = "doing"
 """The word that stands for the input that tells which skills run; alone it sends that once more."""
 
 
-def told_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event, ...] | None:
+def reported_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event, ...] | None:
     """The events, in the order of time, with the skills that run where flags were set that ask for
     them; None if no skills give these answers.
     """
@@ -26,7 +26,7 @@ def told_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event,
         if isinstance(event, ScriptedReset):
             found.append(event)
             continue
-        flags = [setting for setting in event.settings if question_at(setting.path) is not None]
+        flags = [setting for setting in event.settings if query_at(setting.path) is not None]
         running = None
         if flags:
             if not _note(flags, wanted):
@@ -34,23 +34,21 @@ def told_by_skills(machine: ir.Machine, events: Sequence[Event]) -> tuple[Event,
             running = _running(machine, flags[0].topic, wanted)
             if running is None:
                 return None
-        found.append(_told(event, names, running))
+        found.append(_reported(event, names, running))
     return tuple(found)
 
 
 def _contexts(machine: ir.Machine) -> frozenset[str]:
     """The inputs that no rule declares: those that are asked which skills run."""
     return frozenset(
-        machine.inputs[slot.input].name
-        for slot in machine.slots
-        if question_at(slot.path) is not None
+        machine.inputs[slot.input].name for slot in machine.slots if query_at(slot.path) is not None
     )
 
 
 def _note(flags: Sequence[Setting], wanted: dict[ir.Doing, bool]) -> bool:
     """Note the answers; False if one of them is that nobody knows."""
     for setting in flags:
-        step = question_at(setting.path)
+        step = query_at(setting.path)
         if step is None or not isinstance(setting.value, bool):
             return False
         wanted[step] = setting.value
@@ -65,13 +63,13 @@ def _running(machine: ir.Machine, topic: str, wanted: dict[ir.Doing, bool]) -> R
     return Running(topic, tuple(call.running for call in calls), text)
 
 
-def _told(
+def _reported(
     event: ScriptedArrival, contexts: frozenset[str], running: Running | None
 ) -> ScriptedArrival:
     inputs = [DOING if name in contexts else name for name in event.inputs]
     return dataclasses.replace(
         event,
         inputs=tuple(dict.fromkeys(each for each in inputs if running is None or each != DOING)),
-        settings=tuple(each for each in event.settings if question_at(each.path) is None),
+        settings=tuple(each for each in event.settings if query_at(each.path) is None),
         running=running,
     )

@@ -6,9 +6,10 @@ and a count of edges are values of their own, which `phases` and `propose` know 
 so is what a `since` was, which takes other values before.
 Whatever is found is only a proposal: the interpreter has the last word.
 
-So this is no `analysis.encoding.Encoding`, which says of each truth whether it is T, F or L, and of
-each number whether it is known: here all is known, and a truth is one formula, which stays small
-enough to be asked many times. Comparisons, functions and fields are the same terms in both.
+So this is no `analysis.encoding.Encoding`, which says of each proposition whether it is T, F or S,
+and of each number whether it is known: here all is known, and a proposition is one formula, which
+stays small enough to be asked many times. Comparisons, functions and fields are the same terms in
+both.
 """
 
 from __future__ import annotations
@@ -63,7 +64,7 @@ class World:
     """
 
     machine: ir.Machine
-    truths: Sequence[int]
+    propositions: Sequence[int]
     is_free: bool = False
     ramp: Ramp | None = None
     variables: dict[Variable, z3.ArithRef] = field(default_factory=dict)
@@ -76,12 +77,14 @@ class World:
     def __post_init__(self) -> None:
         self.length = self._length()
         self.calls = Calls(self.machine, "world")
-        for truth in self.truths:
-            self.formula(truth)
+        for proposition in self.propositions:
+            self.formula(proposition)
 
     def _length(self) -> int:
         """The number of elements that arrays have: enough for what is counted."""
-        found = [edge for truth in self.truths for edge in edges(self.machine, truth)]
+        found = [
+            edge for proposition in self.propositions for edge in edges(self.machine, proposition)
+        ]
         nodes = [self.machine.signals[each.signal].node for each in found]
         pairs = zip(found, nodes, strict=True)
         counted = [each.threshold for each, node in pairs if isinstance(node, ir.Count)]
@@ -97,14 +100,14 @@ class World:
     # --- formulas ----------------------------------------------------------------------------
 
     def formula(
-        self, truth: int, fixed: Mapping[int, bool] | None = None, part: int | None = None
+        self, proposition: int, fixed: Mapping[int, bool] | None = None, part: int | None = None
     ) -> z3.BoolRef:
-        """A truth as a formula, with some of those below it replaced by what they are. `part` is
-        the element at hand.
+        """A proposition as a formula, with some of those below it replaced by what they are. `part`
+        is the element at hand.
         """
-        if fixed is not None and truth in fixed:
-            return z3.BoolVal(fixed[truth])
-        match self.machine.truths[truth].node:
+        if fixed is not None and proposition in fixed:
+            return z3.BoolVal(fixed[proposition])
+        match self.machine.propositions[proposition].node:
             case ir.Literal(value=value):
                 return z3.BoolVal(value)
             case ir.Not(operand=operand):
@@ -114,13 +117,13 @@ class World:
             case ir.Or(operands=operands):
                 return z3.Or([self.formula(each, fixed, part) for each in operands])
             case ir.Quantified() if self.is_free:
-                return self._bool(Variable("free", truth))
+                return self._bool(Variable("free", proposition))
             case (ir.Held() | ir.Since()) as node:
-                return self._over_time(truth, node, fixed)
+                return self._over_time(proposition, node, fixed)
             case ir.AgeReaches(input=used):
                 return self._bool(Variable("aged", used))
             case ir.Oscillates() | ir.Recurs():
-                return self._bool(Variable("oscillating", truth))
+                return self._bool(Variable("oscillating", proposition))
             case ir.Quantified(quantifier=quantifier, element=element):
                 is_any = quantifier is ir.Quantifier.ANY
                 parts = self._of_elements(element)
@@ -130,17 +133,17 @@ class World:
                 return holds(node, values)
 
     def _over_time(
-        self, truth: int, node: ir.Held | ir.Since, fixed: Mapping[int, bool] | None
+        self, proposition: int, node: ir.Held | ir.Since, fixed: Mapping[int, bool] | None
     ) -> z3.BoolRef:
         if self.is_free:
-            return self._bool(Variable("free", truth))
+            return self._bool(Variable("free", proposition))
         if isinstance(node, ir.Held):
             return self.formula(node.operand, fixed)
         held, begun = self.formula(node.held, fixed), self.formula(node.begun, fixed)
-        return z3.Or(begun, z3.And(held, self._bool(Variable("remembered", truth))))
+        return z3.Or(begun, z3.And(held, self._bool(Variable("remembered", proposition))))
 
-    def _of_elements(self, truth: int) -> list[z3.BoolRef]:
-        return [self.formula(truth, part=part) for part in range(self.length)]
+    def _of_elements(self, proposition: int) -> list[z3.BoolRef]:
+        return [self.formula(proposition, part=part) for part in range(self.length)]
 
     def signal(self, index: int, part: int | None = None) -> z3.ArithRef:
         """A number as a term; `part` is the element at hand."""
@@ -199,7 +202,7 @@ class World:
                 return of_beam
             if isinstance(function, RegionFunction) or function is Function.SEEN:
                 seen, wanted = (self.signal(each, part) for each in operands[-2:])
-                self._side.append(seen == wanted)  # else it is lost
+                self._side.append(seen == wanted)  # else it is stale
             if isinstance(function, RegionFunction):
                 place = self.signal(operands[0], part), self.signal(operands[1], part)
                 self._outside[index, part] = clear_of(function.region, *place)
@@ -210,7 +213,7 @@ class World:
             return angle
         values = [self.signal(operand, part) for operand in operands]
         if function is Function.SEEN:
-            self._side.append(values[1] == values[2])  # what comes in another frame is lost
+            self._side.append(values[1] == values[2])  # what comes in another frame is stale
         expression = defined(function, len(operands))
         formulas = Formulas(values, self._operate)
         if declared.easy is not None:
@@ -327,7 +330,7 @@ class World:
     def remembering(self) -> Iterator[tuple[Variable, z3.BoolRef, z3.BoolRef]]:
         """The value of each `since`, and its two conditions."""
         for variable in [each for each in self.variables if each.kind == "remembered"]:
-            node = self.machine.truths[variable.index].node
+            node = self.machine.propositions[variable.index].node
             assert isinstance(node, ir.Since), "only that remembers what it was"
             yield variable, self.formula(node.held), self.formula(node.begun)
 
@@ -335,18 +338,18 @@ class World:
         for _, held, begun in self.remembering():
             yield z3.Or(begun, z3.Not(held))
         yield from self._outside.values()
-        for truth in self.truths:
-            if truth == apart:
+        for proposition in self.propositions:
+            if proposition == apart:
                 continue
-            for edge in edges(self.machine, truth):
-                for part in self._parts(truth):
+            for edge in edges(self.machine, proposition):
+                for part in self._parts(proposition):
                     value = self.signal(edge.signal, part)
                     distance = constant(edge.step * (1 if edge.is_whole else _CLEAR))
                     threshold = constant(edge.threshold)
                     yield z3.Or(value >= threshold + distance, value <= threshold - distance)
 
-    def _parts(self, truth: int) -> Sequence[int | None]:
-        is_array = isinstance(self.machine.truths[truth].node, ir.Quantified)
+    def _parts(self, proposition: int) -> Sequence[int | None]:
+        is_array = isinstance(self.machine.propositions[proposition].node, ir.Quantified)
         return list(range(self.length)) if is_array else [None]
 
     def _round(self, wishes: Wishes, variable: Variable) -> float:
@@ -370,7 +373,7 @@ class World:
         if variable not in self.units:
             own = unit_of_field(self.machine, variable.kind, variable.index)
             found = unit_of_edge(
-                self.machine, self.truths, own, lambda edge: self._reads(edge, variable)
+                self.machine, self.propositions, own, lambda edge: self._reads(edge, variable)
             )
             self.units[variable] = own if found is None else found
         return self.units[variable]

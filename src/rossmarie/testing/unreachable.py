@@ -18,7 +18,7 @@ from rossmarie.testing.sides import is_apart
 from rossmarie.testing.solve import World
 
 NO_VALUES = "no values make the rule hang on it"
-LOST_ONLY = "only a lost input ends it sooner"
+STALE_ONLY = "only a stale input ends it sooner"
 
 
 def unreachable(machine: ir.Machine, missing: Iterable[Goal]) -> Mapping[Goal, str]:
@@ -32,7 +32,7 @@ def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goa
         if goal.decision < 0:
             continue
         if goal.aspect is Aspect.UNDER and _ends_late(machine, goal.subject):
-            yield goal, LOST_ONLY
+            yield goal, STALE_ONLY
             continue
         decided = goal.decision
         if decided not in worlds:
@@ -41,15 +41,15 @@ def _reasons(machine: ir.Machine, missing: Iterable[Goal]) -> Iterator[tuple[Goa
             yield goal, NO_VALUES
 
 
-def _ends_late(machine: ir.Machine, truth: int) -> bool:
+def _ends_late(machine: ir.Machine, proposition: int) -> bool:
     """Say whether `not (C for e) for d` has an e that is not below d. C is false at the beginning,
     and has to be true for e before the outer `for` can end.
     """
-    node = machine.truths[truth].node
+    node = machine.propositions[proposition].node
     if not isinstance(node, ir.Held):
         return False
-    negated = machine.truths[node.operand].node
-    inner = machine.truths[negated.operand].node if isinstance(negated, ir.Not) else None
+    negated = machine.propositions[node.operand].node
+    inner = machine.propositions[negated.operand].node if isinstance(negated, ir.Not) else None
     return isinstance(inner, ir.Held) and inner.duration_ns >= node.duration_ns
 
 
@@ -63,11 +63,11 @@ def _wanted(world: World, goal: Goal) -> list[z3.BoolRef]:
         case Aspect.FALSE:
             wanted.append(z3.Not(atom))
         case (
-            Aspect.ACTIVE | Aspect.CLEARED | Aspect.UNDER | Aspect.AT | Aspect.OVER | Aspect.LOST
+            Aspect.ACTIVE | Aspect.CLEARED | Aspect.UNDER | Aspect.AT | Aspect.OVER | Aspect.STALE
         ):  # fmt: skip
             pass
     found = edges(world.machine, goal.subject)
-    is_array = isinstance(world.machine.truths[goal.subject].node, ir.Quantified)
+    is_array = isinstance(world.machine.propositions[goal.subject].node, ir.Quantified)
     if found and not is_array and goal.aspect not in (Aspect.TRUE, Aspect.FALSE):
         edge = found[goal.edge]
         value, threshold = world.signal(edge.signal), constant(edge.threshold)

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 class Variable:
     """Something to choose: `kind` is `slot`, `element` (`index` of an array, `part` the element),
     `angle` (`index` of the signal), `side` (`index` of the list of a scan), `rate`, `previous`,
-    `aged`, `oscillating` or `remembered` (`index` of the signal, of the input, or of the truth,
-    which may count edges as well).
+    `aged`, `oscillating` or `remembered` (`index` of the signal, of the input, or of the
+    proposition, which may count edges as well).
     """
 
     kind: str
@@ -20,7 +20,7 @@ class Variable:
 
 
 Values = Mapping[Variable, float]
-"""In SI; truths and texts by their numbers."""
+"""In SI; propositions and texts by their numbers."""
 
 
 @dataclass(frozen=True)

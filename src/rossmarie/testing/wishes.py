@@ -63,7 +63,7 @@ class Wishes:
         return False
 
     def _others(self, about: z3.ArithRef) -> Sequence[z3.BoolRef]:
-        """All variables but one as they are, which is a much easier question."""
+        """All variables but one as they are, which is a much easier query."""
         assert self.model is not None, "there are values"
         others = (each for each in self._variables if not z3.eq(each, about))
         return [each == self.model.eval(each, model_completion=True) for each in others]

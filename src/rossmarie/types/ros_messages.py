@@ -132,7 +132,7 @@ class MessageCatalog:
 
     def leaves(self, message: Message) -> tuple[Leaf, ...]:
         """All fields of a message that are no messages themselves, in order; arrays of messages are
-        left out, for their elements cannot be told in advance.
+        left out, for their elements cannot be reported in advance.
         """
         if message.name not in self._leaves:
             self._leaves[message.name] = tuple(self._find_leaves(message))

@@ -96,7 +96,7 @@ def elementwise(rule: Rule, *operands: Type) -> Outcome:
 
 
 def logical(*operands: Type) -> Outcome:
-    """`and`, `or` and `not`: of truths."""
+    """`and`, `or` and `not`: of booleans."""
     fits = all(isinstance(operand, Boolean) for operand in operands)
     return Outcome(Boolean()) if fits else fault(Fault.OPERANDS)
 
@@ -108,7 +108,7 @@ def held(condition: Type, duration: Type) -> Outcome:
 
 
 def fold(result: Type, elements: Type) -> Outcome:
-    """`any`, `all` and `count` of the truths of an array."""
+    """`any`, `all` and `count` of the propositions of an array."""
     fits = isinstance(elements, Array) and isinstance(elements.element, Boolean)
     return Outcome(result) if fits else fault(Fault.OPERANDS)
 
@@ -128,7 +128,7 @@ def ordered(left: Type, right: Type) -> Outcome:
 
 
 def equal(left: Type, right: Type) -> Outcome:
-    """`==` and `!=`: of truths, of texts, or of numbers."""
+    """`==` and `!=`: of booleans, of texts, or of numbers."""
     for kind in (Boolean, Text):
         if isinstance(left, kind) and isinstance(right, kind):
             return Outcome(Boolean())

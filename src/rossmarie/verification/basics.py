@@ -26,12 +26,12 @@ static unsigned spec_or(unsigned a, unsigned b)
 
 
 CONSTANTS = """\
-/* The range of instants and durations, and truths and states as the header calls them. */
+/* The range of instants and durations, and propositions and states as the header calls them. */
 _Static_assert(EARLIEST == -INT64_C(0x2000000000000000), "instants lie above -2^61");
 _Static_assert(LATEST == INT64_C(0x4000000000000000), "instants lie below 2^62");
 _Static_assert(LONGEST == INT64_C(0x2000000000000000), "durations lie below 2^61");
 _Static_assert(FALSE == {name}_FALSE && TRUE == {name}_TRUE, "what is known");
-_Static_assert(UNKNOWN == {name}_UNKNOWN && LOST == {name}_LOST, "what is not known");
+_Static_assert(UNKNOWN == {name}_UNKNOWN && STALE == {name}_STALE, "what is not known");
 _Static_assert(NEVER_RECEIVED == {name}_NEVER_RECEIVED, "the state before the first message");
 _Static_assert(FRESH == {name}_FRESH && EXPIRED == {name}_EXPIRED, "states of inputs");
 """

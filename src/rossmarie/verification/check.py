@@ -1,4 +1,4 @@
-"""The proof obligations of a monitor, one question at a time."""
+"""The proof obligations of a monitor, one query at a time."""
 
 from __future__ import annotations
 

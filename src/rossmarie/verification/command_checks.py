@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from rossmarie.ir import reactions
 from rossmarie.verification.check import Check, Passes, Written
 from rossmarie.verification.formulas import literal
-from rossmarie.verification.program import claim
+from rossmarie.verification.program import obligation
 from rossmarie.verification.reactor_invariants import in_force
 
 ANY_REACTOR = """\
@@ -124,8 +124,8 @@ class CommandChecks:
             ANY_REACTOR,
             _IN_RANGE,
             f"    const double way = moved(r, {task}, {literal(ramp)}, t_ns);",
-            claim("way >= 0.0", "it moves apart"),
-            claim(f"!{holds} || way == 0.0", "what is in force has not moved"),
+            obligation("way >= 0.0", "it moves apart"),
+            obligation(f"!{holds} || way == 0.0", "what is in force has not moved"),
         ]
         return "\n".join(lines)
 
@@ -145,17 +145,17 @@ class CommandChecks:
 
     def _field(self, command: int, field: int) -> Iterator[str]:
         b = f"b[{field}]"
-        yield claim(f"{b}.low <= 0.0 && 0.0 <= {b}.high", "zero is in bounds")
-        yield claim(f"0.0 <= {b}.factor && {b}.factor <= 1.0", "a factor makes nothing larger")
+        yield obligation(f"{b}.low <= 0.0 && 0.0 <= {b}.high", "zero is in bounds")
+        yield obligation(f"0.0 <= {b}.factor && {b}.factor <= 1.0", "a factor makes nothing larger")
         for end in self._limits(command, field):
             kept = f"{literal(end.low)} <= {b}.low && {b}.high <= {literal(end.high)}"
-            yield claim(f"!{in_force(end.task)} || ({kept})", "a limit in force is kept")
+            yield obligation(f"!{in_force(end.task)} || ({kept})", "a limit in force is kept")
         for task, scale in self._scales(command):
             kept = f"{b}.factor <= {literal(scale.factor)}"
-            yield claim(f"!{in_force(task)} || {kept}", "a scale in force is kept")
+            yield obligation(f"!{in_force(task)} || {kept}", "a scale in force is kept")
         if not any(self._limits(command, field)):
             free = f"{b}.low == -INFINITY && {b}.high == INFINITY"
-            yield claim(free, "what nothing limits is unlimited")
+            yield obligation(free, "what nothing limits is unlimited")
 
     def _loops(self, command: int) -> Passes:
         """The loops over fields, limits and scales have as many passes as there are of these."""
@@ -174,7 +174,7 @@ class CommandChecks:
         lines = [ANY_REACTOR, shut, self._call(command)]
         for field in range(len(self._found.commands[command].fields)):
             zero = f"b[{field}].low == 0.0 && b[{field}].high == 0.0 && b[{field}].factor == 1.0"
-            lines.append(claim(zero, "nothing passes (R12)"))
+            lines.append(obligation(zero, "nothing passes (R12)"))
         return "\n".join(lines)
 
     def _no_command(self) -> str:

@@ -41,7 +41,7 @@ static bool is_marked(const monitor *m, unsigned node)
 static bool is_marked_up_to(const monitor *m, unsigned node)
 {{
     bool found = false;
-    for (unsigned n = LEAVES; n != TRUTHS + RULES; n++)
+    for (unsigned n = LEAVES; n != TRUTH_VALUES + RULES; n++)
         found = found | (n <= node && is_marked(m, n));
     return found;
 }}
@@ -107,7 +107,7 @@ static monitor due;
 
 static void must_be_due(const monitor *m, unsigned node)
 {{
-    for (unsigned n = LEAVES; n != TRUTHS + RULES; n++)
+    for (unsigned n = LEAVES; n != TRUTH_VALUES + RULES; n++)
         __CPROVER_assert(is_marked(&due, n) == (n == node || is_marked(m, n)),
             "what is marked is visited once, and nothing else");
 }}
@@ -116,9 +116,9 @@ int contract_visit(monitor *m, unsigned node, int64_t t_ns)
 {{
     __CPROVER_assert(t_ns == asked_ns, "it is evaluated at its instant");
 {pending}    must_be_due(m, node);
-    __CPROVER_assert(node >= LEAVES && node < TRUTHS + RULES, "what is evaluated exists");
+    __CPROVER_assert(node >= LEAVES && node < TRUTH_VALUES + RULES, "what is evaluated exists");
     __CPROVER_assert(!is_marked_up_to(m, node), "what is evaluated is the first that is marked");
-    for (unsigned n = LEAVES; n != TRUTHS + RULES; n++)
+    for (unsigned n = LEAVES; n != TRUTH_VALUES + RULES; n++)
         if (n > node && nondet_number() % 2 != 0)
             mark(m, n);
     due = *m;
@@ -193,7 +193,8 @@ int64_t contract_earliest_timer(const monitor *m)
 }}
 
 /* A function that takes an instant is looked at in stages, each with no more than it rests on:
- * until timers are looked at, from there until truths are evaluated or the next timer is set, and
+ * until timers are looked at, from there until propositions are evaluated or the next timer is set,
+ and
  * after that.
  */
 static bool is_late = false;
@@ -218,7 +219,7 @@ int caught_up_somehow(monitor *m, int64_t t_ns)
 
 void end_at_tick(monitor *m, int64_t t_ns)
 {{
-    must_be_told(m, &base);
+    must_be_reported(m, &base);
     must_be_unlooked(m, t_ns);
     __CPROVER_assume(false);
 }}
@@ -274,7 +275,7 @@ bool maybe_pending(const monitor *m)
 int end_at_evaluate(monitor *m, int64_t t_ns)
 {{
     must_be_looked(m, t_ns);
-    must_be_told(m, &base);
+    must_be_reported(m, &base);
     __CPROVER_assume(false);
     return 0;
 }}
@@ -343,7 +344,7 @@ void end_at_set_wake(monitor *m)
 {{
     __CPROVER_assert(m->now_ns == asked_ns, "the clock is set");
     must_be_at_rest(m, asked_ns);
-    must_be_told(m, &base);
+    must_be_reported(m, &base);
     __CPROVER_assume(false);
 }}
 

@@ -1,4 +1,4 @@
-"""The semantics of every number and every truth, as C over the memory of a monitor.
+"""The semantics of every number and every proposition, as C over the memory of a monitor.
 
 Takes a layout, which tells where things are kept; what they mean is read off the machine, by the
 rules of `docs/explanation/semantics.md`, and not off anything that the generator made of it. These
@@ -40,13 +40,13 @@ class Definitions:
             *functions,
             *self._elements(),
             *self._signals(),
-            *self._truths(),
+            *self._propositions(),
         ]
         return "\n".join(parts)
 
-    def is_whole(self, truth: int) -> bool:
-        """Say whether a truth is about a monitor and not about one element of an array."""
-        return self._layout.elements.truths[truth] is None
+    def is_whole(self, proposition: int) -> bool:
+        """Say whether a proposition is about a monitor and not about one element of an array."""
+        return self._layout.elements.propositions[proposition] is None
 
     # --- numbers -----------------------------------------------------------------------------
 
@@ -144,27 +144,28 @@ class Definitions:
             if array is not None:
                 head = f"static double spec_element_{index}({self._parameters(array)})"
                 yield f"{head} {{ {self._unused(array)}return {self._element_signal(index)}; }}\n"
-        for index, array in enumerate(self._layout.elements.truths):
+        for index, array in enumerate(self._layout.elements.propositions):
             if array is not None:
                 head = f"static unsigned spec_element_is_{index}({self._parameters(array)})"
-                yield f"{head} {{ {self._unused(array)}return {self._element_truth(index)}; }}\n"
+                value = self._element_proposition(index)
+                yield f"{head} {{ {self._unused(array)}return {value}; }}\n"
         for index, signal in enumerate(self._machine.signals):
             match signal.node:
                 case ir.Fold(folding=folding, element=element):
                     all_of = self._all_of(self._layout.elements.signals[element])
                     yield elements.folded(index, folding, element, all_of)
                 case ir.Count(element=element):
-                    all_of = self._all_of(self._layout.elements.truths[element])
+                    all_of = self._all_of(self._layout.elements.propositions[element])
                     yield elements.counted(index, element, all_of)
                 case (
                     ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled()
                     | ir.Element()
                 ):  # fmt: skip
                     pass
-        for index, truth in enumerate(self._machine.truths):
-            if isinstance(truth.node, ir.Quantified):
-                all_of = self._all_of(self._layout.elements.truths[truth.node.element])
-                yield elements.quantified(index, truth.node, all_of)
+        for index, proposition in enumerate(self._machine.propositions):
+            if isinstance(proposition.node, ir.Quantified):
+                all_of = self._all_of(self._layout.elements.propositions[proposition.node.element])
+                yield elements.quantified(index, proposition.node, all_of)
 
     def _all_of(self, array: int | None) -> elements.AllOf:
         assert array is not None, "verified: only elements are folded"
@@ -182,7 +183,7 @@ class Definitions:
         return [name] if array in self._beside else []
 
     def _unused(self, array: int) -> str:
-        """Not every field matters to every question."""
+        """Not every field matters to every query."""
         columns = (f"e{each}" for each in supports.columns(self._machine, array))
         return "".join(f"(void){each}; " for each in (*self._memory(array, "m"), *columns))
 
@@ -208,8 +209,8 @@ class Definitions:
             case ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count():
                 raise AssertionError(f"{type(node).__name__} is not of one element")
 
-    def _element_truth(self, index: int) -> str:
-        node = self._machine.truths[index].node
+    def _element_proposition(self, index: int) -> str:
+        node = self._machine.propositions[index].node
         match node:
             case ir.Literal(value=value):
                 return "TRUE" if value else "FALSE"
@@ -223,41 +224,43 @@ class Definitions:
             ):  # fmt: skip
                 raise AssertionError(f"{type(node).__name__} is not of one element")
 
-    def _element_is(self, truth: int) -> str:
-        node = self._machine.truths[truth].node
+    def _element_is(self, proposition: int) -> str:
+        node = self._machine.propositions[proposition].node
         if isinstance(node, ir.Literal):
             return "TRUE" if node.value else "FALSE"
-        array = self._layout.elements.truths[truth]
-        return f"spec_element_is_{truth}({self._arguments(array)})"
+        array = self._layout.elements.propositions[proposition]
+        return f"spec_element_is_{proposition}({self._arguments(array)})"
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
-    def _truths(self) -> Iterator[str]:
-        for index, truth in enumerate(self._machine.truths):
-            if self.is_whole(index) and not isinstance(truth.node, ir.Oscillates):
-                yield from self._unknown(index, truth.node)
+    def _propositions(self) -> Iterator[str]:
+        for index, proposition in enumerate(self._machine.propositions):
+            if self.is_whole(index) and not isinstance(proposition.node, ir.Oscillates):
+                yield from self._unknown(index, proposition.node)
                 yield (
-                    f"/* {_remark(truth.text)} */\n"
-                    f"static unsigned spec_truth_{index}(const monitor *m, int64_t t_ns)\n"
-                    f"{{\n    (void)m;\n    (void)t_ns;\n    return {self._truth(index)};\n}}\n"
+                    f"/* {_remark(proposition.text)} */\n"
+                    f"static unsigned spec_proposition_{index}(const monitor *m, int64_t t_ns)\n"
+                    f"{{\n    (void)m;\n    (void)t_ns;\n"
+                    f"    return {self._proposition(index)};\n}}\n"
                 )
             elif self.is_whole(index):
-                yield from self._unknown(index, truth.node)
+                yield from self._unknown(index, proposition.node)
 
-    def _truth(self, index: int) -> str:
-        node = self._machine.truths[index].node
+    def _proposition(self, index: int) -> str:
+        node = self._machine.propositions[index].node
         unknown = f"spec_unknown_{index}(m)"
         match node:
             case ir.Literal(value=value):
                 return "TRUE" if value else "FALSE"
             case ir.Not() | ir.And() | ir.Or():
-                return logic(node, self.truth)
+                return logic(node, self.proposition)
             case ir.Held():
                 return self._held(index, node)
             case ir.Since():
                 return self.since_then(self._layout.sinces.index(index), "m->")
             case ir.Recurs(operand=operand):
-                return recurs(self._layout, index, self.truth(operand))
+                return recurs(self._layout, index, self.proposition(operand))
             case ir.AgeReaches(input=used, age_ns=age_ns):
                 reached = f"t_ns - m->stamp_ns[{used}] >= INT64_C({age_ns}) ? TRUE : FALSE"
                 return f"m->state[{used}] == NEVER_RECEIVED ? {unknown} : {reached}"
@@ -269,31 +272,31 @@ class Definitions:
             case ir.Oscillates():
                 raise AssertionError(f"{type(node).__name__} does not compare")
 
-    def truth(self, index: int) -> str:
-        """A truth where it is kept."""
-        return f"m->truth[{self._layout.node_of_truth[index]}]"
+    def proposition(self, index: int) -> str:
+        """A proposition where it is kept."""
+        return f"m->truth_value[{self._layout.node_of_proposition[index]}]"
 
     def _held(self, index: int, node: ir.Held) -> str:
         """S33: the operand has been what it is since `since_ns` (S34)."""
         k = self._layout.held.index(index)
-        operand, start = self.truth(node.operand), self.since(node.operand)
+        operand, start = self.proposition(node.operand), self.since(node.operand)
         matured = f"t_ns - {start} >= INT64_C({node.duration_ns}) ? TRUE : m->held_before[{k}]"
         return f"{operand} != TRUE ? {operand} : {matured}"
 
     def since_then(self, k: int, memory: str) -> str:
         """S44: the k-th `since` by what it was in a memory, and its operands now."""
-        node = self._machine.truths[self._layout.sinces[k]].node
+        node = self._machine.propositions[self._layout.sinces[k]].node
         assert isinstance(node, ir.Since), "the layout lists them"
-        held, begun = self.truth(node.held), self.truth(node.begun)
+        held, begun = self.proposition(node.held), self.proposition(node.begun)
         before = f"spec_or({begun}, {memory}since_before[{k}])"
         return f"spec_or({begun}, spec_and({held}, {before}))"
 
-    def since(self, truth: int) -> str:
-        """Since when a truth has its value."""
-        return f"m->since_ns[{self._layout.node_of_truth[truth]}]"
+    def since(self, proposition: int) -> str:
+        """Since when a proposition has its value."""
+        return f"m->since_ns[{self._layout.node_of_proposition[proposition]}]"
 
-    def _unknown(self, index: int, node: ir.TruthNode) -> Iterator[str]:
-        """S30: whether an unknown leaf is lost or just unknown."""
+    def _unknown(self, index: int, node: ir.PropositionNode) -> Iterator[str]:
+        """S30: whether an unknown leaf is stale or just unknown."""
         match node:
             case (
                 ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs()
@@ -304,17 +307,19 @@ class Definitions:
             case ir.Compare() | ir.Between() | ir.Flag() | ir.Oscillates():
                 whole = False
         lacking = list(self._lacking(index))
-        timed = any(map(self._layout.has_timeout, self._layout.support_of_truth(index).inputs))
+        timed = any(
+            map(self._layout.has_timeout, self._layout.support_of_proposition(index).inputs)
+        )
         if timed:
             lacking.append("true" if whole else f"({self._nothing_missing(index)})")
-        lost = " || ".join(lacking) or "false"
+        stale = " || ".join(lacking) or "false"
         yield (
             f"static unsigned spec_unknown_{index}(const monitor *m)\n"
-            f"{{\n    (void)m;\n    return {lost} ? LOST : UNKNOWN;\n}}\n"
+            f"{{\n    (void)m;\n    return {stale} ? STALE : UNKNOWN;\n}}\n"
         )
 
     def _lacking(self, index: int) -> Iterator[str]:
-        support = self._layout.support_of_truth(index)
+        support = self._layout.support_of_proposition(index)
         for slot in sorted(support.slots):
             if self._layout.has_timeout(self._machine.slots[slot].input):
                 yield f"isnan(m->value[{self._layout.places.value_of_slot[slot]}])"
@@ -323,14 +328,14 @@ class Definitions:
                 yield f"isnan(m->value[{self._layout.value_of_signal[fold]}])"
 
     def _nothing_missing(self, index: int) -> str:
-        support = self._layout.support_of_truth(index)
+        support = self._layout.support_of_proposition(index)
         kept = [self._layout.places.value_of_slot[slot] for slot in sorted(support.slots)]
-        claims = [f"m->value[{value}] < INFINITY" for value in kept]
+        obligations = [f"m->value[{value}] < INFINITY" for value in kept]
         for signal in sorted(support.folds | support.waiting):
             value = f"m->value[{self._layout.value_of_signal[signal]}]"
             is_of_list = supports.is_of_list(self._machine, signal)
-            claims.append(f"isfinite({value})" if is_of_list else f"{value} < INFINITY")
-        return " && ".join(claims) or "true"
+            obligations.append(f"isfinite({value})" if is_of_list else f"{value} < INFINITY")
+        return " && ".join(obligations) or "true"
 
 
 # --- expressions -----------------------------------------------------------------------------

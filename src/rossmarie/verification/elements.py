@@ -62,26 +62,26 @@ def folded(index: int, folding: ir.Folding, element: int, all_of: AllOf) -> str:
 
 
 def counted(index: int, element: int, all_of: AllOf) -> str:
-    """The function that means for how many a truth holds."""
-    truth = f"spec_element_is_{element}({all_of.element('i')})"
+    """The function that means for how many a proposition holds."""
+    value = f"spec_element_is_{element}({all_of.element('i')})"
     return (
         f"static double spec_fold_{index}({all_of.parameters})\n{{\n"
         f"    double found = {all_of.first('0.0')};\n"
         f"    {all_of.loop()}\n"
-        f"        found = {truth} == UNKNOWN ? NAN : {truth} == TRUE ? found + 1.0 : found;\n"
+        f"        found = {value} == UNKNOWN ? NAN : {value} == TRUE ? found + 1.0 : found;\n"
         f"    return found;\n}}\n"
     )
 
 
 def quantified(index: int, node: ir.Quantified, all_of: AllOf) -> str:
-    """The function that means whether a truth holds for some, or for all, as a number."""
+    """The function that means whether a proposition holds for some, or for all, as a number."""
     word, start = ("or", "FALSE") if node.quantifier is ir.Quantifier.ANY else ("and", "TRUE")
     is_unknown = "n == 0" if all_of.most is None else f"n > {all_of.most}"
-    truth = f"spec_element_is_{node.element}({all_of.element('i')})"
+    proposition = f"spec_element_is_{node.element}({all_of.element('i')})"
     return (
         f"static double spec_quantified_{index}({all_of.parameters})\n{{\n"
         f"    unsigned found = {is_unknown} ? UNKNOWN : {start};\n"
         f"    {all_of.loop()}\n"
-        f"        found = spec_{word}(found, {truth});\n"
+        f"        found = spec_{word}(found, {proposition});\n"
         f"    return found == UNKNOWN ? NAN : found == TRUE ? 1.0 : 0.0;\n}}\n"
     )

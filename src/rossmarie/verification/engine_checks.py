@@ -13,7 +13,7 @@ from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.events import Events
 from rossmarie.verification.frames import Frames
 from rossmarie.verification.layout import Layout
-from rossmarie.verification.program import ANY, claim
+from rossmarie.verification.program import ANY, obligation
 from rossmarie.verification.stages import (
     COUNTED_PARTS,
     RANGE,
@@ -49,23 +49,25 @@ class EngineChecks:
     # --- evaluation --------------------------------------------------------------------------
 
     def _visits(self) -> Iterator[Written]:
-        for truth in (*self._layout.oscillations, *self._layout.derived):
-            node = self._layout.node_of_truth[truth]
-            about = f"`{self._machine.truths[truth].text}` is evaluated"
+        for proposition in (*self._layout.oscillations, *self._layout.derived):
+            node = self._layout.node_of_proposition[proposition]
+            about = f"`{self._machine.propositions[proposition].text}` is evaluated"
             yield Written(Check(f"visit_{node}", about), self._visit(node))
         for index, rule in enumerate(self._machine.rules):
-            node = self._layout.truth_count + index
+            node = self._layout.proposition_count + index
             about = f"rule {rule.name} is judged"
             yield Written(Check(f"visit_{node}", about), self._visit(node))
 
     def _visit(self, node: int) -> str:
-        rule = node - self._layout.truth_count
+        rule = node - self._layout.proposition_count
         change = self._events.changed(rule) if rule >= 0 else "0"
-        claims = [
-            claim(f"events == {change}", "a change of the rule, and nothing else, is counted"),
+        obligations = [
+            obligation(f"events == {change}", "a change of the rule, and nothing else, is counted"),
             *self._events.reported({rule}),
             "    must_be_looked(m, t_ns);",
-            claim("!is_marked_up_to(m, node)", "what depends on a truth stands behind it"),
+            obligation(
+                "!is_marked_up_to(m, node)", "what depends on a proposition stands behind it"
+            ),
             *(self._rule(index, node) for index in range(len(self._machine.rules))),
             *(self._before(k, node) for k in range(len(self._layout.held))),
             *(self._remembered(k, node) for k in range(len(self._layout.sinces))),
@@ -74,7 +76,9 @@ class EngineChecks:
         pending = ""
         if not self._layout.is_small:
             pending = "    m->pending = true;\n"
-            claims.append(claim("m->pending", "it is left to `evaluate` to say that all is done"))
+            obligations.append(
+                obligation("m->pending", "it is left to `evaluate` to say that all is done")
+            )
         return f"""\
 {ANY}
     const unsigned node = {node};
@@ -85,40 +89,42 @@ class EngineChecks:
 {pending}    __CPROVER_assume(m->now_ns == t_ns && !is_marked_up_to(m, node));
     const monitor old = s;
     const int events = visit(m, node, t_ns);
-{chr(10).join(claims)}"""
+{chr(10).join(obligations)}"""
 
     def _rule(self, index: int, node: int) -> str:
         """S35 to S37, and that no other rule changes."""
         rule = self._machine.rules[index]
-        condition = self._definitions.truth(rule.condition)
+        condition = self._definitions.proposition(rule.condition)
         was, now = (f"(({m}active[{index // 8}] >> {index % 8} & 1) != 0)" for m in ("old.", "m->"))
         cleared = "false"
         if rule.release is not None:
-            cleared = f"{condition} == FALSE && {self._definitions.truth(rule.release)} == TRUE"
-        becomes = f"({condition} == TRUE || {condition} == LOST || ({was} && !({cleared})))"
-        mine = node == self._layout.truth_count + index
+            cleared = (
+                f"{condition} == FALSE && {self._definitions.proposition(rule.release)} == TRUE"
+            )
+        becomes = f"({condition} == TRUE || {condition} == STALE || ({was} && !({cleared})))"
+        mine = node == self._layout.proposition_count + index
         about = f"rule {rule.name} is active as S35 to S37 say"
-        return claim(f"{now} == {becomes if mine else was}", about)
+        return obligation(f"{now} == {becomes if mine else was}", about)
 
     def _before(self, k: int, node: int) -> str:
         """S33: what the operand of a duration was before it was true."""
-        truth = self._layout.held[k]
-        declared = self._machine.truths[truth]
+        proposition = self._layout.held[k]
+        declared = self._machine.propositions[proposition]
         assert isinstance(declared.node, ir.Held), "the layout lists durations"
-        operand = self._definitions.truth(declared.node.operand)
+        operand = self._definitions.proposition(declared.node.operand)
         was = f"old.held_before[{k}]"
-        if node == self._layout.node_of_truth[truth]:
+        if node == self._layout.node_of_proposition[proposition]:
             was = f"({operand} != TRUE ? {operand} : {was})"
-        return claim(f"m->held_before[{k}] == {was}", f"what `{declared.text}` was before")
+        return obligation(f"m->held_before[{k}] == {was}", f"what `{declared.text}` was before")
 
     def _remembered(self, k: int, node: int) -> str:
         """S44: what a `since` was when it was last evaluated."""
-        truth = self._layout.sinces[k]
+        proposition = self._layout.sinces[k]
         was = f"old.since_before[{k}]"
-        if node == self._layout.node_of_truth[truth]:
+        if node == self._layout.node_of_proposition[proposition]:
             was = self._definitions.since_then(k, "old.")
-        text = self._machine.truths[truth].text
-        return claim(f"m->since_before[{k}] == {was}", f"what `{text}` was")
+        text = self._machine.propositions[proposition].text
+        return obligation(f"m->since_before[{k}] == {was}", f"what `{text}` was")
 
     # --- the interface -----------------------------------------------------------------------
 
@@ -137,7 +143,7 @@ class EngineChecks:
         lines = [f"{ANY}\n{RANGE}\n{call}", RESTS, "    const monitor old = base;", cleared]
         rules = range(len(self._machine.rules))
         count = " + ".join(["changes", *(f"(int){self._events.changed(rule)}" for rule in rules)])
-        lines.append(claim(f"events == {count}", "what is cleared is counted"))
+        lines.append(obligation(f"events == {count}", "what is cleared is counted"))
         lines += self._events.reported(set(rules))
         yield Written(Check("reset", about, parts), "\n".join(lines))
         refused = Check("reset_refused", "an instant out of range is refused by a reset", parts)
@@ -148,7 +154,7 @@ class EngineChecks:
         yield Written(Check("latch", "a rule is told to be latched"), self._latch())
         about = "the changes are counted when time passes"
         yield Written(Check("advance_counts", about, COUNTED_PARTS), counts(advance))
-        questions = f"""\
+        queries = f"""\
     const int64_t wake_ns = {name}_next_wake(m);
     __CPROVER_assert(!m->started || wake_ns > m->now_ns, "what comes next lies ahead");
     const int which = nondet_integer();
@@ -158,8 +164,8 @@ class EngineChecks:
     __CPROVER_assert(!is_calm(m, t_ns) || (t_ns >= m->now_ns && t_ns < m->wake_ns),
         "where the short way is taken, time goes forward and nothing is due");
     must_be_same(m, &old);"""
-        about = "questions that change nothing"
-        yield Written(Check("questions", about), f"{begin(self._layout)}\n{questions}")
+        about = "queries that change nothing"
+        yield Written(Check("queries", about), f"{begin(self._layout)}\n{queries}")
 
     def _init(self) -> str:
         name = self._layout.name
@@ -175,17 +181,17 @@ class EngineChecks:
 
     def _nothing_was(self) -> str:
         """S44: before the first evaluation each `since` is false."""
-        claims = (
-            claim(f"m->since_before[{k}] == FALSE", "nothing has held before the start")
+        obligations = (
+            obligation(f"m->since_before[{k}] == FALSE", "nothing has held before the start")
             for k in range(len(self._layout.sinces))
         )
-        return "".join(f"{each}\n" for each in claims)
+        return "".join(f"{each}\n" for each in obligations)
 
     def _latch(self) -> str:
-        told = self._frames.latched("(!old.started && rule == {index})", "true")
+        reported = self._frames.latched("(!old.started && rule == {index})", "true")
         call = f"{self._layout.name}_latch(m, rule);"
         any_rule = "    const int rule = nondet_integer();\n    const monitor old = s;"
-        return f"{ANY}\n    (void)t_ns;\n{any_rule}\n    {call}\n{told}"
+        return f"{ANY}\n    (void)t_ns;\n{any_rule}\n    {call}\n{reported}"
 
 
 _EVALUATE = """\
@@ -198,5 +204,5 @@ _EVALUATE = """\
     due = s;
     const int events = evaluate(m, t_ns);
     __CPROVER_assert(events == changes, "changes are counted");
-    must_be_due(m, TRUTHS + RULES);
+    must_be_due(m, TRUTH_VALUES + RULES);
     must_be_unmarked(m, t_ns);"""

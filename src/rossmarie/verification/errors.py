@@ -12,7 +12,7 @@ class PartRefuted(Error, code="ROSS790", name="part-refuted"):
     label = "does not hold: {sentence}"
     note = "shown by `check_{check}` of the harness"
     help = (
-        "this is a defect of this tool, in the C or in what is claimed of it: do not use the C, "
+        "this is a defect of this tool, in the C or in its specification: do not use the C, "
         "and please report it, with the rules and what `--keep DIR` writes"
     )
     part: str

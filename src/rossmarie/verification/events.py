@@ -10,8 +10,8 @@ from collections.abc import Iterator
 
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.layout import Layout
-from rossmarie.verification.program import claim
-from rossmarie.verification.supports import told
+from rossmarie.verification.program import obligation
+from rossmarie.verification.supports import reported
 
 
 class Events:
@@ -32,12 +32,14 @@ class Events:
         about = f"the report of rule {self._rules[rule].name}"
         changed, is_now = self.changed(rule), _bit("m->", rule)
         once = f"reports[{rule}] == ({changed} && m->on_event ? 1u : 0u)"
-        lines = "\n".join(claim(f"!reports[{rule}] || {each}", about) for each in self._said(rule))
-        condition = self._definitions.truth(self._rules[rule].condition)
+        lines = "\n".join(
+            obligation(f"!reports[{rule}] || {each}", about) for each in self._said(rule)
+        )
+        condition = self._definitions.proposition(self._rules[rule].condition)
         return _REPORTED.format(
             rule=rule,
             name=self._layout.name,
-            once=claim(once, f"a change of rule {self._rules[rule].name} is reported once"),
+            once=obligation(once, f"a change of rule {self._rules[rule].name} is reported once"),
             lines=lines,
             is_now=is_now,
             condition=condition,
@@ -46,9 +48,9 @@ class Events:
     def _said(self, rule: int) -> Iterator[str]:
         yield f"(said->at_ns == t_ns && said->from_ns == t_ns && said->rule == {rule})"
         yield "said->change == change"
-        found = told(self._layout.machine, self._rules[rule].condition)
+        found = reported(self._layout.machine, self._rules[rule].condition)
         for place, term in enumerate(found.terms):
-            yield f"said->truths[{place}] == {self._definitions.truth(term)}"
+            yield f"said->propositions[{place}] == {self._definitions.proposition(term)}"
             yield f"said->since_ns[{place}] == {self._definitions.since(term)}"
         for place, signal in enumerate(found.signals):
             yield f"spec_same(said->values[{place}], {self._definitions.number(signal)})"
@@ -65,8 +67,8 @@ class Events:
             if rule in rules:
                 yield f"    must_report_{rule}(m, old, t_ns);"
             else:
-                yield claim(f"reports[{rule}] == 0", "of no other rule anything is reported")
-        yield claim("jumps == 0", "time does not jump")
+                yield obligation(f"reports[{rule}] == 0", "of no other rule anything is reported")
+        yield obligation("jumps == 0", "time does not jump")
 
 
 def _bit(monitor: str, rule: int) -> str:
@@ -78,7 +80,7 @@ static void must_report_{rule}(const monitor *m, monitor old, int64_t t_ns)
 {{
     const {name}_event *const said = &reported[{rule}];
     const int32_t change = !{is_now} ? {name}_CLEARED
-                         : {condition} == LOST ? {name}_ACTIVATED_LOST : {name}_ACTIVATED;
+                         : {condition} == STALE ? {name}_ACTIVATED_STALE : {name}_ACTIVATED;
 {once}
 {lines}
 }}

@@ -12,7 +12,7 @@ from rossmarie.ir import model as ir
 from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import remark_of
 from rossmarie.verification.layout import Layout
-from rossmarie.verification.program import claim
+from rossmarie.verification.program import obligation
 from rossmarie.verification.recent import first_recent, recent
 from rossmarie.verification.turning_points import followed_on, forgotten
 
@@ -39,7 +39,7 @@ class Frames:
             assert found is not None, f"{member} is no member"
             name, count = found["name"], found["count"]
             if name.startswith("window_"):
-                continue  # looked at by `window_middle` alone, of which nothing is claimed
+                continue  # looked at by `window_middle` alone, of which nothing has to be proved
             places = [f"{name}[{place}]" for place in range(int(count))] if count else [name]
             self._places[name] = places
             if found["kind"] == "double":
@@ -47,7 +47,7 @@ class Frames:
 
     def text(self) -> str:
         """The functions that compare."""
-        return f"{self._same()}\n{self._told()}"
+        return f"{self._same()}\n{self._reported()}"
 
     def _same(self) -> str:
         lines = []
@@ -56,33 +56,35 @@ class Frames:
                 pair = f"m->{place}", f"other->{place}"
                 is_double = name in self._doubles
                 same = f"spec_same({pair[0]}, {pair[1]})" if is_double else " == ".join(pair)
-                lines.append(claim(same, f"`{name}` is as it has to be"))
+                lines.append(obligation(same, f"`{name}` is as it has to be"))
         body = "\n".join(lines)
         return f"static void must_be_same(const monitor *m, const monitor *other)\n{{\n{body}\n}}\n"
 
     # --- messages ----------------------------------------------------------------------------
 
-    def _told(self) -> str:
+    def _reported(self) -> str:
         """S7, S9: a message makes its inputs fresh, and nothing else."""
         lines = []
         for index, used in enumerate(self._machine.inputs):
-            is_told = f"is_told[{used.channel}]"
-            stamp = f"m->stamp_ns[{index}] == ({is_told} ? asked_ns : old->stamp_ns[{index}])"
+            is_reported = f"is_reported[{used.channel}]"
+            stamp = f"m->stamp_ns[{index}] == ({is_reported} ? asked_ns : old->stamp_ns[{index}])"
             if self._is_stamped(index):
-                lines.append(claim(stamp, f"the stamp of {used.name} is that of its last message"))
-            state = f"m->state[{index}] == ({is_told} ? FRESH : old->state[{index}])"
-            lines.append(claim(state, f"{used.name} is fresh by a message, else as it was"))
+                lines.append(
+                    obligation(stamp, f"the stamp of {used.name} is that of its last message")
+                )
+            state = f"m->state[{index}] == ({is_reported} ? FRESH : old->state[{index}])"
+            lines.append(obligation(state, f"{used.name} is fresh by a message, else as it was"))
         for index, value in enumerate(self._layout.values):
-            told = [f"is_told[{channel}]" for channel in sorted(value.support.channels)]
+            reported = [f"is_reported[{channel}]" for channel in sorted(value.support.channels)]
             same = f"spec_same({self._seen(index, 'm->')}, {self._seen(index, 'old->')})"
             about = f"no other message changes `{remark_of(value)}`"
-            lines.append(claim(" || ".join([*told, same]), about))
+            lines.append(obligation(" || ".join([*reported, same]), about))
         lines += [
-            claim(f"m->{place} == old->{place}", "no rule changes")
+            obligation(f"m->{place} == old->{place}", "no rule changes")
             for place in self._places["active"]
         ]
         channels = max(1, len(self._machine.channels))
-        return _TOLD.format(channels=channels, lines="\n".join(lines))
+        return _REPORTED.format(channels=channels, lines="\n".join(lines))
 
     def _is_stamped(self, index: int) -> bool:
         """Say whether somebody looks at the age of an input."""
@@ -108,12 +110,12 @@ class Frames:
     def _some(self, name: str, places: Iterable[int]) -> Iterator[str]:
         yield from (f"expected.{name}[{place}] = m->{name}[{place}];" for place in places)
 
-    def _truths(self, nodes: Iterable[int]) -> Iterator[str]:
-        """Truths with any values, known since they changed."""
+    def _propositions(self, nodes: Iterable[int]) -> Iterator[str]:
+        """Propositions with any values, known since they changed."""
         for node in nodes:
-            yield f"if (m->truth[{node}] != old.truth[{node}])"
+            yield f"if (m->truth_value[{node}] != old.proposition[{node}])"
             yield f"    expected.since_ns[{node}] = t_ns;"
-            yield f"expected.truth[{node}] = m->truth[{node}];"
+            yield f"expected.proposition[{node}] = m->truth_value[{node}];"
 
     def _values(self, changed: Iterable[tuple[int, str]]) -> Iterator[str]:
         """Numbers that change where something is the case."""
@@ -131,16 +133,24 @@ class Frames:
         return self.kept(["expected.now_ns = t_ns;", *self.any_marks()])
 
     def visited(self, node: int) -> str:
-        """Of `visit`; what becomes of rules is claimed apart."""
-        held = [k for k, t in enumerate(self._layout.held) if self._layout.node_of_truth[t] == node]
+        """Of `visit`; what becomes of rules has to be proved apart."""
+        held = [
+            k
+            for k, t in enumerate(self._layout.held)
+            if self._layout.node_of_proposition[t] == node
+        ]
         sinces, recent = (
-            [k for k, truth in enumerate(each) if self._layout.node_of_truth[truth] == node]
+            [
+                k
+                for k, proposition in enumerate(each)
+                if self._layout.node_of_proposition[proposition] == node
+            ]
             for each in (self._layout.sinces, self._layout.recent)
         )
         lines = [
             *self.any_marks(),
             *self._any("wake_ns", "active"),
-            *self._truths([node] if node < self._layout.truth_count else []),
+            *self._propositions([node] if node < self._layout.proposition_count else []),
             *(line for name in ("held_due_ns", "held_before") for line in self._some(name, held)),
             *self._some("since_before", sinces),
             *(line for name in ("gap", "gap_end_ns") for line in self._some(name, recent)),
@@ -154,7 +164,7 @@ class Frames:
         if not isinstance(node, ir.Recurs):
             return
         place = k - len(self._layout.oscillations)
-        operand, following = self._definitions.truth(node.operand), f"old.recent_next[{k}]"
+        operand, following = self._definitions.proposition(node.operand), f"old.recent_next[{k}]"
         yield f"expected.edge_before[{place}] = {operand};"
         yield f"if ({operand} == TRUE && old.edge_before[{place}] == FALSE) {{"
         for each in range(node.count):
@@ -173,13 +183,13 @@ class Frames:
                 over = f"t_ns - old.stamp_ns[{index}] >= INT64_C({used.timeout_ns})"
                 expired[index] = f"(old.state[{index}] == FRESH && {over})"
                 lines += [f"if ({expired[index]})", f"    expected.state[{index}] = EXPIRED;"]
-        lost = [
+        stale = [
             (value, " || ".join([expired[i] for i in sorted(found.support.inputs) if i in expired]))
             for value, found in enumerate(self._layout.values)
         ]
         lines += [
-            *self._values((value, where or "false") for value, where in lost),
-            *self._truths(range(self._layout.leaf_count)),
+            *self._values((value, where or "false") for value, where in stale),
+            *self._propositions(range(self._layout.leaf_count)),
             *self.any_marks(),
             *self._any("wake_ns", "quiet", "swinging", *_GUARDS, *_SAMPLES),
             *forgotten(self._layout, self._definitions),
@@ -194,7 +204,7 @@ class Frames:
             for used in sorted(found.support.inputs - found.support.needed):
                 if used in expired:
                     about = f"`{remark_of(found)}` is forgotten with what stands beside elements"
-                    yield claim(f"!({expired[used]}) || isnan(m->value[{value}])", about)
+                    yield obligation(f"!({expired[used]}) || isnan(m->value[{value}])", about)
 
     def restarted(self) -> str:
         """Of `restart`: inputs stay as old as they are, what was before is forgotten (S17)."""
@@ -206,8 +216,8 @@ class Frames:
         for name in ("gap", "edge_before"):
             was = "old.started ? UNKNOWN : FALSE"
             lines += [f"expected.{place} = {was};" for place in self._places.get(name, ())]
-        for k, truth in enumerate(self._layout.held):
-            node = self._machine.truths[truth].node
+        for k, proposition in enumerate(self._layout.held):
+            node = self._machine.propositions[proposition].node
             at_start = "TRUE" if isinstance(node, ir.Held) and node.initially else "FALSE"
             lines.append(f"expected.held_before[{k}] = old.started ? UNKNOWN : {at_start};")
         rates = [v for v, found in enumerate(self._layout.values) if self._is_sampled(v)]
@@ -256,7 +266,7 @@ class Frames:
         )
 
     def _turning_points(self, oscillations: Iterable[int]) -> Iterator[str]:
-        """Whatever becomes of them; that is claimed apart."""
+        """Whatever becomes of them; that has to be proved apart."""
         for k in oscillations:
             first = first_recent(self._layout, k)
             instants = range(first, first + recent(self._layout, k).count)
@@ -279,20 +289,20 @@ class Frames:
             was, now = (
                 f"(({m}active[{index // 8}] >> {index % 8} & 1) != 0)" for m in ("old.", "m->")
             )
-            node = self._layout.node_of_truth[rule.condition]
+            node = self._layout.node_of_proposition[rule.condition]
             expected = was
             if rule.release is None:
-                then = becomes.format(was=was, condition=f"m->truth[{node}]", index=index)
+                then = becomes.format(was=was, condition=f"m->truth_value[{node}]", index=index)
                 expected = f"({which.format(index=index)} ? {then} : {was})"
             about = f"rule {rule.name} is active as S38 says"
-            lines.append(claim(f"{now} == {expected}", about))
+            lines.append(obligation(f"{now} == {expected}", about))
         return "\n".join([*lines, self.kept(self._any("active"))])
 
 
-_TOLD = """\
-static bool is_told[{channels}];
+_REPORTED = """\
+static bool is_reported[{channels}];
 
-static void must_be_told(const monitor *m, const monitor *old)
+static void must_be_reported(const monitor *m, const monitor *old)
 {{
 {lines}
 }}

@@ -1,9 +1,9 @@
 """Checks of a look at a number that is watched, and the contract that stands in for it elsewhere.
 
 Takes the invariants of a machine; gives for each guard a check of `cross` and one of `is_inside`,
-and the contract that all other checks call instead, which covers both. What a guard and its truths
-remember of the number before is called *kept*: they are those of some number, though not of the one
-that is there now.
+and the contract that all other checks call instead, which covers both. What a guard and its
+propositions remember of the number before is called *kept*: they are those of some number, though
+not of the one that is there now.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.invariants import Invariants, Sentence, remark_of, users_of
 from rossmarie.verification.layout import Layout
 from rossmarie.verification.places import Watched
-from rossmarie.verification.program import ANY, assertions, assumptions, claim, predicate
+from rossmarie.verification.program import ANY, assertions, assumptions, obligation, predicate
 
 _LOOPS_OVER_LIMITS = ("cross_far.0", "cross_far.1", "flip.0", "gain_sight.1")
 
@@ -46,7 +46,7 @@ class GuardChecks:
         for number, guard in enumerate(self._layout.guards):
             remark = remark_of(self._layout.values[guard.value])
             about = f"a new `{remark}` is compared with its limits"
-            parts = (("set_truth", f"contract_set_{number}"),)
+            parts = (("set_truth_value", f"contract_set_{number}"),)
             most = guard.limit_count + 2
             loops = tuple((loop, most) for loop in _LOOPS_OVER_LIMITS)
             check = Check(f"cross_{number}", about, parts, loops)
@@ -54,8 +54,8 @@ class GuardChecks:
             about = f"a new `{remark}` inside its guard changes nothing"
             yield Written(Check(f"inside_{number}", about), self._inside(number, guard))
         if self._layout.guards:
-            about = "a truth has a value, and what depends on it is marked"
-            yield Written(Check("set_truth", about), self._check_set_truth())
+            about = "a proposition has a value, and what depends on it is marked"
+            yield Written(Check("set_truth_value", about), self._check_set_proposition())
 
     def text(self) -> str:
         """The predicates, the contract, and what the checks compare."""
@@ -72,7 +72,7 @@ class GuardChecks:
             parts.append(predicate(f"static void must_be_kept_{number}", assertions(kept)))
             parts.append(self._change(number, guard))
             parts.append(self._set(f"contract_set_{number}", guard.leaves))
-        parts.append(self._set("spec_set_truth", [*self._layout.node_of_truth]))
+        parts.append(self._set("spec_set_proposition", [*self._layout.node_of_proposition]))
         parts.append(
             _CONTRACTS.format(
                 numbers=self._cases("return m->value[{value}];"),
@@ -107,15 +107,15 @@ class GuardChecks:
                 yield Sentence(f"`{remark}` is finite or unknown", f"!isinf(m->value[{value}])")
 
     def _probe(self, number: int, guard: Watched) -> str:
-        """State that truths are right for the largest number that a guard lets pass."""
+        """State that propositions are right for the largest number that a guard lets pass."""
         right = " && ".join(
-            f"{self._definitions.truth(truth)} == "
+            f"{self._definitions.proposition(proposition)} == "
             + (
                 f"(m->high[{number}] > 0.5 ? TRUE : FALSE)"
-                if self._invariants.is_test(truth)
-                else f"spec_truth_{truth}(&probe, t_ns)"
+                if self._invariants.is_test(proposition)
+                else f"spec_proposition_{proposition}(&probe, t_ns)"
             )
-            for truth in guard.leaves
+            for proposition in guard.leaves
         )
         return (
             f"static bool is_kept_{number}(const monitor *m, int64_t t_ns)\n{{\n"
@@ -127,27 +127,33 @@ class GuardChecks:
     def _kept(self, number: int, guard: Watched) -> Sentence:
         place, low, high = f"m->place[{number}]", f"m->low[{number}]", f"m->high[{number}]"
         first, last = self._invariants.places(number)
-        truths = [self._definitions.truth(truth) for truth in guard.leaves]
+        propositions = [self._definitions.proposition(proposition) for proposition in guard.leaves]
         unknown = " && ".join(
             [
-                *(f"{truth} >= UNKNOWN && {truth} <= UNSET" for truth in truths[:1]),
-                *(f"{truth} == {truths[0]}" for truth in truths[1:]),
-                f"{place} == -(int){truths[0]} && {low} == INFINITY && {high} == -INFINITY",
+                *(
+                    f"{proposition} >= UNKNOWN && {proposition} <= UNSET"
+                    for proposition in propositions[:1]
+                ),
+                *(f"{proposition} == {propositions[0]}" for proposition in propositions[1:]),
+                f"{place} == -(int){propositions[0]} && {low} == INFINITY && {high} == -INFINITY",
             ]
         )
         known = (
             f"{place} >= {first} && {place} <= {last} && {low} == limits[{place}].at && "
             f"{high} == limits[{place} + 1].at && is_kept_{number}(m, t_ns)"
         )
-        return Sentence("a guard and its truths fit a number", f"{place} < 0 ? {unknown} : {known}")
+        return Sentence(
+            "a guard and its propositions fit a number", f"{place} < 0 ? {unknown} : {known}"
+        )
 
     # --- what changes ------------------------------------------------------------------------
 
     def _change(self, number: int, guard: Watched) -> str:
-        """Looking at a number that may have left its guard: truths change, and what depends on them
-        is marked; nothing else. A number inside it changes nothing, which is one case of that.
+        """Looking at a number that may have left its guard: propositions change, and what depends
+        on them is marked; nothing else. A number inside it changes nothing, which is one case of
+        that.
         """
-        nodes = [self._layout.node_of_truth[truth] for truth in guard.leaves]
+        nodes = [self._layout.node_of_proposition[proposition] for proposition in guard.leaves]
         return "\n".join(
             [
                 f"static void look_{number}(monitor *m, double x, int64_t t_ns)\n{{",
@@ -159,7 +165,10 @@ class GuardChecks:
                 f"    m->place[{number}] = nondet_integer();",
                 f"    m->low[{number}] = nondet_double();",
                 f"    m->high[{number}] = nondet_double();",
-                *(f"    m->truth[{node}] = (unsigned char)nondet_number();" for node in nodes),
+                *(
+                    f"    m->truth_value[{node}] = (unsigned char)nondet_number();"
+                    for node in nodes
+                ),
                 *self._consequences(guard),
                 f"    suppose_guard_{number}(m, t_ns);\n}}\n",
             ]
@@ -174,49 +183,50 @@ class GuardChecks:
         return "\n".join(["    if (!isfinite(x)) {", *lines, "    }"]) if lines else "    (void)x;"
 
     def _consequences(self, guard: Watched) -> Iterator[str]:
-        for truth in guard.leaves:
-            node = self._layout.node_of_truth[truth]
-            yield f"    if (m->truth[{node}] != old.truth[{node}]) {{"
+        for proposition in guard.leaves:
+            node = self._layout.node_of_proposition[proposition]
+            yield f"    if (m->truth_value[{node}] != old.proposition[{node}]) {{"
             yield f"        m->since_ns[{node}] = t_ns;"
-            for user in users_of(self._layout, truth):
+            for user in users_of(self._layout, proposition):
                 yield f"        mark(m, {user});"
             yield "    }"
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
-    def _set(self, name: str, truths: Sequence[int]) -> str:
-        """The function that gives one of some truths a value."""
+    def _set(self, name: str, propositions: Sequence[int]) -> str:
+        """The function that gives one of some propositions a value."""
         cases = []
-        for truth in truths:
-            node = self._layout.node_of_truth[truth]
-            marks = "".join(f" mark(m, {user});" for user in users_of(self._layout, truth))
+        for proposition in propositions:
+            node = self._layout.node_of_proposition[proposition]
+            marks = "".join(f" mark(m, {user});" for user in users_of(self._layout, proposition))
             cases.append(
-                f"    case {node}:\n        if (value != m->truth[{node}]) {{\n"
-                f"            m->truth[{node}] = (unsigned char)value;\n"
+                f"    case {node}:\n        if (value != m->truth_value[{node}]) {{\n"
+                f"            m->truth_value[{node}] = (unsigned char)value;\n"
                 f"            m->since_ns[{node}] = t_ns;\n"
                 f"           {marks}\n        }}\n        break;\n"
             )
         return _SET.format(name=name, cases="".join(cases))
 
-    def _check_set_truth(self) -> str:
+    def _check_set_proposition(self) -> str:
         return f"""\
 {ANY}
     const unsigned node = nondet_number();
     const unsigned value = nondet_number() % 5;
-    __CPROVER_assume(node < TRUTHS);
+    __CPROVER_assume(node < TRUTH_VALUES);
     suppose_marks(m, t_ns);
     monitor expected = s;
-    spec_set_truth(&expected, node, value, t_ns);
-    set_truth(m, node, value, t_ns);
+    spec_set_proposition(&expected, node, value, t_ns);
+    set_truth_value(m, node, value, t_ns);
     must_be_same(m, &expected);"""
 
     # --- the check ---------------------------------------------------------------------------
 
     def _check(self, number: int, guard: Watched) -> str:
         """The check that a look leaves behind what the contract makes of the memory before."""
-        nodes = [self._layout.node_of_truth[truth] for truth in guard.leaves]
+        nodes = [self._layout.node_of_proposition[proposition] for proposition in guard.leaves]
         copied = [f"{name}[{number}]" for name in ("place", "low", "high")]
-        copied += [f"truth[{node}]" for node in nodes]
+        copied += [f"proposition[{node}]" for node in nodes]
         return "\n".join(
             [
                 ANY,
@@ -249,8 +259,8 @@ class GuardChecks:
                 f"    suppose_kept_{number}(m, t_ns);",
                 f"    const double x = m->value[{guard.value}];",
                 f"    __CPROVER_assume(is_inside(m, {number}, x));",
-                claim("isfinite(x)", "what is inside is a number"),
-                claim(f"x > m->low[{number}] && x <= m->high[{number}]", "it is inside"),
+                obligation("isfinite(x)", "what is inside is a number"),
+                obligation(f"x > m->low[{number}] && x <= m->high[{number}]", "it is inside"),
                 f"    must_be_guard_{number}(m, t_ns);",
             ]
         )
@@ -270,7 +280,7 @@ void {name}(monitor *m, unsigned node, unsigned value, int64_t t_ns)
 {{
     switch (node) {{
 {cases}    default:
-        __CPROVER_assert(false, "it is one of these truths");
+        __CPROVER_assert(false, "it is one of these propositions");
     }}
 }}
 """

@@ -1,9 +1,9 @@
 """The program that CBMC is given: the generated C as it is, what it has to mean, and the checks.
 
 Takes a machine; gives C text and the list of its checks. Each check begins in any state that fits
-the invariants, calls one part of the generated code, and claims that the invariants hold again:
-one inductive step, so that what is proved holds without bound. Where a part calls another that has
-a check of its own, that one is replaced by what its check has shown (its contract).
+the invariants, calls one part of the generated code, and obligations that the invariants hold
+again: one inductive step, so that what is proved holds without bound. Where a part calls another
+that has a check of its own, that one is replaced by what its check has shown (its contract).
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from rossmarie.verification.program import (
     PRELUDE,
     assertions,
     assumptions,
-    claim,
+    obligation,
     predicate,
 )
 from rossmarie.verification.time_checks import TimeChecks
@@ -122,13 +122,13 @@ class _Writer:
         """Where marks are many, a flag says that there are some, until all are evaluated."""
         if self._layout.is_small:
             return ""
-        return claim("m->pending", "where something is evaluated, something is pending") + "\n"
+        return obligation("m->pending", "where something is evaluated, something is pending") + "\n"
 
     def _passes(self) -> int:
         """Loops run over the parts of a machine, or over what is marked."""
         layout = self._layout
         limits = sum(guard.limit_count + 2 for guard in layout.guards)
-        nodes = layout.truth_count + len(self._machine.rules)
+        nodes = layout.proposition_count + len(self._machine.rules)
         return max(nodes, len(layout.values), limits, ELEMENTS) + 2
 
     # --- predicates --------------------------------------------------------------------------
@@ -154,11 +154,13 @@ class _Writer:
         groups = ("clock", "marks", "just_in_time", "leaves", "recent", "rules", "ahead", "woken")
         lines = [f"    {word}_{group}(m, t_ns);" for group in groups]
         lines.append(f"    {word}_derived(m, m->now_ns);")
-        return "\n".join([*lines, write(_told(self._invariants, self._layout))])
+        return "\n".join([*lines, write(_reported(self._invariants, self._layout))])
 
     def _restarted(self) -> list[Sentence]:
         """Everything that is computed is to be evaluated; the inputs are as they were."""
-        marked = range(self._layout.leaf_count, self._layout.truth_count + len(self._machine.rules))
+        marked = range(
+            self._layout.leaf_count, self._layout.proposition_count + len(self._machine.rules)
+        )
         return [
             *(Sentence("everything is evaluated", self._invariants.marked(n)) for n in marked),
             Sentence("its clock is set", "m->now_ns == t_ns && m->wake_ns == t_ns"),
@@ -166,16 +168,16 @@ class _Writer:
               for k in range(len(self._layout.held))),
             *(Sentence("no channel is quiet", f"!m->quiet[{c}]")
               for c in range(len(self._machine.channels))),
-            *(Sentence("ages are looked at", f"{self._definitions.truth(truth)} == UNSET")
-              for truth in self._layout.ages),
+            *(Sentence("ages are looked at", f"{self._definitions.proposition(age)} == UNSET")
+              for age in self._layout.ages),
         ]  # fmt: skip
 
 
-def _told(invariants: Invariants, layout: Layout) -> list[Sentence]:
-    """Each truth told of an oscillation was right at the last evaluation, or it is marked."""
+def _reported(invariants: Invariants, layout: Layout) -> list[Sentence]:
+    """Each proposition told of an oscillation was right at the last evaluation, or it is marked."""
     found = []
-    for k, truth in enumerate(layout.oscillations):
-        told = invariants.told(k).replace("t_ns -", "m->now_ns -")
-        marked = invariants.marked(layout.node_of_truth[truth])
-        found.append(Sentence("what was told of an oscillation", f"({marked} || {told})"))
+    for k, proposition in enumerate(layout.oscillations):
+        reported = invariants.reported(k).replace("t_ns -", "m->now_ns -")
+        marked = invariants.marked(layout.node_of_proposition[proposition])
+        found.append(Sentence("what was told of an oscillation", f"({marked} || {reported})"))
     return found

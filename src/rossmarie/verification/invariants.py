@@ -16,7 +16,7 @@ from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.layout import Layout, Value
 from rossmarie.verification.places import Watched
 from rossmarie.verification.recent import enough, first_recent, recent, window_end
-from rossmarie.verification.supports import truths_of
+from rossmarie.verification.supports import propositions_of
 
 _OLDEST = "(-LATEST)"
 
@@ -29,17 +29,17 @@ class Sentence:
     holds: str
 
 
-def users_of(layout: Layout, truth: int) -> list[int]:
-    """The nodes that a truth is an operand of: truths, then rules."""
+def users_of(layout: Layout, proposition: int) -> list[int]:
+    """The nodes that a proposition is an operand of: propositions, then rules."""
     machine = layout.machine
     found = [
-        layout.node_of_truth[index]
+        layout.node_of_proposition[index]
         for index in layout.derived
-        if truth in truths_of(machine.truths[index].node)
+        if proposition in propositions_of(machine.propositions[index].node)
     ]
     for number, rule in enumerate(machine.rules):
-        if truth in (rule.condition, rule.release):
-            found.append(layout.truth_count + number)
+        if proposition in (rule.condition, rule.release):
+            found.append(layout.proposition_count + number)
     return found
 
 
@@ -50,13 +50,13 @@ def remark_of(value: Value) -> str:
 
 def oscillation(layout: Layout, k: int) -> ir.Oscillates:
     """The k-th of the oscillations that a monitor follows."""
-    node = layout.machine.truths[layout.oscillations[k]].node
+    node = layout.machine.propositions[layout.oscillations[k]].node
     assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
     return node
 
 
-def _is_true_initially(machine: ir.Machine, truth: int) -> bool:
-    node = machine.truths[truth].node
+def _is_true_initially(machine: ir.Machine, proposition: int) -> bool:
+    node = machine.propositions[proposition].node
     return isinstance(node, ir.Held) and node.initially
 
 
@@ -71,22 +71,22 @@ class Invariants:
     # --- marks -------------------------------------------------------------------------------
 
     def marked(self, node: int) -> str:
-        """State that a truth or rule is to be evaluated."""
+        """State that a proposition or rule is to be evaluated."""
         if self._layout.is_small:
             return f"((m->dirty >> {node} & 1) != 0)"
         return f"((m->dirty[{node // 64}] >> {node % 64} & 1) != 0)"
 
     def nothing_marked(self) -> str:
-        """State that no truth and no rule is to be evaluated."""
+        """State that no proposition and no rule is to be evaluated."""
         if self._layout.is_small:
             return "m->dirty == 0"
-        words = (self._layout.truth_count + len(self._machine.rules) + 63) // 64
+        words = (self._layout.proposition_count + len(self._machine.rules) + 63) // 64
         return " && ".join([*(f"m->dirty[{word}] == 0" for word in range(words)), "!m->pending"])
 
     def marks_are_in_range(self) -> str:
-        """State that only truths that are evaluated when marked, and rules, are marked."""
+        """State that only propositions that are evaluated when marked, and rules, are marked."""
         first = self._layout.leaf_count
-        last = self._layout.truth_count + len(self._machine.rules)
+        last = self._layout.proposition_count + len(self._machine.rules)
         if self._layout.is_small:
             mask = (1 << last) - (1 << first)
             return f"(m->dirty & ~UINT64_C({mask:#x})) == 0"
@@ -108,10 +108,12 @@ class Invariants:
             stamp = f"m->stamp_ns[{used}]"
             held = f"{stamp} >= {_OLDEST} && {stamp} <= t_ns"
             yield Sentence(f"the stamp of {self._machine.inputs[used].name} is in the past", held)
-        for truth, node in self._layout.node_of_truth.items():
+        for proposition, node in self._layout.node_of_proposition.items():
             since = f"m->since_ns[{node}]"
-            held = f"m->truth[{node}] == UNSET || ({since} >= {_OLDEST} && {since} <= t_ns)"
-            yield Sentence(f"`{self._machine.truths[truth].text}` is so since the past", held)
+            held = f"m->truth_value[{node}] == UNSET || ({since} >= {_OLDEST} && {since} <= t_ns)"
+            yield Sentence(
+                f"`{self._machine.propositions[proposition].text}` is so since the past", held
+            )
         for k in range(len(self._layout.sampled)):
             for name in ("latest_ns", "before_ns"):
                 held = f"m->{name}[{k}] >= {_OLDEST} && m->{name}[{k}] < LATEST"
@@ -147,30 +149,30 @@ class Invariants:
 
     def quiet(self) -> Iterator[Sentence]:
         """A message on a quiet channel changes no age that somebody looks at."""
-        for truth in self._layout.ages:
-            node = self._machine.truths[truth].node
+        for proposition in self._layout.ages:
+            node = self._machine.propositions[proposition].node
             assert isinstance(node, ir.AgeReaches), "the layout lists ages"
             channel = self._machine.inputs[node.input].channel
-            held = f"!m->quiet[{channel}] || {self._definitions.truth(truth)} == FALSE"
-            text = self._machine.truths[truth].text
+            held = f"!m->quiet[{channel}] || {self._definitions.proposition(proposition)} == FALSE"
+            text = self._machine.propositions[proposition].text
             yield Sentence(f"on a quiet channel `{text}` is false", held)
 
     def literals(self) -> Iterator[Sentence]:
-        """Truths that never change are what they are."""
-        for truth in self._layout.literals:
-            yield self._is_right(truth)
+        """Propositions that never change are what they are."""
+        for proposition in self._layout.literals:
+            yield self._is_right(proposition)
 
     def guard(self, number: int, guard: Watched) -> Iterator[Sentence]:
-        """A guard lies around its number, and its truths are what that is now."""
-        for truth in guard.leaves:
-            yield self._is_right(truth)
+        """A guard lies around its number, and its propositions are what that is now."""
+        for proposition in guard.leaves:
+            yield self._is_right(proposition)
         yield from self.tests(guard)
         x, low, high = f"m->value[{guard.value}]", f"m->low[{number}]", f"m->high[{number}]"
         place = f"m->place[{number}]"
         first, last = self.places(number)
+        node = self._layout.node_of_proposition[guard.leaves[0]]
         unknown = (
-            f"({place} == -(int)m->truth[{self._layout.node_of_truth[guard.leaves[0]]}] && "
-            f"{low} == INFINITY && {high} == -INFINITY)"
+            f"({place} == -(int)m->truth_value[{node}] && {low} == INFINITY && {high} == -INFINITY)"
         )
         above, below = f"{x} > {low}", f"{x} <= {high}"
         signal = self._layout.values[guard.value].signal
@@ -187,85 +189,91 @@ class Invariants:
     def tests(self, guard: Watched) -> Iterator[Sentence]:
         """A guarded value may be a flag or a comparison, kept as a number: 0, 1 or unknown."""
         x = f"m->value[{guard.value}]"
-        for truth in guard.leaves:
-            if not self.is_test(truth):
+        for proposition in guard.leaves:
+            if not self.is_test(proposition):
                 continue
             holds = f"isnan({x}) || {x} == 0.0 || {x} == 1.0"
-            if not isinstance(self._machine.truths[truth].node, ir.Quantified | ir.Flag):
-                meant = f"spec_truth_{truth}(m, t_ns)"
+            if not isinstance(
+                self._machine.propositions[proposition].node, ir.Quantified | ir.Flag
+            ):
+                meant = f"spec_proposition_{proposition}(m, t_ns)"
                 known = f"{x} == ({meant} == TRUE ? 1.0 : 0.0)"
                 holds = f"{meant} >= UNKNOWN ? isnan({x}) : {known}"
-            yield Sentence(f"`{self._machine.truths[truth].text}` as a number", holds)
+            yield Sentence(f"`{self._machine.propositions[proposition].text}` as a number", holds)
 
-    def is_test(self, truth: int) -> bool:
-        """Say whether the number from which a truth is told is only 0, 1 or unknown."""
-        is_flag = isinstance(self._machine.truths[truth].node, ir.Flag)
-        return is_flag or truth in self._layout.places.value_of_test
+    def is_test(self, proposition: int) -> bool:
+        """Say whether the number from which a proposition is reported is only 0, 1 or unknown."""
+        is_flag = isinstance(self._machine.propositions[proposition].node, ir.Flag)
+        return is_flag or proposition in self._layout.places.value_of_test
 
     def places(self, number: int) -> tuple[int, int]:
         """The first and the last place that a guard can have."""
         first = sum(other.limit_count + 2 for other in self._layout.guards[:number])
         return first, first + self._layout.guards[number].limit_count
 
-    def _is_right(self, truth: int) -> Sentence:
-        text = self._machine.truths[truth].text
-        right = f"{self._definitions.truth(truth)} == spec_truth_{truth}(m, t_ns)"
-        return Sentence(f"`{text}` is what it means", right)
+    def _is_right(self, proposition: int) -> Sentence:
+        text = self._machine.propositions[proposition].text
+        value = self._definitions.proposition(proposition)
+        is_right = f"{value} == spec_proposition_{proposition}(m, t_ns)"
+        return Sentence(f"`{text}` has the value that the semantics defines", is_right)
 
     def ages(self) -> Iterator[Sentence]:
         """S31."""
-        for truth in self._layout.ages:
-            yield self._is_right(truth)
+        for proposition in self._layout.ages:
+            yield self._is_right(proposition)
 
     def derived(self) -> Iterator[Sentence]:
-        """Truths made of others are what these make of them, unless they are marked."""
-        for truth in self._layout.derived:
-            node = self._layout.node_of_truth[truth]
-            sentence = self._is_right(truth)
-            holds = [sentence.holds, *self._timer(truth)]
+        """Propositions made of others are what these make of them, unless they are marked."""
+        for proposition in self._layout.derived:
+            node = self._layout.node_of_proposition[proposition]
+            sentence = self._is_right(proposition)
+            holds = [sentence.holds, *self._timer(proposition)]
             held = f"{self.marked(node)} || ({' && '.join(holds)})"
             yield Sentence(sentence.about, held)
-        for truth in self._layout.held:
-            before = f"m->held_before[{self._layout.held.index(truth)}]"
-            text = self._machine.truths[truth].text
-            held = f"{before} == FALSE || {before} == UNKNOWN || {before} == LOST"
-            if _is_true_initially(self._machine, truth):
-                held = f"{before} <= LOST"
+        for proposition in self._layout.held:
+            before = f"m->held_before[{self._layout.held.index(proposition)}]"
+            text = self._machine.propositions[proposition].text
+            held = f"{before} == FALSE || {before} == UNKNOWN || {before} == STALE"
+            if _is_true_initially(self._machine, proposition):
+                held = f"{before} <= STALE"
             yield Sentence(f"`{text}` was not true before it began", held)
-        for k, truth in enumerate(self._layout.sinces):
-            before, text = f"m->since_before[{k}]", self._machine.truths[truth].text
-            marked = self.marked(self._layout.node_of_truth[truth])
-            told = f"{before} == {self._definitions.truth(truth)}"
-            yield Sentence(f"what `{text}` was is a truth", f"{before} <= LOST")
-            yield Sentence(f"`{text}` is remembered", f"{marked} || {told}")
+        for k, proposition in enumerate(self._layout.sinces):
+            before, text = f"m->since_before[{k}]", self._machine.propositions[proposition].text
+            marked = self.marked(self._layout.node_of_proposition[proposition])
+            reported = f"{before} == {self._definitions.proposition(proposition)}"
+            yield Sentence(f"what `{text}` was is a proposition", f"{before} <= STALE")
+            yield Sentence(f"`{text}` is remembered", f"{marked} || {reported}")
 
-    def _timer(self, truth: int) -> Iterator[str]:
+    def _timer(self, proposition: int) -> Iterator[str]:
         """S33: the instant at which a duration is over, NEVER if it has not begun. S48: what is
         remembered of a condition whose edges are counted is what that is now.
         """
-        node = self._machine.truths[truth].node
+        node = self._machine.propositions[proposition].node
         if isinstance(node, ir.Held):
-            due = f"m->held_due_ns[{self._layout.held.index(truth)}]"
-            operand = self._definitions.truth(node.operand)
+            due = f"m->held_due_ns[{self._layout.held.index(proposition)}]"
+            operand = self._definitions.proposition(node.operand)
             start = self._definitions.since(node.operand)
             yield f"{due} == ({operand} == TRUE ? {start} + INT64_C({node.duration_ns}) : NEVER)"
         elif isinstance(node, ir.Recurs):
-            k, operand = self._layout.recent.index(truth), self._definitions.truth(node.operand)
+            k, operand = (
+                self._layout.recent.index(proposition),
+                self._definitions.proposition(node.operand),
+            )
             gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
-            yield f"m->edge_before[{self._layout.recurring.index(truth)}] == {operand}"
+            yield f"m->edge_before[{self._layout.recurring.index(proposition)}] == {operand}"
             yield f"({operand} < UNKNOWN ? {end} != NEVER : {end} == NEVER && {gap} == {operand})"
 
     def rules(self) -> Iterator[Sentence]:
         """S35 to S38: what is certain of a rule whatever it was before."""
         for index, rule in enumerate(self._machine.rules):
-            condition = self._definitions.truth(rule.condition)
+            condition = self._definitions.proposition(rule.condition)
             active = f"(m->active[{index // 8}] >> {index % 8} & 1) != 0"
-            holds = f"({condition} != TRUE && {condition} != LOST || {active})"
+            holds = f"({condition} != TRUE && {condition} != STALE || {active})"
             if rule.release is not None:
-                release = self._definitions.truth(rule.release)
+                release = self._definitions.proposition(rule.release)
                 cleared = f"({condition} != FALSE || {release} != TRUE || !({active}))"
                 holds = f"({holds} && {cleared})"
-            unless = self.marked(self._layout.truth_count + index)
+            unless = self.marked(self._layout.proposition_count + index)
             yield Sentence(f"rule {rule.name} is active iff it has to be", f"{unless} || {holds}")
 
     def timers(self, least: str) -> Iterator[Sentence]:
@@ -275,75 +283,77 @@ class Invariants:
                 due = f"m->stamp_ns[{index}] + INT64_C({used.timeout_ns})"
                 held = f"m->state[{index}] != FRESH || {due} >= {least}"
                 yield Sentence(f"the timeout of {used.name} lies ahead", held)
-        for truth in self._layout.ages:
-            node = self._machine.truths[truth].node
+        for proposition in self._layout.ages:
+            node = self._machine.propositions[proposition].node
             assert isinstance(node, ir.AgeReaches), "the layout lists ages"
             due = f"m->stamp_ns[{node.input}] + INT64_C({node.age_ns})"
-            held = f"{self._definitions.truth(truth)} != FALSE || {due} >= {least}"
-            yield Sentence(f"`{self._machine.truths[truth].text}` lies ahead", held)
-        for k, truth in enumerate(self._layout.held):
-            ended = f"{self._definitions.truth(truth)} == TRUE"
-            marked = self.marked(self._layout.node_of_truth[truth])
+            held = f"{self._definitions.proposition(proposition)} != FALSE || {due} >= {least}"
+            yield Sentence(f"`{self._machine.propositions[proposition].text}` lies ahead", held)
+        for k, proposition in enumerate(self._layout.held):
+            ended = f"{self._definitions.proposition(proposition)} == TRUE"
+            marked = self.marked(self._layout.node_of_proposition[proposition])
             held = f"{marked} || {ended} || m->held_due_ns[{k}] >= {least}"
-            yield Sentence(f"the end of `{self._machine.truths[truth].text}` lies ahead", held)
+            yield Sentence(
+                f"the end of `{self._machine.propositions[proposition].text}` lies ahead", held
+            )
         yield from self._recent_timers(least)
 
     # --- turning points and edges ------------------------------------------------------------
 
     def recent(self) -> Iterator[Sentence]:
         """S32, S48: turning points and edges that can be looked at."""
-        for k, truth in enumerate(self._layout.recent):
+        for k, proposition in enumerate(self._layout.recent):
             count, first = recent(self._layout, k).count, first_recent(self._layout, k)
-            about = f"what is kept of `{self._machine.truths[truth].text}`"
+            about = f"what is kept of `{self._machine.propositions[proposition].text}`"
             sane = f"m->recent_count[{k}] <= {count} && m->recent_next[{k}] < {count}"
             yield Sentence(about, sane)
             for place in range(first, first + count):
                 instant = f"m->recent_ns[{place}]"
                 yield Sentence(about, f"{instant} >= {_OLDEST} && {instant} < LATEST")
             gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
-            yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == LOST")
+            yield Sentence(about, f"{gap} == FALSE || {gap} == UNKNOWN || {gap} == STALE")
             yield Sentence(about, f"{end} == NEVER || ({end} >= EARLIEST && {end} <= t_ns)")
         for k in range(len(self._layout.oscillations)):
             heading = f"m->heading[{k}] >= -1 && m->heading[{k}] <= 1"
             yield Sentence("a number goes up or down, or nothing is known of it", heading)
 
     def swinging(self) -> Iterator[Sentence]:
-        """Each oscillation was seen as it is now, and its truth is that, or it is marked."""
-        for k, truth in enumerate(self._layout.oscillations):
-            text = self._machine.truths[truth].text
+        """Each oscillation was seen as it is now, and its proposition is that, or it is marked."""
+        for k, proposition in enumerate(self._layout.oscillations):
+            text = self._machine.propositions[proposition].text
             seen = f"m->swinging[{k}] == {self.seen(k)}"
             yield Sentence(f"what is seen of `{text}`", seen)
             waited = f"m->swinging[{k}] != TRUE || {window_end(self._layout, k)} >= m->wake_ns"
             yield Sentence(f"the end of the window of `{text}` is waited for", waited)
-            marked = self.marked(self._layout.node_of_truth[truth])
-            yield Sentence(f"`{text}` is what it means", f"{marked} || {self.told(k)}")
+            marked = self.marked(self._layout.node_of_proposition[proposition])
+            yield Sentence(f"`{text}` has its defined value", f"{marked} || {self.reported(k)}")
 
     def seen(self, k: int) -> str:
-        """The truth that enough turning points lie within the window now."""
-        truth = self._layout.oscillations[k]
+        """The proposition that enough turning points lie within the window now."""
+        proposition = self._layout.oscillations[k]
         x = self._definitions.number(oscillation(self._layout, k).signal)
         is_enough = enough(self._layout, k)
-        return f"(!isfinite({x}) ? spec_unknown_{truth}(m) : {is_enough} ? TRUE : FALSE)"
+        return f"(!isfinite({x}) ? spec_unknown_{proposition}(m) : {is_enough} ? TRUE : FALSE)"
 
-    def told(self, k: int) -> str:
+    def reported(self, k: int) -> str:
         """State that a monitor tells what is seen: nothing until a gap is a window ago."""
-        truth, node = self._layout.oscillations[k], oscillation(self._layout, k)
-        value, seen = self._definitions.truth(truth), f"m->swinging[{k}]"
+        proposition, node = self._layout.oscillations[k], oscillation(self._layout, k)
+        value, seen = self._definitions.proposition(proposition), f"m->swinging[{k}]"
         gap, end = f"m->gap[{k}]", f"m->gap_end_ns[{k}]"
         over = f"({seen} == TRUE || t_ns - {end} >= INT64_C({node.window_ns}))"
-        lost = f"{value} == {seen} && {gap} == {seen} && {end} == NEVER"
+        stale = f"{value} == {seen} && {gap} == {seen} && {end} == NEVER"
         known = f"{end} != NEVER && {value} == ({over} ? {seen} : {gap})"
-        return f"({seen} >= UNKNOWN ? ({lost}) : ({known}))"
+        return f"({seen} >= UNKNOWN ? ({stale}) : ({known}))"
 
     def _recent_timers(self, least: str) -> Iterator[Sentence]:
-        for k, truth in enumerate(self._layout.recent):
+        for k, proposition in enumerate(self._layout.recent):
             window_ns = recent(self._layout, k).window_ns
-            value, end = self._definitions.truth(truth), f"m->gap_end_ns[{k}]"
-            marked = self.marked(self._layout.node_of_truth[truth])
+            value, end = self._definitions.proposition(proposition), f"m->gap_end_ns[{k}]"
+            marked = self.marked(self._layout.node_of_proposition[proposition])
             true = f"({value} != TRUE || {window_end(self._layout, k)} >= {least})"
             after = f"{end} + INT64_C({window_ns})"
             gap = f"({value} < UNKNOWN || {end} == NEVER || {after} >= {least})"
-            about = f"the window of `{self._machine.truths[truth].text}` ends ahead"
+            about = f"the window of `{self._machine.propositions[proposition].text}` ends ahead"
             yield Sentence(about, f"{marked} || ({true} && {gap})")
 
     def guards(self) -> dict[str, Watched]:

@@ -2,7 +2,7 @@
 
 Takes a machine. What a part is, and what it rests on, is read off the machine; where it is kept is
 what the generator says (`places.py`). Each part has to have a place of its own, so that nothing is
-left out of what is asked: else there are no questions, and nothing is proved.
+left out of what is asked: else there are no queries, and nothing is proved.
 """
 
 from __future__ import annotations
@@ -37,7 +37,8 @@ class Value:
 
 @dataclass(frozen=True)
 class Layout:
-    """The layout of one machine. Lists of truths are in the order in which a monitor has them.
+    """The layout of one machine. Lists of propositions are in the order in which a monitor has
+    them.
 
     `held`, `sinces`, `oscillations`, `recurring`, `sampled` and `windows` (signals, each with how
     long its samples are remembered) are in the order of what is remembered of them.
@@ -58,7 +59,7 @@ class Layout:
     sinces: tuple[int, ...]
     sampled: tuple[int, ...]
     windows: tuple[tuple[int, int], ...]
-    node_of_truth: Mapping[int, int]
+    node_of_proposition: Mapping[int, int]
 
     @property
     def name(self) -> str:
@@ -67,25 +68,27 @@ class Layout:
 
     @property
     def recent(self) -> tuple[int, ...]:
-        """The truths that count turning points or edges, in the order in which these are kept."""
+        """The propositions that count turning points or edges, in the order in which these are
+        kept.
+        """
         return (*self.oscillations, *self.recurring)
 
     @property
     def leaf_count(self) -> int:
-        """The number of truths that are set where a number or an age is looked at, without being
-        marked.
+        """The number of propositions that are set where a number or an age is looked at, without
+        being marked.
         """
-        return self.truth_count - len(self.oscillations) - len(self.derived)
+        return self.proposition_count - len(self.oscillations) - len(self.derived)
 
     @property
-    def truth_count(self) -> int:
-        """The number of truths that a monitor keeps."""
-        return len(self.node_of_truth)
+    def proposition_count(self) -> int:
+        """The number of propositions that a monitor keeps."""
+        return len(self.node_of_proposition)
 
     @property
     def is_small(self) -> bool:
-        """True if the marks of all truths and rules fit one word."""
-        return self.truth_count + len(self.machine.rules) <= _WORD
+        """True if the marks of all propositions and rules fit one word."""
+        return self.proposition_count + len(self.machine.rules) <= _WORD
 
     # --- meanings ----------------------------------------------------------------------------
 
@@ -93,17 +96,17 @@ class Layout:
         """The support of a signal."""
         return supports.support(self.machine, (signal,), ())
 
-    def support_of_truth(self, truth: int) -> Support:
-        """The support of a truth."""
-        return supports.support(self.machine, (), (truth,))
+    def support_of_proposition(self, proposition: int) -> Support:
+        """The support of a proposition."""
+        return supports.support(self.machine, (), (proposition,))
 
     def has_timeout(self, used: int) -> bool:
         """Say whether an input expires."""
         return self.machine.inputs[used].timeout_ns is not None
 
     def aged_inputs(self) -> set[int]:
-        """The inputs whose age a truth asks."""
-        nodes = (self.machine.truths[index].node for index in self.ages)
+        """The inputs whose age a proposition asks."""
+        nodes = (self.machine.propositions[index].node for index in self.ages)
         return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
     def guards_of(self, channel: int) -> list[Watched]:
@@ -124,7 +127,9 @@ class _Sorted:
         self._places = places_of(machine)
         self._elements = supports.elements(machine)
         arrays = self._elements
-        self._truths = [index for index, array in enumerate(arrays.truths) if array is None]
+        self._propositions = [
+            index for index, array in enumerate(arrays.propositions) if array is None
+        ]
         self._signals = [index for index, array in enumerate(arrays.signals) if array is None]
 
     def layout(self) -> Layout:
@@ -143,22 +148,24 @@ class _Sorted:
             ages=tuple(self._of(ir.AgeReaches)),
             oscillations=self._places.oscillations,
             recurring=self._places.recurring,
-            derived=tuple(sorted(derived, key=self._places.node_of_truth.__getitem__)),
+            derived=tuple(sorted(derived, key=self._places.node_of_proposition.__getitem__)),
             held=self._places.held,
             sinces=self._places.sinces,
             sampled=self._places.sampled,
             windows=self._places.windows,
-            node_of_truth=self._places.node_of_truth,
+            node_of_proposition=self._places.node_of_proposition,
         )
 
-    def _of(self, *kinds: type[ir.TruthNode]) -> list[int]:
-        return [i for i in self._truths if isinstance(self._machine.truths[i].node, kinds)]
+    def _of(self, *kinds: type[ir.PropositionNode]) -> list[int]:
+        return [
+            i for i in self._propositions if isinstance(self._machine.propositions[i].node, kinds)
+        ]
 
-    def _channels(self, truth: int) -> frozenset[int]:
-        """The channels of which a truth hears; an oscillation that rests on no input never swings
-        (S32).
+    def _channels(self, proposition: int) -> frozenset[int]:
+        """The channels of which a proposition hears; an oscillation that rests on no input never
+        swings (S32).
         """
-        return supports.support(self._machine, (), (truth,)).channels
+        return supports.support(self._machine, (), (proposition,)).channels
 
     # --- numbers -----------------------------------------------------------------------------
 
@@ -189,8 +196,8 @@ class _Sorted:
         for signal, place in self._value_of_signal().items():
             if not isinstance(machine.signals[signal].node, ir.Read):
                 keep(place, supports.support(machine, (signal,), ()), signal=signal)
-        for truth, place in self._places.value_of_test.items():
-            keep(place, supports.support(machine, (), (truth,)), test=truth)
+        for proposition, place in self._places.value_of_test.items():
+            keep(place, supports.support(machine, (), (proposition,)), test=proposition)
         _must(sorted(found) == list(range(len(remarks))), "a place stands for no number")
         _must(all(len(each) == 1 for each in found.values()), "two numbers have the same place")
         return tuple(found[place][0] for place in range(len(remarks)))
@@ -200,13 +207,13 @@ class _Sorted:
     def _check(self, moving: list[int]) -> None:
         """Nothing is forgotten, and nothing has the place of another."""
         places, machine = self._places, self._machine
-        nodes = places.node_of_truth
-        _same(nodes, self._truths, "truths")
-        _same(nodes.values(), range(len(self._truths)), "places of truths")
+        nodes = places.node_of_proposition
+        _same(nodes, self._propositions, "propositions")
+        _same(nodes.values(), range(len(self._propositions)), "places of propositions")
         leaves = [leaf for guard in places.guards for leaf in guard.leaves]
         _same(leaves, self._of(ir.Compare, ir.Between, ir.Flag, ir.Quantified), "leaves of guards")
         _same(places.held, self._of(ir.Held), "durations")
-        _same(places.sinces, self._of(ir.Since), "truths that remember what they were")
+        _same(places.sinces, self._of(ir.Since), "propositions that remember what they were")
         _same(places.oscillations, moving, "oscillations")
         _same(places.recurring, self._of(ir.Recurs), "counts of edges")
         last, windows = self._remembered()

@@ -26,7 +26,7 @@ from rossmarie.verification.message_contracts import (
     STAGES,
 )
 from rossmarie.verification.message_numbers import MessageNumbers
-from rossmarie.verification.program import ANY, claim
+from rossmarie.verification.program import ANY, obligation
 from rossmarie.verification.stages import (
     COUNTED_PARTS,
     IN_RANGE,
@@ -101,7 +101,7 @@ class MessageChecks:
             numbers = Check(f"numbers_{name}", about, parts, is_arithmetic=True)
             yield Written(numbers, self._numbers(channel, name))
             lines, arguments = self._message(channel)
-            lines += [*self._given(channel), f"    is_told[{channel}] = true;"]
+            lines += [*self._given(channel), f"    is_reported[{channel}] = true;"]
             call = f"{self._layout.name}_update_{name}({arguments})"
             received: Parts = (
                 (f"receive_{name}", f"received_{name}"),
@@ -139,7 +139,7 @@ class MessageChecks:
     ) -> Iterator[Written]:
         """A message before any timer is due may take a short way; the long one is always right.
         The short way ends at the first of its guards that is left. What is `idle` does not matter
-        once truths are evaluated.
+        once propositions are evaluated.
         """
         declared = "\n".join(lines)
         late = (*self._parts, ("is_calm", "never_calm"))
@@ -195,7 +195,7 @@ class MessageChecks:
         yield f"    {self._layout.name}_values v;"
         for channel, topic in enumerate(self._layout.places.channel_names):
             yield f"    v.has_{topic} = nondet_number() % 2 != 0;"
-            yield f"    is_told[{channel}] = v.has_{topic};"
+            yield f"    is_reported[{channel}] = v.has_{topic};"
             for number, field in enumerate(self._fields(channel)):
                 member = f"v.{topic}.{field.name}"
                 if field.slot is not None:
@@ -222,7 +222,7 @@ class MessageChecks:
         """It remembers how often it was called, and is given what it is to be called with."""
         name = self._layout.places.channel_names[channel]
         parameters = ["monitor *m", "int64_t t_ns"]
-        given, claims = [], []
+        given, obligations = [], []
         for number, field in enumerate(self._fields(channel)):
             for declared, word in zip(
                 fields.plain_parameters(field), fields.arguments(field), strict=True
@@ -232,13 +232,13 @@ class MessageChecks:
                 parameters.append(f"{kind}{word}")
                 given.append(f"static {kind}{kept};")
                 same = f"spec_same({word}, {kept})" if kind == "double " else f"{word} == {kept}"
-                claims.append(claim(same, f"{word} is handed on"))
+                obligations.append(obligation(same, f"{word} is handed on"))
         return RECEIVED.format(
             name=name,
             channel=channel,
             given="\n".join(given),
             parameters=", ".join(parameters),
-            claims="\n".join(claims),
+            obligations="\n".join(obligations),
         )
 
     def _looked_at(self, channel: int) -> list[tuple[int, fields.Field]]:
@@ -254,18 +254,20 @@ class MessageChecks:
         """The contract of what asks elements beside numbers: they are handed on as they are."""
         if not self._looked_at(channel):
             return ""
-        parameters, claims = ["monitor *m"], list[str]()
+        parameters, obligations = ["monitor *m"], list[str]()
         for number, field in self._looked_at(channel):
             declared = zip(fields.plain_parameters(field), fields.arguments(field), strict=True)
             for parameter, word in declared:
                 kept = f"given_{channel}_{number}{'' if word == field.name else '_count'}"
                 parameters.append(parameter)
-                claims.append(claim(f"{word} == {kept}", f"{word} is handed on to be asked"))
+                obligations.append(
+                    obligation(f"{word} == {kept}", f"{word} is handed on to be asked")
+                )
         return ASKED.format(
             name=self._layout.places.channel_names[channel],
             channel=channel,
             parameters=", ".join(parameters),
-            claims="\n".join(claims),
+            obligations="\n".join(obligations),
             before="PREPARED" if self._beside.signals else "STORED",
         )
 
@@ -306,8 +308,11 @@ class MessageChecks:
             "compute(m, arrived, t_ns)",
         ]
         call = ";\n    ".join(steps)
-        claims = [*self._numbers_mean.meant(channel, names, counts), self._frames.received(channel)]
-        return self._called(lines, call, claims)
+        obligations = [
+            *self._numbers_mean.meant(channel, names, counts),
+            self._frames.received(channel),
+        ]
+        return self._called(lines, call, obligations)
 
     def _step_numbers(self, channel: int, name: str, call: str) -> str:
         names = [f"v.{name}.{field.name}" for field in self._fields(channel)]
@@ -317,8 +322,8 @@ class MessageChecks:
             lines, f"(void){call}", self._numbers_mean.meant(channel, names, counts)
         )
 
-    def _called(self, lines: Iterable[str], call: str, claims: Iterable[str]) -> str:
-        return "\n".join([_ANY_NUMBERS, *lines, _KEPT, f"    {call};", *claims])
+    def _called(self, lines: Iterable[str], call: str, obligations: Iterable[str]) -> str:
+        return "\n".join([_ANY_NUMBERS, *lines, _KEPT, f"    {call};", *obligations])
 
     def _fields(self, channel: int) -> tuple[fields.Field, ...]:
         return fields.fields_of(self._layout, channel)

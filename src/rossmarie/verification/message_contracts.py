@@ -11,7 +11,7 @@ void received_{name}({parameters})
     (void)m;
     __CPROVER_assert(t_ns == asked_ns, "it is handed on at its instant");
     __CPROVER_assert(stage == NOT_STORED, "it is handed on before anything is computed");
-{claims}
+{obligations}
     stage = STORED;
     received_{channel}++;
 }}
@@ -24,7 +24,7 @@ void folded_{name}({parameters})
 {{
     (void)m;
     __CPROVER_assert(stage == {before}, "what stands beside elements is there before");
-{claims}
+{obligations}
     stage = ASKED;
     folded_{channel}++;
 }}

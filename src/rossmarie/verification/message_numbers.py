@@ -1,6 +1,6 @@
-"""Claims about the numbers of a monitor after a message: they are what they mean.
+"""Obligations about the numbers of a monitor after a message: they are what they mean.
 
-Takes the definitions of a machine; gives C claims.
+Takes the definitions of a machine; gives C obligations.
 """
 
 from __future__ import annotations
@@ -11,12 +11,12 @@ from rossmarie.ir import model as ir
 from rossmarie.verification import fields, supports
 from rossmarie.verification.definitions import Definitions, converted
 from rossmarie.verification.layout import Layout
-from rossmarie.verification.program import claim
+from rossmarie.verification.program import obligation
 from rossmarie.verification.turning_points import followed
 
 
 class MessageNumbers:
-    """Writes these claims for one machine."""
+    """Writes these obligations for one machine."""
 
     def __init__(self, layout: Layout, definitions: Definitions) -> None:
         self._layout = layout
@@ -25,8 +25,8 @@ class MessageNumbers:
         self._beside = supports.beside(layout.machine)
 
     def meant(self, channel: int, names: Sequence[str], counts: Sequence[str]) -> list[str]:
-        """The claims about the numbers that a message on a channel makes; its fields have these
-        names.
+        """The obligations about the numbers that a message on a channel makes; its fields have
+        these names.
         """
         return [
             *self._arrived(channel, names, counts),
@@ -60,7 +60,7 @@ class MessageNumbers:
             kept = f"spec_finite(m->value[{self._layout.places.value_of_slot[field.slot]}])"
             meant = f"spec_finite({converted(name, slot.scale, slot.offset)})"
             path = ".".join(map(str, slot.path))
-            yield claim(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
+            yield obligation(f"spec_same({kept}, {meant})", f"{path} is kept as it arrived, in SI")
 
     def _folded(self, array: int, arguments: str) -> Iterator[str]:
         """S23 to S25, S53; `array` may be the first column of a list."""
@@ -68,22 +68,25 @@ class MessageNumbers:
             if self._folds(signal.node, array):
                 kept = f"m->value[{self._layout.value_of_signal[index]}]"
                 meant = f"spec_fold_{index}({arguments})"
-                yield claim(f"spec_same({kept}, {meant})", f"`{signal.text}` is what it means")
-        for truth, value in self._layout.places.value_of_test.items():
-            node = self._machine.truths[truth].node
+                yield obligation(
+                    f"spec_same({kept}, {meant})", f"`{signal.text}` has its defined value"
+                )
+        for proposition, value in self._layout.places.value_of_test.items():
+            node = self._machine.propositions[proposition].node
             if not isinstance(node, ir.Quantified):
                 continue
-            if self._layout.elements.truths[node.element] == array:
-                meant = f"spec_quantified_{truth}({arguments})"
-                about = f"`{self._machine.truths[truth].text}` is what it means"
-                yield claim(f"spec_same(m->value[{value}], {meant})", about)
+            if self._layout.elements.propositions[node.element] == array:
+                meant = f"spec_quantified_{proposition}({arguments})"
+                text = self._machine.propositions[proposition].text
+                about = f"`{text}` has its defined value"
+                yield obligation(f"spec_same(m->value[{value}], {meant})", about)
 
     def _folds(self, node: ir.SignalNode, array: int) -> bool:
         match node:
             case ir.Fold(element=element):
                 return self._layout.elements.signals[element] == array
             case ir.Count(element=element):
-                return self._layout.elements.truths[element] == array
+                return self._layout.elements.propositions[element] == array
             case ir.Constant() | ir.Read() | ir.Apply() | ir.Sampled() | ir.Element():
                 return False
 
@@ -95,18 +98,21 @@ class MessageNumbers:
                 kept = f"m->value[{value}]"
                 if value in covered and not self._definitions.is_never_infinite(index):
                     kept = f"spec_finite({kept})"
-                about = f"`{self._machine.signals[index].text}` is what it means"
-                yield claim(f"spec_same({kept}, spec_signal_{index}(m))", about)
+                about = f"`{self._machine.signals[index].text}` has its defined value"
+                yield obligation(f"spec_same({kept}, spec_signal_{index}(m))", about)
 
     def _tests(self, channel: int) -> Iterator[str]:
         """Comparisons that are kept as numbers: 0, 1 or unknown."""
-        for truth, value in self._layout.places.value_of_test.items():
-            is_here = channel in self._layout.support_of_truth(truth).channels
-            if is_here and not isinstance(self._machine.truths[truth].node, ir.Quantified):
-                kept, meant = f"m->value[{value}]", f"spec_truth_{truth}(m, t_ns)"
+        for proposition, value in self._layout.places.value_of_test.items():
+            is_here = channel in self._layout.support_of_proposition(proposition).channels
+            if is_here and not isinstance(
+                self._machine.propositions[proposition].node, ir.Quantified
+            ):
+                kept, meant = f"m->value[{value}]", f"spec_proposition_{proposition}(m, t_ns)"
                 known = f"{kept} == ({meant} == TRUE ? 1.0 : 0.0)"
-                about = f"`{self._machine.truths[truth].text}` is what it means"
-                yield claim(f"{meant} >= UNKNOWN ? isnan({kept}) : {known}", about)
+                text = self._machine.propositions[proposition].text
+                about = f"`{text}` has its defined value"
+                yield obligation(f"{meant} >= UNKNOWN ? isnan({kept}) : {known}", about)
 
     def _samples(self, channel: int) -> Iterator[str]:
         """S18."""
@@ -119,7 +125,7 @@ class MessageNumbers:
                     f"spec_same(m->latest[{k}], {self._definitions.number(signal)}) && "
                     f"spec_same(m->before[{k}], {kept}[{k}] : old.latest[{k}])"
                 )
-                yield claim(taken, f"the samples of `{text}`")
+                yield obligation(taken, f"the samples of `{text}`")
                 instant = f"m->before_ns[{k}] == ({kept}_ns[{k}] : old.latest_ns[{k}])"
                 about = f"the instant of the sample of `{text}` before"
-                yield claim(f"isnan(m->before[{k}]) || {instant}", about)
+                yield obligation(f"isnan(m->before[{k}]) || {instant}", about)

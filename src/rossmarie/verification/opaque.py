@@ -30,7 +30,7 @@ _NOTHING = "nothing is known of what is not"
 
 
 def functions_of(nodes: Iterable[ir.SignalNode]) -> tuple[tuple[AnyFunction, int], ...]:
-    """The functions with roots and angles: their values matter to no question but their own."""
+    """The functions with roots and angles: their values matter to no query but their own."""
     applied = {
         (node.function, len(node.operands)): None
         for node in nodes
@@ -110,8 +110,8 @@ class Subfunctions:
             found, meant = f"{name}({operands})", f"{name_of_subfunction(each)}({operands})"
             formula = _asked(each.parameters, f"spec_same({found}, {meant})", "it is as defined")
             yield Written(Check(name, f"{about}, as it is defined", is_arithmetic=True), formula)
-            is_told = f"({_known(each.parameters)}) || isnan({found})"
-            unknown = _asked(each.parameters, is_told, _NOTHING)
+            is_reported = f"({_known(each.parameters)}) || isnan({found})"
+            unknown = _asked(each.parameters, is_reported, _NOTHING)
             yield Written(Check(f"{name}_unknown", f"{about}, of what is not known"), unknown)
 
 
@@ -166,7 +166,7 @@ void ignore_sample_window(monitor *m, unsigned k, double x, int64_t t_ns)
 
 
 def parts_of_windows(layout: Layout) -> Parts:
-    """The functions that keep the samples of windows, put them in order and add them. No question
+    """The functions that keep the samples of windows, put them in order and add them. No query
     proves these: they are the same in all machines, and take some thousand comparisons of numbers
     each time.
     """

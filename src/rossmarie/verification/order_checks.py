@@ -12,9 +12,9 @@ from collections.abc import Iterable, Iterator
 from rossmarie.ir import model as ir
 from rossmarie.verification.check import Check, Parts, Passes, Written
 from rossmarie.verification.invariants import Sentence
-from rossmarie.verification.order_contracts import CONTRACTS, PERFORM, TOLD
+from rossmarie.verification.order_contracts import CONTRACTS, PERFORM, REPORTED
 from rossmarie.verification.order_invariants import OrderInvariants
-from rossmarie.verification.program import assertions, assumptions, claim
+from rossmarie.verification.program import assertions, assumptions, obligation
 from rossmarie.verification.reactor_definitions import releases, stages
 from rossmarie.verification.reactor_invariants import ReactorInvariants
 
@@ -64,10 +64,10 @@ class OrderChecks:
     def text(self) -> str:
         """Predicates and contracts."""
         orders = self._orders
-        within = [*self._invariants.always(), *orders.told()]
+        within = [*self._invariants.always(), *orders.reported()]
         return "\n".join(
             [
-                TOLD.format(name=self._name),
+                REPORTED.format(name=self._name),
                 PERFORM.format(name=self._name),
                 *_both("clock", _REACTOR, self._invariants.clock()),
                 *_both("within", _REACTOR, within),
@@ -114,7 +114,7 @@ class OrderChecks:
         yield self._check("pass_on", about, (_DECIDE, _NOTE, _ESCALATE), _PASS_ON)
         yield from self._settle()
         yield from self._react()
-        about = "what became of a task is told"
+        about = "what became of a task is reported"
         settle = ("settle", "end_at_judging")
         yield self._check("report", about, (_CLOCK, settle), _REPORT.format(name=self._name))
 
@@ -157,8 +157,8 @@ class OrderChecks:
 
     def _decide(self) -> str:
         tasks = range(len(self._found.tasks))
-        counted = " + ".join(f"told.count[{task}]" for task in tasks)
-        few = " && ".join(f"told.count[{task}] <= 2" for task in tasks)
+        counted = " + ".join(f"reported.count[{task}]" for task in tasks)
+        few = " && ".join(f"reported.count[{task}] <= 2" for task in tasks)
         return _DECIDED.format(name=self._name, counted=counted, few=few)
 
     def _release(self, rule: int) -> Written:
@@ -166,10 +166,14 @@ class OrderChecks:
         lines = [_WITHIN, _RELEASABLE.format(rule=rule), _RELEASED.format(rule=rule)]
         about = "its tasks are forgotten, those of others go on (R9)"
         tasks = range(len(self._found.tasks))
-        lines += [claim(text.format(index=each), about) for each in tasks for text in _ALIKE_TASK]
+        lines += [
+            obligation(text.format(index=each), about) for each in tasks for text in _ALIKE_TASK
+        ]
         about = "it is not engaged, others are as they were (R9)"
         rules = range(len(self._found.plans))
-        lines += [claim(text.format(index=each), about) for each in rules for text in _ALIKE_RULE]
+        lines += [
+            obligation(text.format(index=each), about) for each in rules for text in _ALIKE_RULE
+        ]
         return self._check(f"release_{rule}", about, (_DECIDE,), "\n".join(lines))
 
     def _start(self, rule: int, stage: int) -> Written:
@@ -183,9 +187,9 @@ class OrderChecks:
         lines.append(_STARTED)
         for task in plan.stages[stage] if stage < len(plan.stages) else ():
             free = f"spec_overruler(r, {task}) < 0"
-            starts = f"({free}) == (told.last[{task}] == START)"
-            lines.append(claim(starts, "what has what it needs starts (R3, R7)"))
-            lines.append(claim(f"r->state[{task}] != IDLE", "nothing is passed over (R3, R7)"))
+            starts = f"({free}) == (reported.last[{task}] == START)"
+            lines.append(obligation(starts, "what has what it needs starts (R3, R7)"))
+            lines.append(obligation(f"r->state[{task}] != IDLE", "nothing is passed over (R3, R7)"))
         parts = (_DECIDE, _NOTE, _ESCALATE)
         return self._check(f"start_{rule}_{stage}", about, parts, "\n".join(lines))
 
@@ -212,7 +216,7 @@ def _both(name: str, parameters: str, sentences: Iterable[Sentence]) -> Iterator
 _WITHIN = """\
     reactor s = any();
     const reactor *const r = &s;
-    told = any_orders();
+    reported = any_orders();
     suppose_within(r);"""
 
 # The stage is set and not supposed: so it is known which tasks start.
@@ -221,13 +225,13 @@ _AT_STAGE = """\
     reactor s = any();
     const reactor *const r = &s;
     s.stage[rule] = {stage};
-    told = any_orders();
+    reported = any_orders();
     suppose_within(r);
     __CPROVER_assume(r->failed_count == 0);"""
 
 _CALL = """\
     const reactor old = s;
-    const orders was = told;
+    const orders was = reported;
     {call};
     must_be_within(r);
     must_be_kept(r, &old, &was);
@@ -292,7 +296,7 @@ _REACT = """\
 
 _REACTS = """\
     reactor s = any();
-    told = any_orders();
+    reported = any_orders();
     before = s;
     looked_at = {rule};
     is_awaited = true;
@@ -302,13 +306,13 @@ _REPORT = """\
     reactor s = any();
     const reactor *const r = &s;
     const int64_t t_ns = nondet_instant();
-    told_of = nondet_integer();
+    reported_of = nondet_integer();
     is_success = nondet_bool();
     suppose_fit(r);
     begin_call(r);
     before = s;
-    {name}_report(&s, NULL, t_ns, told_of, is_success);
-    __CPROVER_assert(told_of < 0 || told_of >= TASKS || t_ns <= EARLIEST || t_ns >= LATEST,
+    {name}_report(&s, NULL, t_ns, reported_of, is_success);
+    __CPROVER_assert(reported_of < 0 || reported_of >= TASKS || t_ns <= EARLIEST || t_ns >= LATEST,
         "only what does not exist or is out of range is refused");
     must_fit(r);"""
 
@@ -317,11 +321,11 @@ _RELEASABLE = """\
     suppose_releasable(r, {rule});"""
 
 _RELEASED = """\
-    const orders was = told;
+    const orders was = reported;
     reactor expected = s;
     spec_release(&expected, {rule});
-    const orders wanted = told;
-    told = was;
+    const orders wanted = reported;
+    reported = was;
     release(&s, {rule});
     must_be_within(r);
     __CPROVER_assert(is_same(r, &expected), "nothing else changes (R9)");"""
@@ -329,8 +333,8 @@ _RELEASED = """\
 _ALIKE_TASK = (
     "r->state[{index}] == expected.state[{index}]",
     "r->since_ns[{index}] == expected.since_ns[{index}]",
-    "told.count[{index}] == wanted.count[{index}]",
-    "told.last[{index}] == wanted.last[{index}]",
+    "reported.count[{index}] == wanted.count[{index}]",
+    "reported.last[{index}] == wanted.last[{index}]",
 )
 
 _ALIKE_RULE = (
@@ -342,11 +346,11 @@ _ALIKE_RULE = (
 _DECIDED = """\
     reactor s = any();
     const reactor *const r = &s;
-    told = any_orders();
+    reported = any_orders();
     const unsigned task = nondet_number(), order = nondet_number(), other = nondet_number();
     const int by_rule = nondet_integer();
     __CPROVER_assume(task < TASKS && order <= GIVEN_UP && by_rule >= -1 && by_rule < RULES);
-    __CPROVER_assume({few} && told.count[task] < 2);
+    __CPROVER_assume({few} && reported.count[task] < 2);
     __CPROVER_assume(r->decided == {counted} && other < r->decided);
     const reactor old = s;
     decide(&s, task, order, by_rule);

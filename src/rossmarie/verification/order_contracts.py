@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-TOLD = """\
+REPORTED = """\
 enum {{
     START = {name}_START,
     STOP = {name}_STOP,
@@ -20,7 +20,7 @@ typedef struct {{
 }} orders;
 orders nondet_orders(void);
 
-static orders told;
+static orders reported;
 
 static orders any_orders(void)
 {{
@@ -36,10 +36,10 @@ static orders any_orders(void)
 static void begin_call(const reactor *r)
 {{
     for (unsigned i = 0; i != TASKS; i++) {{
-        told.count[i] = 0;
-        told.last[i] = NO_ORDER;
-        told.was_holding[i] = r->state[i] == HOLDING;
-        told.was_in_force[i] = told.was_holding[i] || r->state[i] == RUNNING;
+        reported.count[i] = 0;
+        reported.last[i] = NO_ORDER;
+        reported.was_holding[i] = r->state[i] == HOLDING;
+        reported.was_in_force[i] = reported.was_holding[i] || r->state[i] == RUNNING;
     }}
 }}
 
@@ -47,7 +47,7 @@ static void begin_call(const reactor *r)
 void note_decided(reactor *r, unsigned task, unsigned order, int32_t by_rule)
 {{
     __CPROVER_assert(task < TASKS, "orders are about tasks");
-    __CPROVER_assert(told.count[task] < 2, "no task gets more than two orders");
+    __CPROVER_assert(reported.count[task] < 2, "no task gets more than two orders");
     if (order == OVERRULED) {{
         __CPROVER_assert(by_rule >= 0 && by_rule == spec_overruler(r, task),
             "the rule that overrules has what is needed (R7, R8)");
@@ -63,8 +63,8 @@ void note_decided(reactor *r, unsigned task, unsigned order, int32_t by_rule)
     if (order == GIVEN_UP)
         __CPROVER_assert(r->state[task] == FAILED || r->state[task] == OVERDUE,
             "what is given up has failed (R6, R15)");
-    told.count[task]++;
-    told.last[task] = (int)order;
+    reported.count[task]++;
+    reported.last[task] = (int)order;
 }}
 """
 
@@ -73,14 +73,14 @@ CONTRACTS = """\
 static void anything(reactor *r)
 {{
     const reactor old = *r;
-    const orders was = told;
+    const orders was = reported;
     *r = any_reactor();
     r->now_ns = old.now_ns;
     r->opened = old.opened;
-    told = any_orders();
+    reported = any_orders();
     for (unsigned i = 0; i != TASKS; i++) {{
-        told.was_in_force[i] = was.was_in_force[i];
-        told.was_holding[i] = was.was_holding[i];
+        reported.was_in_force[i] = was.was_in_force[i];
+        reported.was_holding[i] = was.was_holding[i];
     }}
 }}
 
@@ -111,8 +111,8 @@ bool set_clock_within(reactor *r, int64_t t_ns)
 
 static void stop(reactor *r, unsigned task)
 {{
-    told.count[task] = 1;
-    told.last[task] = STOP;
+    reported.count[task] = 1;
+    reported.last[task] = STOP;
     r->since_ns[task] = r->now_ns;
 }}
 
@@ -154,7 +154,7 @@ void contract_append_started(reactor *r, unsigned task)
 void contract_escalate(reactor *r)
 {{
     const reactor old = *r;
-    const orders was = told;
+    const orders was = reported;
     must_be_within(r);
     must_be_listed(r);
     anything(r);
@@ -168,7 +168,7 @@ void contract_escalate(reactor *r)
 static void anything_started(reactor *r)
 {{
     const reactor old = *r;
-    const orders was = told;
+    const orders was = reported;
     anything(r);
     suppose_within(r);
     suppose_owned(r);
@@ -241,13 +241,13 @@ void end_at_settle(reactor *r, const {name}_monitor *m)
 
 /* --- of `report` --- */
 
-static int told_of;
+static int reported_of;
 static bool is_success;
 
 void end_at_judging(reactor *r, const {name}_monitor *m)
 {{
     for (int i = 0; i != TASKS; i++) {{
-        const bool runs = i == told_of && before.state[i] == RUNNING;
+        const bool runs = i == reported_of && before.state[i] == RUNNING;
         const unsigned state = runs && !is_success ? FAILED : before.state[i];
         __CPROVER_assert(r->state[i] == state, "a reported failure is one, others go on (R6)");
         __CPROVER_assert(r->reported[i] == (before.reported[i] || (runs && is_success)),

@@ -1,8 +1,8 @@
 """Invariants of the orders of one call of a reactor, as sentences.
 
-Takes the reactions of a machine. `r` is the memory of the reactor; `told` counts the orders that
-the call has decided on so far, and knows what was in force when it began. `old` and `was` are both
-as they were before a part of the call.
+Takes the reactions of a machine. `r` is the memory of the reactor; `reported` counts the orders
+that the call has decided on so far, and knows what was in force when it began. `old` and `was` are
+both as they were before a part of the call.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class OrderInvariants:
 
     # --- what holds within a call ------------------------------------------------------------
 
-    def told(self) -> Iterator[Sentence]:
+    def reported(self) -> Iterator[Sentence]:
         """The decisions so far fit where the tasks stand."""
         for task in self._tasks:
             yield from self._counted(task)
@@ -42,13 +42,15 @@ class OrderInvariants:
 
     def _counted(self, task: int) -> Iterator[Sentence]:
         """Limits: no task gets more than two orders, OVERRULED and FAILED."""
-        state, count = f"r->state[{task}]", f"told.count[{task}]"
+        state, count = f"r->state[{task}]", f"reported.count[{task}]"
         yield Sentence("no task gets more than two orders", f"{count} <= 2")
-        stops = f"{count} <= 1 && (told.last[{task}] == NO_ORDER || told.last[{task}] == STOP)"
+        stops = (
+            f"{count} <= 1 && (reported.last[{task}] == NO_ORDER || reported.last[{task}] == STOP)"
+        )
         engaged = f"r->engaged[{self._rules[task]}]"
         yield Sentence("a task of a rule that is not engaged is told to stop, or nothing",
                        f"{engaged} || ({stops})")  # fmt: skip
-        yield Sentence("a task that has not begun was told nothing",
+        yield Sentence("a task that has not begun was reported nothing",
                        f"!{engaged} || {state} != IDLE || {count} == 0")  # fmt: skip
         yield Sentence("only what fails gets two orders",
                        f"{has_failed(task)} || {count} <= 1")  # fmt: skip
@@ -59,20 +61,22 @@ class OrderInvariants:
         yield Sentence("what is told to wait waits for another rule",
                        f"!{lacks(task)} || {count} == 0 || {is_overruled}")  # fmt: skip
         if task in self._can_fail:
-            yield Sentence("what is to be told of its failure was told once at most",
+            yield Sentence("what is to be told of its failure was reported once at most",
                            f"!{self._is_listed(task)} || {count} <= 1")  # fmt: skip
 
     def _silent(self, task: int) -> Iterator[Sentence]:
         """Nothing comes into force, or goes, without an order."""
-        last = f"told.last[{task}]"
-        yield Sentence("orders are counted", f"({last} == NO_ORDER) == (told.count[{task}] == 0)")
-        kept = f"({last} == NO_ORDER && told.was_in_force[{task}])"
+        last = f"reported.last[{task}]"
+        yield Sentence(
+            "orders are counted", f"({last} == NO_ORDER) == (reported.count[{task}] == 0)"
+        )
+        kept = f"({last} == NO_ORDER && reported.was_in_force[{task}])"
         yield Sentence("what is in force was told to start",
                        f"!{in_force(task)} || {last} == START || {kept}")  # fmt: skip
-        fine = [f"!told.was_in_force[{task}]", in_force(task), f"{last} != NO_ORDER"]
+        fine = [f"!reported.was_in_force[{task}]", in_force(task), f"{last} != NO_ORDER"]
         fine += [f"r->state[{task}] == DONE", self._is_listed(task)]
         yield Sentence("what is no longer in force was told so, or is done", " || ".join(fine))
-        fine = [f"!told.was_holding[{task}]", f"r->state[{task}] == HOLDING"]
+        fine = [f"!reported.was_holding[{task}]", f"r->state[{task}] == HOLDING"]
         fine.append(f"{last} != NO_ORDER")
         yield Sentence("what holds does not end without an order", " || ".join(fine))
 
@@ -152,11 +156,11 @@ class OrderInvariants:
             yield Sentence("what does not follow from failures stays as it is",
                            f"{may_begin} || ({_same(task)})")  # fmt: skip
             was_listed = self._is_listed(task).replace("r->", "old->")
-            yield Sentence("what has not failed is told nothing",
+            yield Sentence("what has not failed is reported nothing",
                            f"{may_begin} || {was_listed} || ({_untold(task)})")  # fmt: skip
             if task in self._can_fail:
                 yield Sentence("what has failed is told so at last (R6)",
-                               f"!{was_listed} || told.last[{task}] == GIVEN_UP")  # fmt: skip
+                               f"!{was_listed} || reported.last[{task}] == GIVEN_UP")  # fmt: skip
             if task in self._follows:
                 free = f"spec_overruler(r, {task}) < 0"
                 fits = f"(!{in_force(task)} || {free}) && (!{lacks(task)} || !({free}))"
@@ -175,7 +179,7 @@ class OrderInvariants:
         """Before resources change hands."""
         for task in self._tasks:
             engaged = f"r->engaged[{self._rules[task]}]"
-            yield Sentence("releases come first (R1)", f"!{engaged} || told.count[{task}] == 0")
+            yield Sentence("releases come first (R1)", f"!{engaged} || reported.count[{task}] == 0")
 
     def unbegun(self) -> Iterator[Sentence]:
         """Before `rule` starts."""
@@ -208,8 +212,8 @@ class OrderInvariants:
             yield Sentence("an engaged rule is released",
                            f"rule != {rule} || r->engaged[{rule}]")  # fmt: skip
             for task in plan.tasks:
-                forced = f"told.was_in_force[{task}] == {in_force(task)}"
-                held = f"told.was_holding[{task}] == (r->state[{task}] == HOLDING)"
+                forced = f"reported.was_in_force[{task}] == {in_force(task)}"
+                held = f"reported.was_holding[{task}] == (r->state[{task}] == HOLDING)"
                 yield Sentence("its tasks are as they were before the call",
                                f"rule != {rule} || ({forced} && {held})")  # fmt: skip
 
@@ -274,7 +278,9 @@ def _same(task: int) -> str:
 
 
 def _untold(task: int) -> str:
-    return f"told.count[{task}] == was->count[{task}] && told.last[{task}] == was->last[{task}]"
+    return " && ".join(
+        f"reported.{each}[{task}] == was->{each}[{task}]" for each in ("count", "last")
+    )
 
 
 def _confirmed(effect: reactions.Effect) -> str:

@@ -22,7 +22,9 @@ from rossmarie.targets.c99.types import fields_of
 
 @dataclass(frozen=True)
 class Watched:
-    """A guard: the number that it watches, the truths that it tells, how many limits it has."""
+    """A guard: the number that it watches, the propositions that it tells, how many limits it
+    has.
+    """
 
     value: int
     leaves: tuple[int, ...]
@@ -42,7 +44,7 @@ class Places:
     value_of_slot: tuple[int, ...]
     value_of_signal: Mapping[int, int]
     value_of_test: Mapping[int, int]
-    node_of_truth: Mapping[int, int]
+    node_of_proposition: Mapping[int, int]
     guards: tuple[Watched, ...]
     held: tuple[int, ...]
     sinces: tuple[int, ...]
@@ -70,7 +72,7 @@ def places_of(machine: ir.Machine) -> Places:
         value_of_slot=found.value_of_slot,
         value_of_signal=found.value_of_signal,
         value_of_test=found.value_of_test,
-        node_of_truth=found.node_of_truth,
+        node_of_proposition=found.node_of_proposition,
         guards=tuple(
             Watched(guard.value, tuple(guard.leaves), len(guard.limits)) for guard in found.guards
         ),

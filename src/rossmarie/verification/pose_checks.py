@@ -2,7 +2,7 @@
 
 Takes a machine; gives C functions. The numbers come from the reactions, not from the tables that
 the generator makes. Elsewhere memories do nothing: they change only their own members, of which all
-other questions take any, and the one order that each retracing task gets is shown to have room.
+other queries take any, and the one order that each retracing task gets is shown to have room.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import Sentence
 from rossmarie.verification.places import name_of
 from rossmarie.verification.pose_contracts import CONTRACTS, PARTS
-from rossmarie.verification.program import assertions, assumptions, claim
+from rossmarie.verification.program import assertions, assumptions, obligation
 
 _IS_NEW: Parts = (("is_new_pose", "any_new_pose"),)
 _IS_APART: Parts = (("is_apart", "note_compared"),)
@@ -85,8 +85,8 @@ class PoseChecks:
         if not self._memories:
             return ""
         room = "\n".join(
-            claim(
-                f"r->state[{task}] != HOLDING || told.count[{task}] <= 1",
+            obligation(
+                f"r->state[{task}] != HOLDING || reported.count[{task}] <= 1",
                 "there is room for the order to send a pose (R17)",
             )
             for task, _ in self._retraces
@@ -142,7 +142,7 @@ class PoseChecks:
         yield self._check("begin", "a task that starts sends at once", self._begin())
         yield self._check("set_back", "poses keep their age", self._set_back())
         yield self._check("forget", "memories begin empty", self._forget())
-        yield self._check("retraced", "the pose that is sent is told", self._retraced())
+        yield self._check("retraced", "the pose that is sent is reported", self._retraced())
 
     def _check(self, name: str, about: str, body: str, parts: Parts = ()) -> Written:
         return Written(Check(f"poses_{name}", about, parts, self._loops()), body)
@@ -184,7 +184,7 @@ class PoseChecks:
                 f"    const double pose[] = {{{any_pose}}}, last[] = {{{any_pose}}};",
                 "    const int64_t age_ns = nondet_instant();",
                 f"    const bool is_far = ({differs}) && {far} && {late};",
-                claim(f"is_apart({each.index}, pose, last, age_ns) == is_far", about),
+                obligation(f"is_apart({each.index}, pose, last, age_ns) == is_far", about),
             ]
         )
 
@@ -198,13 +198,13 @@ class PoseChecks:
         lines.append(f"    const bool found = is_new_pose(r, {index}, pose);")
         meant = f"r->poses_kept[{index}] == 0 || is_new[{index}]"
         about = "a pose is new if it is the first, or apart from the last one (R16)"
-        lines.append(claim(f"found == ({meant})", about))
+        lines.append(obligation(f"found == ({meant})", about))
         lines.append(f"    if (r->poses_kept[{index}] == 0)\n        return;")
         same = [_same(f"compared[{n}]", f"r->poses[newest + {n}]") for n in each.numbers]
         about = "it is compared with the newest pose (R16)"
-        lines.append(claim(" && ".join(["compared_to == pose", *same]), about))
+        lines.append(obligation(" && ".join(["compared_to == pose", *same]), about))
         age = f"r->now_ns - r->pose_recorded_ns[{index}]"
-        lines.append(claim(f"compared_ns == {age}", "it is known how old that is (R16)"))
+        lines.append(obligation(f"compared_ns == {age}", "it is known how old that is (R16)"))
         return "\n".join(lines)
 
     def _record(self, each: _Memory) -> str:
@@ -219,30 +219,32 @@ class PoseChecks:
             f"    const bool is_used = {used}, is_known = {known};",
             f"    const bool is_recorded = !is_used && is_known && is_new[{index}];",
             f"    const bool is_full = old.poses_kept[{index}] == {most};",
-            claim(f"r->poses_known[{index}] == is_known", "a pose is known if finite (R16)"),
-            claim(
+            obligation(f"r->poses_known[{index}] == is_known", "a pose is known if finite (R16)"),
+            obligation(
                 f"r->poses_kept[{index}] == old.poses_kept[{index}] + (is_recorded && !is_full)",
                 "a new pose is kept, also instead of the oldest (R16)",
             ),
         ]
         since = f"is_recorded ? old.now_ns : old.pose_recorded_ns[{index}]"
         lines.append(
-            claim(f"r->pose_recorded_ns[{index}] == ({since})", "it is known since when (R16)")
+            obligation(f"r->pose_recorded_ns[{index}] == ({since})", "it is known since when (R16)")
         )
         oldest = f"(old.poses_oldest[{index}] + (is_recorded && is_full)) % {most}u"
         lines.append(
-            claim(f"r->poses_oldest[{index}] == {oldest}", "the oldest makes room if full (R16)")
+            obligation(
+                f"r->poses_oldest[{index}] == {oldest}", "the oldest makes room if full (R16)"
+            )
         )
         newest = each.pose("r->", f"(r->poses_kept[{index}] - 1u)")
         lines.append(f"    const unsigned newest = {newest};")
         for number, now in enumerate(reading):
             same = _same(f"r->poses[newest + {number}]", now)
-            lines.append(claim(f"!is_recorded || {same}", "the new pose is the newest (R16)"))
+            lines.append(obligation(f"!is_recorded || {same}", "the new pose is the newest (R16)"))
         lines.append("    const unsigned i = nondet_number();")
         lines.append(f"    __CPROVER_assume(i >= {each.first}u && i < {each.end}u);")
         inside = f"is_recorded && i >= newest && i < newest + {len(reading)}"
         same = _same("r->poses[i]", "old.poses[i]")
-        lines.append(claim(f"({inside}) || {same}", "other poses stay as they were (R16)"))
+        lines.append(obligation(f"({inside}) || {same}", "other poses stay as they were (R16)"))
         return "\n".join(lines)
 
     def _due_of(self, index: int, reactor: str, kept: str = "") -> str:
@@ -259,26 +261,26 @@ class PoseChecks:
         lines = [_ANY_POSES]
         for index in range(len(self._retraces)):
             same = f"pose_due(r, {index}) == {self._due_of(index, 'r->')}"
-            lines.append(claim(same, "a task that holds sends in each period (R17)"))
+            lines.append(obligation(same, "a task that holds sends in each period (R17)"))
         lines.append(_unchanged())
         return "\n".join(lines)
 
     def _wake(self) -> str:
         lines = [_ANY_POSES, "    const int64_t given_ns = nondet_instant();"]
         lines.append("    const int64_t wake_ns = pose_wake(r, given_ns);")
-        lines.append(claim("wake_ns <= given_ns", "nothing else is missed (R13)"))
+        lines.append(obligation("wake_ns <= given_ns", "nothing else is missed (R13)"))
         ends = ["wake_ns == given_ns"]
         for index in range(len(self._retraces)):
             due = self._due_of(index, "r->")
             missed = f"{due} > r->now_ns && {due} < wake_ns"
-            lines.append(claim(f"!({missed})", "no pose is missed (R13)"))
+            lines.append(obligation(f"!({missed})", "no pose is missed (R13)"))
             ends.append(f"(wake_ns == {due} && {due} > r->now_ns)")
-        lines.append(claim(" || ".join(ends), "something is due then (R13)"))
+        lines.append(obligation(" || ".join(ends), "something is due then (R13)"))
         lines.append(_unchanged())
         return "\n".join(lines)
 
     def _send(self) -> str:
-        lines = [_ANY_POSES, "    told = (orders){0};", "    pose_send(&s);"]
+        lines = [_ANY_POSES, "    reported = (orders){0};", "    pose_send(&s);"]
         lines += [f"    unsigned kept_{each.index} = old.poses_kept[{each.index}];"
                   for each in self._memories]  # fmt: skip
         for index, (task, effect) in enumerate(self._retraces):
@@ -288,20 +290,28 @@ class PoseChecks:
             lines.append(f"        const unsigned newest = {memory.pose('old.', kept)};")
             for n in memory.numbers:
                 same = _same(f"r->poses_sent[{index}][{n}]", f"old.poses[newest + {n}]")
-                lines.append(claim(same, "the newest pose goes first (R17)"))
+                lines.append(obligation(same, "the newest pose goes first (R17)"))
             since = f"r->pose_sent_ns[{index}]"
-            lines.append(claim(f"{since} == old.now_ns", "it is known when it was sent (R17)"))
-            lines.append(claim(f"told.count[{task}] == 1", "the task is told to send it (R17)"))
+            lines.append(obligation(f"{since} == old.now_ns", "it is known when it was sent (R17)"))
+            lines.append(
+                obligation(f"reported.count[{task}] == 1", "the task is told to send it (R17)")
+            )
             lines.append("    } else {")
             for number in memory.numbers:
                 sent, was = (f"{each}poses_sent[{index}][{number}]" for each in ("r->", "old."))
-                lines.append(claim(_same(sent, was), "the pose that was sent is still told"))
-            lines.append(claim(f"{since} == old.pose_sent_ns[{index}]", "nothing was sent (R17)"))
-            lines.append(claim(f"told.count[{task}] == 0", "it sends when it is time (R17)"))
+                lines.append(
+                    obligation(_same(sent, was), "the pose that was sent is still reported")
+                )
+            lines.append(
+                obligation(f"{since} == old.pose_sent_ns[{index}]", "nothing was sent (R17)")
+            )
+            lines.append(
+                obligation(f"reported.count[{task}] == 0", "it sends when it is time (R17)")
+            )
             lines.append("    }")
         for memory in self._memories:
             same = f"r->poses_kept[{memory.index}] == kept_{memory.index}"
-            lines.append(claim(same, "what is sent is kept no more (R17)"))
+            lines.append(obligation(same, "what is sent is kept no more (R17)"))
         return "\n".join(lines)
 
     def _begin(self) -> str:
@@ -310,7 +320,7 @@ class PoseChecks:
         for index, (task, _) in enumerate(self._retraces):
             meant = f"task == {task} ? NEVER : old.pose_sent_ns[{index}]"
             same = f"r->pose_sent_ns[{index}] == ({meant})"
-            lines.append(claim(same, "it has sent nothing since it started (R17)"))
+            lines.append(obligation(same, "it has sent nothing since it started (R17)"))
         lines.append(_unchanged("pose_sent_ns"))
         return "\n".join(lines)
 
@@ -322,16 +332,16 @@ class PoseChecks:
             age = f"old.now_ns - old.{member}"
             kept = f"r->{member} == t_ns - ({age} < LONGEST ? {age} : LONGEST)"
             never = f"old.{member} == NEVER ? r->{member} == NEVER : {kept}"
-            lines.append(claim(never, "ages stay (R14)"))
+            lines.append(obligation(never, "ages stay (R14)"))
         lines.append(_unchanged(*_TIMES))
         lines.append("    s.now_ns = t_ns;\n    must_be_poses(r);")
         return "\n".join(lines)
 
     def _forget(self) -> str:
         lines = ["    static reactor s;\n    const reactor *const r = &s;\n    pose_forget(&s);"]
-        lines += [claim(f"r->{each} == NEVER", "nothing was sent or recorded (R16)")
+        lines += [obligation(f"r->{each} == NEVER", "nothing was sent or recorded (R16)")
                   for each in self._instants()]  # fmt: skip
-        lines += [claim(f"r->poses_kept[{each.index}] == 0", "a memory begins empty (R16)")
+        lines += [obligation(f"r->poses_kept[{each.index}] == 0", "a memory begins empty (R16)")
                   for each in self._memories]  # fmt: skip
         lines.append("    s.now_ns = EARLIEST;\n    must_be_poses(r);")
         return "\n".join(lines)
@@ -348,11 +358,13 @@ class PoseChecks:
         none = []
         for index, (task, effect) in enumerate(self._retraces):
             numbers = self._memories[effect.memory].numbers
-            told = [_same(f"pose[{n}]", f"r->poses_sent[{index}][{n}]") for n in numbers]
-            holds = " && ".join([f"count == {len(numbers)}", *told])
-            lines.append(claim(f"task != {task} || ({holds})", "it is the pose sent last (R17)"))
+            reported = [_same(f"pose[{n}]", f"r->poses_sent[{index}][{n}]") for n in numbers]
+            holds = " && ".join([f"count == {len(numbers)}", *reported])
+            lines.append(
+                obligation(f"task != {task} || ({holds})", "it is the pose sent last (R17)")
+            )
             none.append(f"task == {task}")
-        lines.append(claim(" || ".join([*none, "count == 0"]), "others send none (R17)"))
+        lines.append(obligation(" || ".join([*none, "count == 0"]), "others send none (R17)"))
         lines.append(_unchanged())
         return "\n".join(lines)
 
@@ -367,7 +379,7 @@ def _same(one: str, other: str) -> str:
 
 
 def _unchanged(*members: str) -> str:
-    """Claims that every byte outside of these members is as it was."""
+    """Obligations that every byte outside of these members is as it was."""
     places = [f"(byte >= offsetof(reactor, {m}) && byte < offsetof(reactor, {m}) + sizeof s.{m})"
               for m in members]  # fmt: skip
     bytes_of = "((const unsigned char *){})[byte]"
@@ -376,7 +388,7 @@ def _unchanged(*members: str) -> str:
         [
             "    const unsigned byte = nondet_number();",
             "    __CPROVER_assume(byte < sizeof s);",
-            claim(" || ".join([*places, same]), "nothing else changes"),
+            obligation(" || ".join([*places, same]), "nothing else changes"),
         ]
     )
 

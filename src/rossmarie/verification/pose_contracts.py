@@ -98,6 +98,6 @@ void note_sent(reactor *r, unsigned task, unsigned order, int32_t by_rule)
     (void)r;
     __CPROVER_assert(task < TASKS, "orders are about tasks");
     __CPROVER_assert(order == {name}_RETRACE && by_rule == -1, "it is the order to send a pose");
-    told.count[task]++;
+    reported.count[task]++;
 }}
 """

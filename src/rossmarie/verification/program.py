@@ -41,11 +41,11 @@ def assumptions(sentences: Sequence[Sentence]) -> str:
 
 
 def assertions(sentences: Sequence[Sentence]) -> str:
-    """Statements that claim the sentences, each under its name."""
-    return "\n".join(claim(sentence.holds, sentence.about) for sentence in sentences)
+    """Assertions of the sentences, each under its name."""
+    return "\n".join(obligation(sentence.holds, sentence.about) for sentence in sentences)
 
 
-def claim(holds: str, about: str) -> str:
-    """A statement that claims something."""
+def obligation(holds: str, about: str) -> str:
+    """An assertion."""
     plain = about.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ")
     return f'    __CPROVER_assert({holds}, "{plain}");'

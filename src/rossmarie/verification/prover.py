@@ -34,10 +34,10 @@ _SCRIPTS = sysconfig.get_path("scripts")
 """The folder of the programs that Python packages bring."""
 
 _SAT = ("--external-sat-solver", "cadical")
-"""A SAT solver, which decides hundreds of claims about states and instants at once."""
+"""A SAT solver, which decides hundreds of obligations about states and instants at once."""
 
 _OWN_SAT: tuple[str, ...] = ()
-"""CBMC's own SAT solver, which goes on from one claim that does not hold to the next."""
+"""CBMC's own SAT solver, which goes on from one obligation that does not hold to the next."""
 
 _SMT = ("--smt2", "--fpa")
 """z3, which sees floating-point arithmetic as such: two sums of the same numbers are the same to it
@@ -51,14 +51,18 @@ _ANY_ARITHMETIC = ("--smt2", "--no-unwinding-assertions")
 """The same, to which sums, products and quotients are any functions of their operands."""
 
 _LISTING = 10
-"""For how many seconds claims that do not hold are looked for, once it is known that some do."""
+"""For how many seconds obligations that do not hold are looked for, once it is known that some
+do.
+"""
 
 _MOST = 600
-"""The most seconds that anything may take that answers no question."""
+"""The most seconds that anything may take that answers no query."""
 
 
 class _Step(NamedTuple):
-    """Solvers that are asked about so many claims together, each for so many seconds at most."""
+    """Solvers that are asked about so many obligations together, each for so many seconds at
+    most.
+    """
 
     size: int
     seconds: int
@@ -126,7 +130,7 @@ class Prover:
 
     @contextmanager
     def workshop(self) -> Iterator[Path]:
-        """A folder for programs and questions, for as long as it is needed."""
+        """A folder for programs and queries, for as long as it is needed."""
         with tempfile.TemporaryDirectory(prefix="rossmarie_") as folder:
             for name, text in SCRIPTS.items():
                 script = Path(folder) / name
@@ -140,15 +144,15 @@ class Prover:
         self._must(["goto-cc", "-c", "-o", f"{harness.name}.goto", f"{harness.name}.c"], folder)
 
     def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> Outcome:
-        """Ask about a check in a folder with its program. No single question is given more than so
+        """Ask about a check in a folder with its program. No single query is given more than so
         many seconds of a processor.
         """
         command = ["cbmc", self._compile(harness, check, folder), "--json-ui"]
         command += ["--unwind", str(harness.passes), *_unwound(check)]
         listed = _messages(self._must([*command, "--show-properties"], folder))
         names = [each["name"] for message in listed for each in message.get("properties", ())]
-        question = _Question([*command, "--slice-formula"], folder, seconds)
-        answers = self._answers(question, names, is_arithmetic=check.is_arithmetic)
+        query = _Query([*command, "--slice-formula"], folder, seconds)
+        answers = self._answers(query, names, is_arithmetic=check.is_arithmetic)
         reasons = tuple(reason for answer in answers for reason in answer[1])
         return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
@@ -167,59 +171,59 @@ class Prover:
         return program
 
     def _answers(
-        self, question: _Question, names: Sequence[str], *, is_arithmetic: bool
+        self, query: _Query, names: Sequence[str], *, is_arithmetic: bool
     ) -> Sequence[_Answer]:
-        """Ask for everything at once; where that is too hard, for fewer and fewer claims, and once
-        whether loops end.
+        """Ask for everything at once; where that is too hard, for fewer and fewer obligations, and
+        once whether loops end.
         """
         forbidden = [name for name in names if not _is_ours(name)]
         ours = [name for name in names if _is_ours(name)]
         found: list[_Answer] = []
         if is_arithmetic:
-            found += self._narrowed(question, forbidden, _FORBIDDEN) if forbidden else ()
-            found += self._narrowed(question, ours, _SENTENCES) if ours else ()
+            found += self._narrowed(query, forbidden, _FORBIDDEN) if forbidden else ()
+            found += self._narrowed(query, ours, _SENTENCES) if ours else ()
         else:
-            found += self._narrowed(question, names, [_WHOLE])
+            found += self._narrowed(query, names, [_WHOLE])
             if found[-1][0] is not Verdict.UNDECIDED:
                 return found
             found.pop()
             steps = _STATES if len(names) > _STATES[0].size else _LAST
-            found += self._narrowed(question, names, steps)
-        return [*found, self._ask(question, (forbidden or names)[:1], [_SAT, _SMT])]
+            found += self._narrowed(query, names, steps)
+        return [*found, self._ask(query, (forbidden or names)[:1], [_SAT, _SMT])]
 
     def _narrowed(
-        self, question: _Question, names: Sequence[str], steps: Sequence[_Step]
+        self, query: _Query, names: Sequence[str], steps: Sequence[_Step]
     ) -> Iterator[_Answer]:
-        """Ask for so many claims at a time; what is too hard is left to finer steps."""
+        """Ask for so many obligations at a time; what is too hard is left to finer steps."""
         step, *finer = steps
         for first in range(0, max(len(names), 1), step.size):
             group = names[first : first + step.size]
-            answer = self._ask(question.within(step.seconds), group, step.solvers)
+            answer = self._ask(query.within(step.seconds), group, step.solvers)
             if answer[0] is Verdict.REFUTED and not answer[1]:
                 yield answer  # whatever other solvers say: where they disagree, nothing is proved
-                answer = self._ask(question.within(_LISTING), group, [_OWN_SAT])
+                answer = self._ask(query.within(_LISTING), group, [_OWN_SAT])
             others = [each for each in finer if each.size < len(group) or each[1:] != step[1:]]
             if answer[0] is Verdict.UNDECIDED and others:
-                yield from self._narrowed(question, group, others)
+                yield from self._narrowed(query, group, others)
             else:
                 yield answer
 
     def _ask(
         self,
-        question: _Question,
+        query: _Query,
         names: Sequence[str],
         solvers: Sequence[Sequence[str]],
     ) -> _Answer:
-        """Ask for some claims, or for all if none is named, all solvers at once; the first answer
-        counts.
+        """Ask for some obligations, or for all if none is named, all solvers at once; the first
+        answer counts.
         """
         with ExitStack() as stack:
             started = [
                 stack.enter_context(
                     self._start(
-                        [*question.command, *_named(names), *solver],
-                        question.folder,
-                        question.seconds,
+                        [*query.command, *_named(names), *solver],
+                        query.folder,
+                        query.seconds,
                     )
                 )
                 for solver in solvers
@@ -228,7 +232,7 @@ class Prover:
         if found is not None:
             return found
         about = ", ".join(names)
-        return Verdict.UNDECIDED, (f"no answer within {question.seconds} s: {about}",)
+        return Verdict.UNDECIDED, (f"no answer within {query.seconds} s: {about}",)
 
     def _must(self, command: Sequence[str], folder: Path) -> str:
         with self._start(command, folder, _MOST) as started:
@@ -245,14 +249,14 @@ class Prover:
 
 
 @dataclass(frozen=True)
-class _Question:
+class _Query:
     """The call of CBMC: its arguments, the place, and the time that it may take."""
 
     command: Sequence[str]
     folder: Path
     seconds: int
 
-    def within(self, seconds: int) -> _Question:
+    def within(self, seconds: int) -> _Query:
         """The same for no longer than this."""
         return replace(self, seconds=min(self.seconds, seconds))
 

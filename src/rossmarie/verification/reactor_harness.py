@@ -17,7 +17,7 @@ from rossmarie.verification.harness import Harness
 from rossmarie.verification.order_checks import OrderChecks
 from rossmarie.verification.places import name_of
 from rossmarie.verification.pose_checks import PoseChecks
-from rossmarie.verification.program import PRELUDE, assertions, assumptions, claim
+from rossmarie.verification.program import PRELUDE, assertions, assumptions, obligation
 from rossmarie.verification.reactor_definitions import overruler
 from rossmarie.verification.reactor_invariants import ReactorInvariants
 
@@ -86,16 +86,16 @@ class _Writer:
 
     def _next_wake(self) -> str:
         lines = [ANY_REACTOR, f"    const int64_t wake_ns = {self._name}_reactor_next_wake(r);"]
-        lines.append(claim("wake_ns > r->now_ns", "it is after the last look (R13)"))
+        lines.append(obligation("wake_ns > r->now_ns", "it is after the last look (R13)"))
         ends = ["wake_ns == NEVER"]
         for index, task in enumerate(self._found.tasks):
             if timeout := reactions.timeout_ns(task.effect):
                 due = f"r->since_ns[{index}] + INT64_C({timeout})"
                 is_open = f"(r->state[{index}] == RUNNING || r->state[{index}] == WAITING)"
                 missed = f"{is_open} && {due} > r->now_ns && wake_ns > {due}"
-                lines.append(claim(f"!({missed})", "no end is missed (R13)"))
+                lines.append(obligation(f"!({missed})", "no end is missed (R13)"))
                 ends.append(f"({is_open} && wake_ns == {due})")
-        lines.append(claim(" || ".join(ends), "something ends then (R13)"))
+        lines.append(obligation(" || ".join(ends), "something ends then (R13)"))
         return "\n".join(lines)
 
     def _parts(self) -> Iterator[Written]:
@@ -110,7 +110,7 @@ class _Writer:
             goes_on = " && ".join([_is_on(rule), *(f"!({_is_on(other)})" for other in plan.unless)])
             engaged = f"r->engaged[{rule}] == (is_looked ? {goes_on} : old.engaged[{rule}])"
             about = "a rule is engaged if it is active, not exempted and does not give way (R1)"
-            lines.append(claim(engaged, about))
+            lines.append(obligation(engaged, about))
         return "\n".join(lines)
 
     def _memory(self) -> str:
@@ -128,25 +128,27 @@ class _Writer:
         for task in range(len(self._found.tasks)):
             since, before = f"r->since_ns[{task}]", f"old.since_ns[{task}]"
             forward = f"r->now_ns < old.now_ns || {since} == {before}"
-            lines.append(claim(forward, "time goes on"))
+            lines.append(obligation(forward, "time goes on"))
             never = f"({before} == NEVER) == ({since} == NEVER)"
-            lines.append(claim(never, "what has begun stays so"))
+            lines.append(obligation(never, "what has begun stays so"))
             age = f"old.now_ns - {before}"
             kept = f"{since} == t_ns - ({age} < LONGEST ? {age} : LONGEST)"
             lines.append(
-                claim(f"r->now_ns >= old.now_ns || {before} == NEVER || {kept}", "ages stay (R14)")
+                obligation(
+                    f"r->now_ns >= old.now_ns || {before} == NEVER || {kept}", "ages stay (R14)"
+                )
             )
-        lines += [claim(each.holds, each.about) for each in self._invariants.clock()]
+        lines += [obligation(each.holds, each.about) for each in self._invariants.clock()]
         return "\n".join(lines)
 
 
 def _prefixed(written: Written) -> Written:
-    """Told apart from what is asked about the monitor."""
+    """Distinguished from what is asked about the monitor."""
     return replace(written, check=replace(written.check, name=f"reactor_{written.check.name}"))
 
 
 def _is_on(rule: int) -> str:
-    return f"active[{rule}] && !(is_told && exempted[{rule}] != 0)"
+    return f"active[{rule}] && !(is_reported && exempted[{rule}] != 0)"
 
 
 _MEMORY = """\
@@ -210,7 +212,7 @@ static reactor any(void)
 _WATCHED = """
 static bool watched[{watches}];
 
-enum {name}_truth {name}_watch(const {name}_monitor *m, int watch)
+enum {name}_proposition {name}_watch(const {name}_monitor *m, int watch)
 {{
     (void)m;
     __CPROVER_assert(watch >= 0 && watch < {watches}, "what is asked about is a confirmation");
@@ -246,8 +248,8 @@ void ignore_settle(reactor *r, const {name}_monitor *m)
 _REACT = """\
     const reactor old = s;
     const bool is_looked = t_ns > EARLIEST && t_ns < LATEST;
-    const bool is_told = nondet_bool();
-    {name}_react(&s, NULL, is_told ? exempted : NULL, t_ns);"""
+    const bool is_reported = nondet_bool();
+    {name}_react(&s, NULL, is_reported ? exempted : NULL, t_ns);"""
 
 _INIT = """\
     reactor s = any();
@@ -272,7 +274,7 @@ _TASK_STATE = f"""\
     if (task < 0 || task >= TASKS)
         __CPROVER_assert(state == IDLE, "what does not exist does nothing");
     else
-        __CPROVER_assert(state == r->state[task], "it is told as it is");"""
+        __CPROVER_assert(state == r->state[task], "it is reported as it is");"""
 
 _SET_CLOCK = """\
     const reactor old = s;

@@ -1,6 +1,6 @@
 """Invariants of a reactor, between two calls and within one, as sentences over its memory.
 
-Takes the reactions of a machine; what is claimed is read off them, by the rules of
+Takes the reactions of a machine; what has to be proved is read off them, by the rules of
 `docs/explanation/reactions.md`, and not off the tables that the generator makes of them.
 """
 

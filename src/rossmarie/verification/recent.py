@@ -1,6 +1,6 @@
 """Recent instants: the turning points and edges that a monitor keeps, as C over its memory `m`.
 
-Takes a layout; `k` counts the truths that rest on them, as it lists these.
+Takes a layout; `k` counts the propositions that rest on them, as it lists these.
 """
 
 from __future__ import annotations
@@ -10,8 +10,8 @@ from rossmarie.verification.layout import Layout
 
 
 def recent(layout: Layout, k: int) -> ir.Oscillates | ir.Recurs:
-    """The k-th of the truths that count turning points or edges."""
-    node = layout.machine.truths[layout.recent[k]].node
+    """The k-th of the propositions that count turning points or edges."""
+    node = layout.machine.propositions[layout.recent[k]].node
     assert isinstance(node, ir.Oscillates | ir.Recurs), "the layout lists them"
     return node
 
@@ -28,13 +28,13 @@ def window_end(layout: Layout, k: int) -> str:
 
 
 def enough(layout: Layout, k: int) -> str:
-    """State that so many lie in the window as the truth asks for (S32, S48)."""
+    """State that so many lie in the window as the proposition asks for (S32, S48)."""
     return f"(m->recent_count[{k}] == {recent(layout, k).count} && t_ns < {window_end(layout, k)})"
 
 
-def recurs(layout: Layout, truth: int, operand: str) -> str:
+def recurs(layout: Layout, proposition: int, operand: str) -> str:
     """S48: known edges are facts; where these are too few, what was not seen counts."""
-    k = layout.recent.index(truth)
+    k = layout.recent.index(proposition)
     end = f"m->gap_end_ns[{k}]"
     near = f"{end} != NEVER && t_ns - {end} < INT64_C({recent(layout, k).window_ns})"
     otherwise = f"{operand} >= UNKNOWN ? {operand} : {near} ? m->gap[{k}] : FALSE"

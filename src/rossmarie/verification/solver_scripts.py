@@ -2,13 +2,14 @@
 
 _CADICAL = """\
 #!/bin/sh
-# Most claims hold, so it is told to expect that nothing contradicts them: several times as fast.
+# Most obligations hold, so it is told to expect that nothing contradicts them: several times as
+# fast.
 PATH=${PATH#*:}
 exec cadical --unsat "$@"
 """
 
 _Z3 = r"""#!/bin/sh
-# By its own choice z3 puts equations into each other first, which for many claims has no end.
+# By its own choice z3 puts equations into each other first, which for many obligations has no end.
 PATH=${PATH#*:}
 for file; do :; done # the last of the arguments
 name='float_bv[.]floatbv_[^ ]+'

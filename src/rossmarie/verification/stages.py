@@ -46,7 +46,7 @@ IN_RANGE = "    __CPROVER_assume(m->now_ns > EARLIEST && m->wake_ns <= LATEST);"
 _CLOCK = '    __CPROVER_assert(m->now_ns == t_ns, "the clock is set");'
 RESTS = f"{_CLOCK}\n    must_be_at_rest(m, t_ns);"
 
-_TOLD = "    must_be_told(m, &base);"
+_REPORTED = "    must_be_reported(m, &base);"
 AS_IT_WAS = "    must_be_same(m, &base);"
 
 REFUSED = """\
@@ -64,7 +64,7 @@ def stages(
     name: str, about: str, call: str, parts: Parts, lines: str = "", idle: Parts = ()
 ) -> Iterator[Written]:
     """A call at an instant in range leaves a monitor at rest behind; `idle` replaces what matters
-    only until truths are evaluated.
+    only until propositions are evaluated.
     """
     body = f"{ANY}\n{lines}\n{RANGE}\n    (void){call};"
     replaced = (("catch_up", "caught_up"), ("tick", "end_at_tick"))
@@ -76,17 +76,17 @@ def stages(
 
 
 def between(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, until truths are evaluated: of inputs it is known what the message says."""
+    """The same, until propositions are evaluated: of inputs it is known what the message says."""
     replaced = (*parts, ("evaluate", "end_at_evaluate"), ("set_wake", "end_at_set_wake"))
     return Written(
-        Check(f"{name}_between", f"{about}, until truths are evaluated", replaced),
-        f"{body}\n{_TOLD}",
+        Check(f"{name}_between", f"{about}, until propositions are evaluated", replaced),
+        f"{body}\n{_REPORTED}",
     )
 
 
 def after(name: str, about: str, body: str, parts: Parts) -> Written:
-    """The same, from then on. What was at rest when truths were evaluated, or when the next timer
-    was set, still is: it is the same.
+    """The same, from then on. What was at rest when propositions were evaluated, or when the next
+    timer was set, still is: it is the same.
     """
     given = dict(parts)
     somehow = tuple(pair for pair in _SOMEHOW if pair[0] not in given)
@@ -95,7 +95,7 @@ def after(name: str, about: str, body: str, parts: Parts) -> Written:
         ("evaluate", "evaluated_somehow"),
         ("set_wake", "set_wake_somehow"),
     )
-    about = f"{about}, after truths are evaluated"
+    about = f"{about}, after propositions are evaluated"
     check = Check(f"{name}_after", about, (*unlooked(parts), *somehow, *late))
     lines = [body, "    __CPROVER_assume(is_late);", _CLOCK, AS_IT_WAS]
     return Written(check, "\n".join(lines))

@@ -1,7 +1,8 @@
-"""The support of a number, a truth or a rule, read off the nodes of a machine.
+"""The support of a number, a proposition or a rule, read off the nodes of a machine.
 
 `docs/explanation/semantics.md` says what is done with it: what a message computes anew (S7), what
-is forgotten with an input (S9), which unknown truths are lost (S30), what a verdict tells (S41).
+is forgotten with an input (S9), which unknown propositions are stale (S30), what a verdict tells
+(S41).
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 from rossmarie.core import AnyFunction, Sampling, sampling_row
 from rossmarie.ir import model as ir
 
-Node = ir.SignalNode | ir.TruthNode
+Node = ir.SignalNode | ir.PropositionNode
 
 
 def numbers_of(node: Node) -> tuple[int, ...]:
@@ -35,8 +36,8 @@ def numbers_of(node: Node) -> tuple[int, ...]:
             return ()
 
 
-def truths_of(node: Node) -> tuple[int, ...]:
-    """The truths that a node names."""
+def propositions_of(node: Node) -> tuple[int, ...]:
+    """The propositions that a node names."""
     match node:
         case ir.And(operands=operands) | ir.Or(operands=operands):
             return operands
@@ -56,27 +57,29 @@ def truths_of(node: Node) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class Below:
-    """Signals and truths: some, and all from which these are made, elements of arrays as well."""
+    """Signals and propositions: some, and all from which these are made, elements of arrays as
+    well.
+    """
 
     signals: tuple[int, ...]
-    truths: tuple[int, ...]
+    propositions: tuple[int, ...]
 
 
-def below(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]) -> Below:
+def below(machine: ir.Machine, signals: tuple[int, ...], propositions: tuple[int, ...]) -> Below:
     """These, and all that they are made of, in order."""
-    return _below(machine, signals, truths, ends=())
+    return _below(machine, signals, propositions, ends=())
 
 
 def _below(
     machine: ir.Machine,
     signals: tuple[int, ...],
-    truths: tuple[int, ...],
+    propositions: tuple[int, ...],
     ends: tuple[type[Node], ...],
 ) -> Below:
     """Likewise, but not what nodes of the kinds `ends` are made of."""
-    found_signals, found_truths = set(signals), set(truths)
+    found_signals, found_propositions = set(signals), set(propositions)
     waiting: list[Node] = [machine.signals[index].node for index in signals]
-    waiting += [machine.truths[index].node for index in truths]
+    waiting += [machine.propositions[index].node for index in propositions]
     while waiting:
         node = waiting.pop()
         if isinstance(node, ends):
@@ -84,10 +87,10 @@ def _below(
         for index in set(numbers_of(node)) - found_signals:
             found_signals.add(index)
             waiting.append(machine.signals[index].node)
-        for index in set(truths_of(node)) - found_truths:
-            found_truths.add(index)
-            waiting.append(machine.truths[index].node)
-    return Below(tuple(sorted(found_signals)), tuple(sorted(found_truths)))
+        for index in set(propositions_of(node)) - found_propositions:
+            found_propositions.add(index)
+            waiting.append(machine.propositions[index].node)
+    return Below(tuple(sorted(found_signals)), tuple(sorted(found_propositions)))
 
 
 @dataclass(frozen=True)
@@ -96,7 +99,7 @@ class Support:
     arrays, `sampled` those of samples, of which `waiting` are unknown until there are enough.
     `needed` are the inputs without which it is unknown: all `inputs` but those of numbers beside
     elements (S74), which are looked at once, when the elements arrive; so no slots or channels of
-    these are told.
+    these are reported.
     """
 
     slots: frozenset[int]
@@ -108,9 +111,11 @@ class Support:
     channels: frozenset[int]
 
 
-def support(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]) -> Support:
-    """The support of some signals and truths."""
-    made_of = _outside_elements(machine, signals, truths)
+def support(
+    machine: ir.Machine, signals: tuple[int, ...], propositions: tuple[int, ...]
+) -> Support:
+    """The support of some signals and propositions."""
+    made_of = _outside_elements(machine, signals, propositions)
     slots: set[int] = set()
     folds: set[int] = set()
     sampled: set[int] = set()
@@ -128,8 +133,8 @@ def support(machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ..
                 needed.add(machine.arrays[array].input)
             case ir.Constant() | ir.Apply():
                 pass
-    for index in made_of.truths:
-        node = machine.truths[index].node
+    for index in made_of.propositions:
+        node = machine.propositions[index].node
         if isinstance(node, ir.AgeReaches):
             needed.add(node.input)
     inside = list(_inside_elements(machine, made_of))
@@ -163,16 +168,16 @@ def _of_slots(machine: ir.Machine, made_of: Below) -> Iterator[int]:
 
 
 def _outside_elements(
-    machine: ir.Machine, signals: tuple[int, ...], truths: tuple[int, ...]
+    machine: ir.Machine, signals: tuple[int, ...], propositions: tuple[int, ...]
 ) -> Below:
     """These, and all that they are made of, up to what is asked of elements."""
-    return _below(machine, signals, truths, ends=(ir.Fold, ir.Count, ir.Quantified))
+    return _below(machine, signals, propositions, ends=(ir.Fold, ir.Count, ir.Quantified))
 
 
 def _inside_elements(machine: ir.Machine, made_of: Below) -> Iterator[Below]:
     """All that is looked at of each element, and beside it."""
     nodes: list[Node] = [machine.signals[index].node for index in made_of.signals]
-    nodes += [machine.truths[index].node for index in made_of.truths]
+    nodes += [machine.propositions[index].node for index in made_of.propositions]
     for node in nodes:
         match node:
             case ir.Fold(element=element):
@@ -210,23 +215,23 @@ def _waits(node: ir.SignalNode) -> bool:
 
 @dataclass(frozen=True)
 class Elements:
-    """For every signal and truth the array of which it takes one element; None if it has one value
-    for the whole machine (S22). Of a list (S52) it is the first of its columns.
+    """For every signal and proposition the array of which it takes one element; None if it has one
+    value for the whole machine (S22). Of a list (S52) it is the first of its columns.
     """
 
     signals: tuple[int | None, ...]
-    truths: tuple[int | None, ...]
+    propositions: tuple[int | None, ...]
 
 
 def elements(machine: ir.Machine) -> Elements:
     """The array of each."""
     signals: list[int | None] = []
-    truths: list[int | None] = []
+    propositions: list[int | None] = []
     for signal in machine.signals:
-        signals.append(_array(machine, signal.node, signals, truths))
-    for truth in machine.truths:
-        truths.append(_array(machine, truth.node, signals, truths))
-    return Elements(tuple(signals), tuple(truths))
+        signals.append(_array(machine, signal.node, signals, propositions))
+    for proposition in machine.propositions:
+        propositions.append(_array(machine, proposition.node, signals, propositions))
+    return Elements(tuple(signals), tuple(propositions))
 
 
 def columns(machine: ir.Machine, array: int) -> tuple[int, ...]:
@@ -238,7 +243,7 @@ def columns(machine: ir.Machine, array: int) -> tuple[int, ...]:
 
 
 def _array(
-    machine: ir.Machine, node: Node, signals: list[int | None], truths: list[int | None]
+    machine: ir.Machine, node: Node, signals: list[int | None], propositions: list[int | None]
 ) -> int | None:
     match node:
         case ir.Element(array=array):
@@ -247,7 +252,7 @@ def _array(
             ir.Apply() | ir.Compare() | ir.Between() | ir.Flag() | ir.Not() | ir.And() | ir.Or()
         ):  # fmt: skip
             named = [signals[index] for index in numbers_of(node)]
-            named += [truths[index] for index in truths_of(node)]
+            named += [propositions[index] for index in propositions_of(node)]
             return next((array for array in named if array is not None), None)
         case (
             ir.Constant() | ir.Read() | ir.Sampled() | ir.Fold() | ir.Count() | ir.Literal()
@@ -274,7 +279,9 @@ def beside(machine: ir.Machine) -> Beside:
     nodes: list[tuple[int | None, Node]] = [
         (array, machine.signals[index].node) for index, array in enumerate(its.signals)
     ]
-    nodes += [(array, machine.truths[index].node) for index, array in enumerate(its.truths)]
+    nodes += [
+        (array, machine.propositions[index].node) for index, array in enumerate(its.propositions)
+    ]
     for array, node in nodes:
         for signal in numbers_of(node):
             is_constant = isinstance(machine.signals[signal].node, ir.Constant)
@@ -291,25 +298,27 @@ def beside(machine: ir.Machine) -> Beside:
 
 
 @dataclass(frozen=True)
-class Told:
-    """The content of a verdict of a rule: truths, the signals at which leaves look, and inputs."""
+class Reported:
+    """The content of a verdict of a rule: propositions, the signals at which leaves look, and
+    inputs.
+    """
 
     terms: tuple[int, ...]
     signals: tuple[int, ...]
     inputs: tuple[int, ...]
 
 
-def told(machine: ir.Machine, condition: int) -> Told:
+def reported(machine: ir.Machine, condition: int) -> Reported:
     """S41: the named conditions, the leaves and what rests on time; the signals and the inputs."""
     whole = _whole(machine, condition)
-    leaves = [index for index in whole if is_leaf(machine.truths[index].node)]
+    leaves = [index for index in whole if is_leaf(machine.propositions[index].node)]
     over_time = [index for index in whole if _is_over_time(machine, index)]
-    looked_at = {index for leaf in leaves for index in numbers_of(machine.truths[leaf].node)}
-    return Told(
+    looked_at = {index for leaf in leaves for index in numbers_of(machine.propositions[leaf].node)}
+    return Reported(
         terms=tuple(
             index
             for index in whole
-            if index in leaves or index in over_time or machine.truths[index].name is not None
+            if index in leaves or index in over_time or machine.propositions[index].name is not None
         ),
         signals=tuple(
             index
@@ -321,30 +330,33 @@ def told(machine: ir.Machine, condition: int) -> Told:
 
 
 def _whole(machine: ir.Machine, condition: int) -> list[int]:
-    """A truth and those that it is made of; what is asked of elements of arrays is left out, and
-    so are the parts of what is defined by others (S45, S46), but for those that a user names.
+    """A proposition and those that it is made of; what is asked of elements of arrays is left out,
+    and so are the parts of what is defined by others (S45, S46), but for those that a user names.
     """
     found, waiting = {condition}, [condition]
     while waiting:
         index = waiting.pop()
-        node = machine.truths[index].node
+        node = machine.propositions[index].node
         if not isinstance(node, ir.Quantified):
             named = _named_by(machine, index)
-            new = set(truths_of(node) if named is None else named) - found
+            new = set(propositions_of(node) if named is None else named) - found
             found |= new
             waiting += new
     return sorted(found)
 
 
-def _is_over_time(machine: ir.Machine, truth: int) -> bool:
-    node = machine.truths[truth].node
-    return isinstance(node, ir.Held | ir.Since | ir.Recurs) or _named_by(machine, truth) is not None
+def _is_over_time(machine: ir.Machine, proposition: int) -> bool:
+    node = machine.propositions[proposition].node
+    return (
+        isinstance(node, ir.Held | ir.Since | ir.Recurs)
+        or _named_by(machine, proposition) is not None
+    )
 
 
-def _named_by(machine: ir.Machine, truth: int) -> tuple[int, ...] | None:
+def _named_by(machine: ir.Machine, proposition: int) -> tuple[int, ...] | None:
     """The conditions that `once` (S45) and `after` (S46) name, from what they stand for."""
-    nodes = [each.node for each in machine.truths]
-    match nodes[truth]:
+    nodes = [each.node for each in machine.propositions]
+    match nodes[proposition]:
         case ir.Not(operand=held) if isinstance(lasting := nodes[held], ir.Held):
             inner = nodes[lasting.operand]
         case _:  # open: no `not` of a `for`
@@ -362,8 +374,8 @@ def _named_by(machine: ir.Machine, truth: int) -> tuple[int, ...] | None:
     return (begun.operands[0], missing.operand) if isinstance(begun, ir.And) and is_both else None
 
 
-def is_leaf(node: ir.TruthNode) -> bool:
-    """Say whether a truth looks at numbers, arrays or ages itself (S30)."""
+def is_leaf(node: ir.PropositionNode) -> bool:
+    """Say whether a proposition looks at numbers, arrays or ages itself (S30)."""
     match node:
         case ir.Literal() | ir.Not() | ir.And() | ir.Or() | ir.Held() | ir.Since() | ir.Recurs():
             return False

@@ -76,7 +76,7 @@ class TimeChecks:
             ("anew", "time begins, or begins again", 1, _ANEW, f"{ANY}\n{_CATCH_UP_ANEW}"),
             ("ends", "none is left", 1, (*forward, ("tick", "never_tick")), _CATCH_UP_ENDS),
             ("tick", "one of them", 1, (*forward, ("tick", "tick_and_end")), _CATCHES_UP),
-            ("ticked", "truths are evaluated then", 1, (timer, *_TICKED), _CATCHES_UP),
+            ("ticked", "propositions are evaluated then", 1, (timer, *_TICKED), _CATCHES_UP),
             ("pass", "one after the other", 2, _PASS, f"{ANY}\n{_CATCH_UP_PASS}"),
         ):
             said = f"timers that are due before an instant run: {about}"

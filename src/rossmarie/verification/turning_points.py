@@ -1,5 +1,5 @@
-"""The turning points of a number after a sample (S32), as C claims about a monitor `m` that was
-`old` before it.
+"""The turning points of a number after a sample (S32), as C obligations about a monitor `m` that
+was `old` before it.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from rossmarie.verification.definitions import Definitions
 from rossmarie.verification.formulas import literal
 from rossmarie.verification.invariants import oscillation
 from rossmarie.verification.layout import Layout
-from rossmarie.verification.program import claim
+from rossmarie.verification.program import obligation
 from rossmarie.verification.recent import first_recent
 
 
@@ -33,20 +33,20 @@ def forgotten(layout: Layout, definitions: Definitions) -> Iterator[str]:
 
 
 def followed(layout: Layout, definitions: Definitions, channel: int) -> Iterator[str]:
-    """The claims about all oscillations that a message on a channel brings a sample of."""
+    """The obligations about all oscillations that a message on a channel brings a sample of."""
     for k in followed_on(layout, channel):
         yield from _followed(layout, definitions, k)
 
 
 def _followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]:
-    """The claims about the k-th oscillation."""
+    """The obligations about the k-th oscillation."""
     node, first = oscillation(layout, k), first_recent(layout, k)
-    about = f"the turning points of `{layout.machine.truths[layout.oscillations[k]].text}`"
+    about = f"the turning points of `{layout.machine.propositions[layout.oscillations[k]].text}`"
     extreme, heading, turns = f"old.extreme[{k}]", f"old.heading[{k}]", f"old.recent_count[{k}]"
     following = f"old.recent_next[{k}]"
     places = range(first, first + node.count)
     after = f"({following} + 1u) % {node.count}u"
-    claims = [
+    obligations = [
         f"spec_same(m->extreme[{k}], !is_known ? NAN : is_new || up || down ? x : {extreme})",
         f"m->heading[{k}] == (!is_known ? 0 : up ? 1 : down ? -1 : {heading})",
         f"m->recent_count[{k}] == (is_known ? {turns} + (turn && {turns} < {node.count}) : 0)",
@@ -62,7 +62,7 @@ def _followed(layout: Layout, definitions: Definitions, k: int) -> Iterator[str]
         swing=literal(node.swing),
         extreme=extreme,
         heading=heading,
-        claims="\n".join(claim(each, about) for each in claims),
+        obligations="\n".join(obligation(each, about) for each in obligations),
     )
 
 
@@ -75,5 +75,5 @@ _MOVES = """\
     const bool up = is_known && !is_new && !goes_up && x > {extreme} + {swing};
     const bool down = is_known && !is_new && !up && !goes_down && x < {extreme} - {swing};
     const bool turn = (up || down) && {heading} != 0;
-{claims}
+{obligations}
     }}"""

@@ -25,14 +25,14 @@ def skill(name: str, goal: str, *arguments: Message) -> Message:
 
 
 def test_a_context_is_read_with_its_things() -> None:
-    told = skill("Wipe", "1", argument("Board", "", "office.Board"), argument("Speed", "0.3"))
-    found = context_of(Message(digest="5b", running=[told]))
+    reported = skill("Wipe", "1", argument("Board", "", "office.Board"), argument("Speed", "0.3"))
+    found = context_of(Message(digest="5b", running=[reported]))
     assert found == Context(
         "5b", (Running("Wipe", "1", (("Board", "office.Board"), ("Speed", "0.3"))),)
     )
 
 
-def test_a_thing_of_several_classes_is_told_once() -> None:
+def test_a_thing_of_several_classes_is_reported_once() -> None:
     twice = [argument("Board", "a:B-1", kind) for kind in ("a.B", "a.C")]
     (running,) = context_of(Message(digest="", running=[skill("Wipe", "1", *twice)])).running
     assert running.things == (("Board", "a:B-1"),)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from crosscheck.live.facts import Facts, facts_of
 from crosscheck.live.model import Alive, Change, Context, Kind, Message, NodeState, Running
 from crosscheck.live.sources import FIRST_PATIENCE
-from crosscheck.live.watch import NODE_PATIENCE, Told, Watch
+from crosscheck.live.watch import NODE_PATIENCE, Reported, Watch
 from crosscheck.robot import load
 from dslkit.diagnostics import Diagnostic
 from support.depth import examples
@@ -31,9 +31,9 @@ def context(*running: Running, digest: str = DIGEST) -> Context:
     return Context(digest, running)
 
 
-def said(told: Iterable[Told]) -> list[str]:
+def said(reported: Iterable[Reported]) -> list[str]:
     """The texts of changes, and the codes of findings."""
-    return [each.text if isinstance(each, Change) else each.code for each in told]
+    return [each.text if isinstance(each, Change) else each.code for each in reported]
 
 
 @pytest.fixture
@@ -45,9 +45,9 @@ def watch() -> Watch:
     return found
 
 
-def test_a_skill_is_told_with_its_things_and_how_long_it_ran(watch: Watch) -> None:
-    told = watch.take(100.1, context(WIPE, DRIVE))
-    assert said(told) == ["Wipe starts: Board = office:Whiteboard-5", "Drive starts"]
+def test_a_skill_is_reported_with_its_things_and_how_long_it_ran(watch: Watch) -> None:
+    reported = watch.take(100.1, context(WIPE, DRIVE))
+    assert said(reported) == ["Wipe starts: Board = office:Whiteboard-5", "Drive starts"]
     assert said(watch.take(100.3, context(WIPE, DRIVE))) == []
     assert said(watch.take(100.5, context(WIPE))) == ["Drive ends after 0.4 s"]
     again = Running("Wipe", "Wipe 2")
@@ -57,14 +57,16 @@ def test_a_skill_is_told_with_its_things_and_how_long_it_ran(watch: Watch) -> No
     assert watch.skills.counts["Wipe"].seconds == pytest.approx(0.75)
 
 
-def test_an_exemption_is_told_with_the_permission_that_it_rests_on(watch: Watch) -> None:
+def test_an_exemption_is_reported_with_the_permission_that_it_rests_on(watch: Watch) -> None:
     watch.take(100.1, context(WIPE))
-    (told,) = said(watch.take(100.2, NodeState(("contact_doing_Wipe",))))
-    assert told.startswith("contact_doing_Wipe is used: contact is not applied, as `Wipe` permits")
-    assert "contact with office.Whiteboard (" in told
-    assert "motions.py:68:25)" in told
-    assert "force with office.Whiteboard up to 20 N (" in told
-    assert "speed" not in told
+    (reported,) = said(watch.take(100.2, NodeState(("contact_doing_Wipe",))))
+    assert reported.startswith(
+        "contact_doing_Wipe is used: contact is not applied, as `Wipe` permits"
+    )
+    assert "contact with office.Whiteboard (" in reported
+    assert "motions.py:68:25)" in reported
+    assert "force with office.Whiteboard up to 20 N (" in reported
+    assert "speed" not in reported
     (over,) = watch.take(100.5, NodeState())
     assert isinstance(over, Change)
     assert over.kind is Kind.EXEMPTION_ENDS
@@ -72,16 +74,16 @@ def test_an_exemption_is_told_with_the_permission_that_it_rests_on(watch: Watch)
 
 
 @pytest.mark.parametrize("is_skill_first", [True, False])
-def test_what_a_rule_takes_from_a_skill_is_told_whichever_comes_first(
+def test_what_a_rule_takes_from_a_skill_is_reported_whichever_comes_first(
     watch: Watch, is_skill_first: bool
 ) -> None:
     messages: list[Message] = [context(WIPE), NodeState(("too_hard",))]
-    told = [
+    reported = [
         line
         for message in (messages if is_skill_first else reversed(messages))
         for line in said(watch.take(100.1, message))
     ]
-    (taken,) = [line for line in told if "takes" in line]
+    (taken,) = [line for line in reported if "takes" in line]
     assert taken.startswith(f"too_hard takes {ARM} from Wipe (")
     assert "whiteboard.ross:" in taken
     for message in messages:
@@ -95,7 +97,7 @@ def test_what_a_rule_takes_from_a_skill_is_told_whichever_comes_first(
 @pytest.mark.parametrize(
     "silent", [context(WIPE), NodeState(("too_hard",))], ids=["context", "node"]
 )
-def test_what_is_taken_is_told_anew_after_a_silence(watch: Watch, silent: Message) -> None:
+def test_what_is_taken_is_reported_anew_after_a_silence(watch: Watch, silent: Message) -> None:
     both: list[Message] = [context(WIPE), NodeState(("too_hard",))]
     for message in both:
         watch.take(100.1, message)
@@ -107,14 +109,14 @@ def test_what_is_taken_is_told_anew_after_a_silence(watch: Watch, silent: Messag
     assert watch.takings == {("too_hard", ARM, "Wipe"): 2}
 
 
-def test_operators_are_told(watch: Watch) -> None:
+def test_operators_are_reported(watch: Watch) -> None:
     exempted = NodeState((), ("contact",))
     assert said(watch.take(100.1, exempted)) == ["an operator exempts contact"]
     assert said(watch.take(100.2, exempted)) == []
     assert said(watch.take(100.3, NodeState())) == ["no operator exempts contact any more"]
 
 
-def test_silence_of_the_context_is_told_once_and_when_it_is_over(watch: Watch) -> None:
+def test_silence_of_the_context_is_reported_once_and_when_it_is_over(watch: Watch) -> None:
     watch.take(100.1, context(WIPE))
     watch.take(100.2, NodeState())
     assert said(watch.pass_time(100.1 + TIMEOUT)) == []
@@ -125,7 +127,7 @@ def test_silence_of_the_context_is_told_once_and_when_it_is_over(watch: Watch) -
     assert silent[0].primary.span.text.startswith('skills "skills.json"')
     assert said(watch.pass_time(101.0)) == []
     over = watch.take(101.1, context(WIPE))
-    assert said(over)[0] == "/robot1/skill_context is told again"
+    assert said(over)[0] == "/robot1/skill_context is reported again"
     watch.end(101.1)
     assert watch.skills.counts["Wipe"].times == 2
     assert watch.skills.counts["Wipe"].seconds == pytest.approx(0.0)
@@ -134,8 +136,8 @@ def test_silence_of_the_context_is_told_once_and_when_it_is_over(watch: Watch) -
 
 
 def test_a_message_after_a_silence_does_not_hide_it(watch: Watch) -> None:
-    told = said(watch.take(100.1 + TIMEOUT, context()))
-    assert told == ["CHK403", "/robot1/skill_context is told again"]
+    reported = said(watch.take(100.1 + TIMEOUT, context()))
+    assert reported == ["CHK403", "/robot1/skill_context is reported again"]
 
 
 def test_a_node_lives_by_its_diagnostics_and_is_silent_without(watch: Watch) -> None:
@@ -147,8 +149,8 @@ def test_a_node_lives_by_its_diagnostics_and_is_silent_without(watch: Watch) -> 
         watch.take(100.0 + second, NodeState(("contact",)))
         for tenth in range(10):
             assert "CHK404" not in tick(100.0 + second + tenth / 10)
-    told = [line for tenth in range(40) for line in tick(110.0 + tenth / 10)]
-    assert told == ["CHK404", "nobody knows any more whether contact is active"]
+    reported = [line for tenth in range(40) for line in tick(110.0 + tenth / 10)]
+    assert reported == ["CHK404", "nobody knows any more whether contact is active"]
     assert watch.count("contact").seconds == pytest.approx(9.0)
     assert said(watch.take(115.0, Alive()))[:1] == ["CHK403"]
     (again, *_) = said(watch.take(115.0, NodeState(("contact",))))
@@ -157,29 +159,29 @@ def test_a_node_lives_by_its_diagnostics_and_is_silent_without(watch: Watch) -> 
 
 def test_a_node_of_which_no_state_comes_is_silent_though_it_lives() -> None:
     watch = Watch(FACTS, 0.0)
-    told = [
+    reported = [
         line
         for tenth in range(100)
         for message in (context(), Alive())
         for line in said(watch.take(tenth / 10, message))
     ]
-    assert told == ["CHK404"]
+    assert reported == ["CHK404"]
 
 
-def test_who_has_never_spoken_has_time_to_connect_and_is_told_at_the_end() -> None:
+def test_who_has_never_spoken_has_time_to_connect_and_is_reported_at_the_end() -> None:
     watch = Watch(FACTS, 0.0)
     assert said(watch.pass_time(FIRST_PATIENCE)) == []
     assert said(watch.end(FIRST_PATIENCE)) == ["CHK403", "CHK404"]
     assert said(Watch(FACTS, 0.0).pass_time(FIRST_PATIENCE + 0.1)) == ["CHK403", "CHK404"]
 
 
-def test_another_export_is_told_once_until_it_is_over(watch: Watch) -> None:
+def test_another_export_is_reported_once_until_it_is_over(watch: Watch) -> None:
     foreign = context(digest="5b" * 32)
-    (told,) = watch.take(100.1, foreign)
-    assert isinstance(told, Diagnostic)
-    assert told.code == "CHK401"
-    assert "5b5b5b5b5b5b..." in told.title
-    assert DIGEST[:12] in told.primary.text
+    (reported,) = watch.take(100.1, foreign)
+    assert isinstance(reported, Diagnostic)
+    assert reported.code == "CHK401"
+    assert "5b5b5b5b5b5b..." in reported.title
+    assert DIGEST[:12] in reported.primary.text
     assert said(watch.take(100.2, foreign)) == []
     assert said(watch.take(100.3, context())) == ["/robot1/skill_context is from this export"]
     assert said(watch.take(100.4, foreign)) == ["CHK401"]
@@ -188,11 +190,11 @@ def test_another_export_is_told_once_until_it_is_over(watch: Watch) -> None:
 
 def test_a_message_that_the_rules_do_not_read_says_nothing_of_what_runs(watch: Watch) -> None:
     watch.take(100.1, context(WIPE))
-    told = said(watch.take(100.2, Context(DIGEST, problem="more than 64 skills run")))
-    assert told == ["CHK401", "nobody knows any more whether Wipe runs"]
+    reported = said(watch.take(100.2, Context(DIGEST, problem="more than 64 skills run")))
+    assert reported == ["CHK401", "nobody knows any more whether Wipe runs"]
 
 
-def test_what_is_not_known_is_told(watch: Watch) -> None:
+def test_what_is_not_known_is_reported(watch: Watch) -> None:
     other = Running("Dance", "1")
     assert said(watch.take(100.1, context(other))) == ["Dance starts", "CHK402"]
     assert said(watch.take(100.2, context(other, WIPE)))[1:] == []
@@ -246,18 +248,18 @@ ENDS = {
 
 @settings(max_examples=examples(4))
 @given(STEPS)
-def test_whatever_is_told_begins_before_it_ends_and_findings_come_once(
+def test_whatever_is_reported_begins_before_it_ends_and_findings_come_once(
     steps: list[tuple[float, Message | None]],
 ) -> None:
-    watch, at, told = Watch(FACTS, 0.0), 0.0, list[Told]()
+    watch, at, reported = Watch(FACTS, 0.0), 0.0, list[Reported]()
     for wait, message in steps:
         at += wait
-        told += watch.pass_time(at) if message is None else watch.take(at, message)
-    told += watch.end(at)
+        reported += watch.pass_time(at) if message is None else watch.take(at, message)
+    reported += watch.end(at)
     open_findings: set[str] = set()
     lasting: set[tuple[str, ...]] = set()
     begun: Counter[str] = Counter()
-    for each in told:
+    for each in reported:
         if isinstance(each, Diagnostic):
             assert each.code not in open_findings
             open_findings.add(each.code)
@@ -275,7 +277,7 @@ def test_whatever_is_told_begins_before_it_ends_and_findings_come_once(
     counts = {**watch.skills.counts, **watch.rules.counts}
     assert {name: count.times for name, count in counts.items()} == dict(begun)
     assert all(0.0 <= count.seconds <= count.times * at + 1e-9 for count in counts.values())
-    assert watch.findings == sum(isinstance(each, Diagnostic) for each in told)
+    assert watch.findings == sum(isinstance(each, Diagnostic) for each in reported)
     assert watch.has_errors is bool(watch.findings)
 
 

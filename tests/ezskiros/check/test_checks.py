@@ -30,7 +30,7 @@ THINGS = (
         ("Place.ContainerState < 'Full'", "EZS405", "Place.ContainerState < 'Full'"),
     ],
 )
-def test_what_does_not_fit_is_told(expression: str, code: str, text: str) -> None:
+def test_what_does_not_fit_is_reported(expression: str, code: str, text: str) -> None:
     assert found(described(f"self.pre_conditions += {expression}", THINGS)) == [(code, text)]
 
 
@@ -76,13 +76,15 @@ def test_what_may_not_fit_is_a_warning() -> None:
          "EZS412"),
     ],
 )  # fmt: skip
-def test_conditions_that_do_not_go_together_are_told(first: str, second: str, code: str) -> None:
+def test_conditions_that_do_not_go_together_are_reported(
+    first: str, second: str, code: str
+) -> None:
     result = described(f"self.{first}\nself.{second}", THINGS)
-    told = [each for each in result.diagnostics if each.code.startswith("EZS41")]
-    assert [(each.code, each.primary.span.text) for each in told] == [
+    reported = [each for each in result.diagnostics if each.code.startswith("EZS41")]
+    assert [(each.code, each.primary.span.text) for each in reported] == [
         (code, second.partition("+= ")[2])
     ]
-    assert told[0].labels[0].span.text == first.partition("+= ")[2]
+    assert reported[0].labels[0].span.text == first.partition("+= ")[2]
 
 
 @pytest.mark.parametrize(
@@ -103,7 +105,7 @@ def test_conditions_that_go_together_are_fine(first: str, second: str) -> None:
     assert [each.code for each in result.diagnostics if each.code.startswith("EZS41")] == []
 
 
-def test_parameters_that_nothing_is_said_of_are_told() -> None:
+def test_parameters_that_nothing_is_said_of_are_reported() -> None:
     result = described(
         "self.pre_conditions += Place.contain(Object)",
         "Object: skiros.Product, Place: INFERRED[skiros.Container], "

@@ -38,7 +38,7 @@ LAB = """
 THINGS = "A: test.Thing, B: test.Thing, C: test.Thing, Box: test.Box, Tool: test.Tool"
 
 
-def told(result: Checked) -> list[tuple[str, str]]:
+def reported(result: Checked) -> list[tuple[str, str]]:
     """What is found about conditions together: the codes, and the texts that they point at."""
     return [
         (each.code, each.primary.span.text)
@@ -103,8 +103,8 @@ def checked(conditions: str, parameters: str = THINGS, ontology: str = LAB) -> C
         ("pre A.at(B); pre ~(A.at(B) | A.near(C))", "EZS411"),
     ],
 )  # fmt: skip
-def test_what_no_world_satisfies_is_told(conditions: str, code: str) -> None:
-    assert [each for each, _ in told(checked(conditions))] == [code]
+def test_what_no_world_satisfies_is_reported(conditions: str, code: str) -> None:
+    assert [each for each, _ in reported(checked(conditions))] == [code]
 
 
 @pytest.mark.parametrize(
@@ -145,23 +145,23 @@ def test_what_no_world_satisfies_is_told(conditions: str, code: str) -> None:
     ],
 )
 def test_what_some_world_satisfies_is_fine(conditions: str) -> None:
-    assert told(checked(conditions)) == []
+    assert reported(checked(conditions)) == []
 
 
-def test_what_a_class_has_none_of_is_told() -> None:
+def test_what_a_class_has_none_of_is_reported() -> None:
     parameters = "A: test.Thing, Seal: test.Sealed, Bare: test.Bare, Pair: test.Pair, B: test.Box"
-    assert told(checked("pre Seal.holds(A)", parameters)) == [("EZS318", "Seal.holds(A)")]
-    assert told(checked("post Bare.near(A)", parameters)) == [("EZS318", "Bare.near(A)")]
-    assert told(checked("post Pair.near(A); post Pair.near(B)", parameters)) == []
+    assert reported(checked("pre Seal.holds(A)", parameters)) == [("EZS318", "Seal.holds(A)")]
+    assert reported(checked("post Bare.near(A)", parameters)) == [("EZS318", "Bare.near(A)")]
+    assert reported(checked("post Pair.near(A); post Pair.near(B)", parameters)) == []
     many = "post Pair.near(A); post Pair.holds(B); post Pair.beside(Seal)"
-    assert told(checked(many, parameters)) == [("EZS412", "Pair.beside(Seal)")]
+    assert reported(checked(many, parameters)) == [("EZS412", "Pair.beside(Seal)")]
 
 
-def test_a_class_that_nothing_can_be_of_is_told_at_the_parameter() -> None:
+def test_a_class_that_nothing_can_be_of_is_reported_at_the_parameter() -> None:
     result = checked(
         "pre A.near(Odd); pre of_type(Odd, test.Thing)", "A: test.Thing, Odd: test.Odd"
     )
-    assert told(result) == [("EZS324", "Odd")]
+    assert reported(result) == [("EZS324", "Odd")]
     assert "a test.Box and a test.Tool" in result.diagnostics[0].title
 
 
@@ -202,29 +202,29 @@ def test_what_excludes_an_alternative_is_shown() -> None:
     assert found.notes == ("test.holds is a special case of test.near; so `A.near(C)` follows",)
 
 
-def test_one_mistake_is_told_once() -> None:
+def test_one_mistake_is_reported_once() -> None:
     conditions = "pre A.holds(B); hold ~B.inside(A); post A.holds(B); pre ~A.holds(B)"
-    assert [code for code, _ in told(checked(conditions))] == ["EZS315", "EZS411"]
+    assert [code for code, _ in reported(checked(conditions))] == ["EZS315", "EZS411"]
 
 
-def test_what_relations_ask_of_a_parameter_is_told_once() -> None:
-    assert told(checked("pre A.fills(Tool)")) == [("EZS401", "Tool")]
+def test_what_relations_ask_of_a_parameter_is_reported_once() -> None:
+    assert reported(checked("pre A.fills(Tool)")) == [("EZS401", "Tool")]
     rack = "Rack: test.Rack, Box: test.Box"
-    assert told(checked("pre Rack.near(Box)", rack)) == [("EZS401", "Box")]
+    assert reported(checked("pre Rack.near(Box)", rack)) == [("EZS401", "Box")]
 
 
-def test_the_same_mistake_before_and_after_is_told_twice() -> None:
+def test_the_same_mistake_before_and_after_is_reported_twice() -> None:
     both = "{0} A.at(B); {0} ~A.at(B)"
     result = checked(f"{both.format('hold')}; {both.format('post')}")
-    assert [code for code, _ in told(result)] == ["EZS411", "EZS411"]
+    assert [code for code, _ in reported(result)] == ["EZS411", "EZS411"]
 
 
 def test_what_does_not_fit_is_no_reason_for_more() -> None:
-    assert told(checked("pre A.near(Box); pre A.fills(Tool); pre B.uses(Tool)")) == [
+    assert reported(checked("pre A.near(Box); pre A.fills(Tool); pre B.uses(Tool)")) == [
         ("EZS401", "Tool")
     ]
 
 
 def test_so_many_alternatives_are_not_combined() -> None:
     parts = " | ".join(f"(A.count == {number})" for number in range(9))
-    assert told(checked(f"pre {parts}; pre {parts.replace('A', 'B')}; pre C.at(A)")) == []
+    assert reported(checked(f"pre {parts}; pre {parts.replace('A', 'B')}; pre C.at(A)")) == []

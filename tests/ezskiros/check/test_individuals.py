@@ -75,10 +75,10 @@ def test_one_place_in_the_scene_is_the_one_that_is_meant(
 
 def test_places_of_a_class_below_count(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     scene = [*things("skiros:Location", 1), *things("skiros:Container", 2)]
-    ((place, told),) = warned(tmp_path, monkeypatch, *scene)
+    ((place, reported),) = warned(tmp_path, monkeypatch, *scene)
     assert place == "Place"
-    assert "Container-2" in told
-    assert "Location-1" in told
+    assert "Container-2" in reported
+    assert "Location-1" in reported
 
 
 def test_a_second_arm_in_the_scene_could_be_meant(

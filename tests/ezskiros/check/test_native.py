@@ -48,7 +48,7 @@ class task(Task.SkillBase):
         ("Dream.named()", [("EZS521", "named")]),
     ],
 )
-def test_what_trees_need_is_told_once_where_it_stands(
+def test_what_trees_need_is_reported_once_where_it_stands(
     body: str, found: list[tuple[str, str]]
 ) -> None:
     text = LIBRARY + BASE + NATIVE + TASK.format(body=body)

@@ -21,7 +21,7 @@ DOES = "\ndef execute(self):\n    return self.success('a')"
         ("expand", "write the tree in `def expandBT(self, params):`"),
     ],
 )
-def test_a_method_that_nothing_calls_is_told(name: str, help: str) -> None:
+def test_a_method_that_nothing_calls_is_reported(name: str, help: str) -> None:
     (found,) = primitive(f"def {name}(self):\n    return True{DOES}").diagnostics
     assert (found.code, found.help) == ("EZS564", help)
     assert found.primary.span.text == f"def {name}(self):"

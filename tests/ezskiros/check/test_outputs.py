@@ -33,7 +33,7 @@ def test_nothing_is_said_of_an_output_before_the_skill(kind: str, condition: str
     assert [label.span.text for label in only.labels] == ["Found"]
 
 
-def test_each_output_is_told_once() -> None:
+def test_each_output_is_reported_once() -> None:
     result = described("self.pre_conditions += Found.spatiallyRelated(Found)", PARAMETERS)
     assert found(result) == [("EZS009", "Found.spatiallyRelated(Found)")]
     result = described("self.pre_conditions += Found.spatiallyRelated(Other)", PARAMETERS)

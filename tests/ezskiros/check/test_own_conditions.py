@@ -49,7 +49,7 @@ class task(Task.SkillBase):
 )
 
 
-def told(
+def reported(
     lines: str, tree: str = "Place(Object=params.Object)", parameters: str = "Object"
 ) -> Checked:
     """The findings for the lines of `conditions` of `take_light`."""
@@ -78,10 +78,10 @@ def told(
         ("open('x', 'w')", "Object", "EZS221", "open('x', 'w')"),
     ],
 )  # fmt: skip
-def test_what_is_wrong_is_told_where_it_is(
+def test_what_is_wrong_is_reported_where_it_is(
     lines: str, parameters: str, code: str, place: str
 ) -> None:
-    assert found(told(lines, parameters=parameters)) == [(code, place)]
+    assert found(reported(lines, parameters=parameters)) == [(code, place)]
 
 
 @pytest.mark.parametrize(
@@ -92,17 +92,17 @@ def test_what_is_wrong_is_told_where_it_is(
                                 "it yields"),
     ],
 )  # fmt: skip
-def test_a_method_that_adds_nothing_is_told(lines: str, help: str) -> None:
-    (only,) = told(lines).diagnostics
+def test_a_method_that_adds_nothing_is_reported(lines: str, help: str) -> None:
+    (only,) = reported(lines).diagnostics
     assert (only.code, only.help) == ("EZS565", help)
 
 
-def test_a_misspelt_attribute_is_told_with_the_right_one() -> None:
-    (only,) = told("self.pre_condition += Object.Weight == 2.0").diagnostics
+def test_a_misspelt_attribute_is_reported_with_the_right_one() -> None:
+    (only,) = reported("self.pre_condition += Object.Weight == 2.0").diagnostics
     assert (only.code, only.help) == ("EZS220", "did you mean `self.pre_conditions`?")
 
 
-def test_conditions_that_are_no_method_are_told() -> None:
+def test_conditions_that_are_no_method_are_reported() -> None:
     text = SKILLS.format(
         lines="self.pre_conditions += Object.Weight",
         tree="Place(Object=params.Object)",
@@ -117,7 +117,9 @@ def test_conditions_that_are_no_method_are_told() -> None:
 
 
 def test_parameters_are_taken_by_their_names() -> None:
-    (only,) = told("self.pre_conditions += params.Object.Weight", parameters="params").diagnostics
+    (only,) = reported(
+        "self.pre_conditions += params.Object.Weight", parameters="params"
+    ).diagnostics
     assert (only.code, only.primary.span.text) == ("EZS508", "params")
     assert only.help is not None
     assert "`def conditions(self, Object):`" in only.help
@@ -128,13 +130,13 @@ def test_a_child_that_names_the_implementation_has_to_fulfil_its_conditions() ->
     tree = "Place(Object=params.Object), Take{}(Object=params.Object)"
     light = "self.pre_conditions += Object.Weight != 5.0"
     for named in ("", ".take_light"):  # there is no other implementation
-        result = told(light, tree.format(named))
+        result = reported(light, tree.format(named))
         assert [code for code, _ in found(result)] == ["EZS550"], named
         assert any(
             label.span.text == "Object.Weight != 5.0"
             for label in (result.diagnostics[0].primary, *result.diagnostics[0].labels)
         )
-    assert found(told("self.pre_conditions += Object.Weight < 6.0", tree.format(""))) == []
+    assert found(reported("self.pre_conditions += Object.Weight < 6.0", tree.format(""))) == []
 
 
 def test_with_a_choice_a_child_has_to_fulfil_the_description_only() -> None:

@@ -75,7 +75,7 @@ def test_a_scene_that_fits_is_fine(tmp_path: Path) -> None:
          "skiros:Container-5"),
     ],
 )  # fmt: skip
-def test_what_does_not_fit_is_told(
+def test_what_does_not_fit_is_reported(
     old: str, new: str, code: str, text: str, tmp_path: Path
 ) -> None:
     assert old in SCENE
@@ -95,7 +95,7 @@ def test_what_each_thing_of_a_class_has_is_missed(tmp_path: Path) -> None:
     assert (found.code, found.title) == ("EZS607", ":Robot-3 has no :Arm by :hasA")
 
 
-def test_a_broken_scene_is_told_at_its_line(tmp_path: Path) -> None:
+def test_a_broken_scene_is_reported_at_its_line(tmp_path: Path) -> None:
     scene = tmp_path / "scene.turtle"
     scene.write_text(SCENE.replace("a skiros:Product ;", "a skiros:Product", 1))
     (found,) = check_scene(scene, load(HALL))

@@ -1,4 +1,4 @@
-"""What is told about conditions together, against all worlds of three things."""
+"""What is reported about conditions together, against all worlds of three things."""
 
 from __future__ import annotations
 
@@ -149,7 +149,7 @@ def _holds(said: Statement, world: World, things: dict[str, int]) -> bool:
             raise AssertionError(said)
 
 
-def told(rules: Rules, said: list[Statement], names: tuple[str, ...] = NAMES) -> set[str]:
+def reported(rules: Rules, said: list[Statement], names: tuple[str, ...] = NAMES) -> set[str]:
     """The codes of errors about pre-conditions of a skill with three parameters."""
     owl_class = rules.ontology.class_of(START + "T")
     span = Span(NOWHERE, 0, 0)
@@ -182,8 +182,8 @@ ALL_DIFFERENT = dict(zip(NAMES, THINGS, strict=True))
 
 @settings(max_examples=examples(2))
 @given(rules, st.lists(st.one_of(simple, simple, simple, ors), min_size=1, max_size=5))
-def test_what_is_told_is_what_no_world_satisfies(rules: Rules, said: list[Statement]) -> None:
-    codes = told(rules, said)
+def test_what_is_reported_is_what_no_world_satisfies(rules: Rules, said: list[Statement]) -> None:
+    codes = reported(rules, said)
     assert bool(codes) == (not any(rules.worlds(said, ALL_DIFFERENT))), codes
 
 
@@ -192,7 +192,7 @@ def test_what_is_told_is_what_no_world_satisfies(rules: Rules, said: list[Statem
 def test_parameters_may_stand_for_one_thing_where_nothing_is_counted(
     rules: Rules, said: list[Statement]
 ) -> None:
-    codes = told(rules, said)
+    codes = reported(rules, said)
     if not codes or "EZS412" in codes:
         return
     for things in product(THINGS[:2], repeat=len(NAMES)):
@@ -221,7 +221,7 @@ def test_what_is_so_in_a_world_has_no_finding(
             else _holds(each, world, ALL_DIFFERENT)
         )
     ]
-    assert told(rules, [*seeds, *said]) == set()
+    assert reported(rules, [*seeds, *said]) == set()
 
 
 VALUES: tuple[Value, ...] = (1, 2)
@@ -265,7 +265,7 @@ def holds(said: Comparison | HasProperty, found: tuple[float, ...]) -> bool:
     st.booleans(),
     st.lists(st.one_of(compared, compared, compared, present), min_size=1, max_size=5),
 )
-def test_values_that_are_told_cannot_be(
+def test_values_that_are_reported_cannot_be(
     declared: str, is_functional: bool, said: list[Statement]
 ) -> None:
     functional = ":v a owl:FunctionalProperty ." if is_functional else ""

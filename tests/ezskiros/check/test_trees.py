@@ -113,18 +113,18 @@ MISWRITTEN = [
     ("self.inverter(Grip(Force=1.0), Grip(Force=1.0))", "EZS538", "write `self.inverter(child)`"),
     ("self.serial(Grip(Force=1.0), Force=1.0)", "EZS538", "write `self.serial(child, ...)`"),
 ]
-"""Trees as newcomers write them, and what they are told: one message."""
+"""Trees as newcomers write them, and what they are reported: one message."""
 
 
 @pytest.mark.parametrize(
-    ("body", "code", "told"), MISWRITTEN, ids=[each for each, *_ in MISWRITTEN]
+    ("body", "code", "reported"), MISWRITTEN, ids=[each for each, *_ in MISWRITTEN]
 )
-def test_what_is_miswritten_is_told_once_with_what_to_write(
-    body: str, code: str, told: str
+def test_what_is_miswritten_is_reported_once_with_what_to_write(
+    body: str, code: str, reported: str
 ) -> None:
     found = [each for each in tree(body).diagnostics if each.code != "EZS420"]
     assert [each.code for each in found] == [code]
-    assert told in f"{found[0].help} {found[0].primary.text}"
+    assert reported in f"{found[0].help} {found[0].primary.text}"
 
 
 MISCALLED = [
@@ -140,10 +140,10 @@ MISCALLED = [
 ]
 
 
-@pytest.mark.parametrize(("call", "told"), MISCALLED, ids=[call for call, _ in MISCALLED])
-def test_a_miscalled_processor_says_which_argument_is_wrong(call: str, told: str) -> None:
+@pytest.mark.parametrize(("call", "reported"), MISCALLED, ids=[call for call, _ in MISCALLED])
+def test_a_miscalled_processor_says_which_argument_is_wrong(call: str, reported: str) -> None:
     [found] = [each for each in tree(f"self.{call}").diagnostics if each.code == "EZS538"]
-    assert found.title == told
+    assert found.title == reported
 
 
 def test_mistakes_beside_a_miscalled_processor_are_found_as_well() -> None:
@@ -151,7 +151,7 @@ def test_mistakes_beside_a_miscalled_processor_are_found_as_well() -> None:
     assert [code for code, _ in found] == ["EZS538", "EZS523", "EZS510"]
 
 
-def test_a_value_without_its_name_is_told_once() -> None:
+def test_a_value_without_its_name_is_reported_once() -> None:
     found = tree("self.serialstar(Drive(params.Place), Grip(2.0))")
     assert findings(found) == [("EZS505", "Drive(params.Place)"), ("EZS505", "Grip(2.0)")]
     assert "`Drive(Target=...)`" in str(found.diagnostics[0].help)
@@ -165,7 +165,9 @@ def test_a_value_without_its_name_is_told_once() -> None:
         ("Hand(Tool=params.Place)", ["EZS535"]),
     ],
 )
-def test_what_does_not_fit_is_not_told_to_be_dropped_besides(child: str, codes: list[str]) -> None:
+def test_what_does_not_fit_is_not_reported_to_be_dropped_besides(
+    child: str, codes: list[str]
+) -> None:
     text = f"""
 class Hand(SkillDescription):
     def description(
@@ -244,7 +246,7 @@ def test_all_branches_are_looked_at() -> None:
     }
 
 
-def test_without_a_tree_the_way_there_is_told() -> None:
+def test_without_a_tree_the_way_there_is_reported() -> None:
     (found,) = tree("if params.Speed > 1:\n    Grip()").diagnostics
     assert [(each.span.text, each.text) for each in found.labels] == [
         ("params.Speed > 1", "where this is false")
@@ -338,7 +340,7 @@ def test_a_default_is_passed_on_when_it_is_set(
     assert [each for each in found if each[0] not in ("EZS420", "EZS533")] == expected
 
 
-def test_a_parameter_whose_type_is_unknown_is_told_once() -> None:
+def test_a_parameter_whose_type_is_unknown_is_reported_once() -> None:
     text = """
 from typing import Annotated
 

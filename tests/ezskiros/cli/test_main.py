@@ -99,7 +99,9 @@ def test_the_ontology_may_be_named_by_an_option(tmp_path: Path) -> None:
     assert "error[EZS301]" in done.stdout
 
 
-def test_an_ontology_that_is_not_there_is_told_even_if_no_skill_loads_it(tmp_path: Path) -> None:
+def test_an_ontology_that_is_not_there_is_reported_even_if_no_skill_loads_it(
+    tmp_path: Path,
+) -> None:
     (tmp_path / "skills.py").write_text("from ezskiros import *\nclass S(SkillDescription): pass\n")
     done = run("check", "skills.py", "--ontology", "nowhere", folder=tmp_path)
     assert (done.returncode, done.stdout) == (2, "")

@@ -43,7 +43,7 @@ def test_what_others_have_written_is_not_overwritten(tmp_path: Path) -> None:
     assert content(tmp_path) == {"ezskiros-sumo.owl": "mine"}
 
 
-def test_a_folder_in_the_way_is_told(tmp_path: Path) -> None:
+def test_a_folder_in_the_way_is_reported(tmp_path: Path) -> None:
     (tmp_path / "ezskiros-sumo.owl").mkdir()
     done = owl(tmp_path, "--out", ".")
     assert (done.returncode, done.stdout) == (2, "")
@@ -51,16 +51,16 @@ def test_a_folder_in_the_way_is_told(tmp_path: Path) -> None:
     assert [each.name for each in tmp_path.iterdir()] == ["ezskiros-sumo.owl"]
 
 
-def test_a_file_in_place_of_the_folder_is_told(tmp_path: Path) -> None:
+def test_a_file_in_place_of_the_folder_is_reported(tmp_path: Path) -> None:
     (tmp_path / "out").write_text("mine")
-    (tmp_path / "hall.ttl").write_text("no Turtle")  # told later: outputs are tried first
+    (tmp_path / "hall.ttl").write_text("no Turtle")  # reported later: outputs are tried first
     done = owl(tmp_path, "--out", "out", ontology="hall.ttl")
     assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
     assert done.stderr.startswith("ezskiros: cannot write to out: ")
     assert (tmp_path / "out").read_text() == "mine"
 
 
-def test_files_of_an_earlier_ontology_are_told(tmp_path: Path) -> None:
+def test_files_of_an_earlier_ontology_are_reported(tmp_path: Path) -> None:
     assert owl(tmp_path, "--out", ".").returncode == 0
     (tmp_path / "ezskiros-mine.owl").write_text("of somebody else")
     done = owl(tmp_path, "--out", ".", ontology=HALL / "sumo.ttl")
@@ -83,7 +83,7 @@ def test_without_an_ontology_it_says_so(tmp_path: Path) -> None:
     assert "error[EZS106]: no ontology is loaded: no path is given" in done.stdout
 
 
-def test_a_file_that_may_not_be_written_is_told_before_any_is_written(tmp_path: Path) -> None:
+def test_a_file_that_may_not_be_written_is_reported_before_any_is_written(tmp_path: Path) -> None:
     assert owl(tmp_path, "--out", ".").returncode == 0
     cora, sumo = tmp_path / "ezskiros-cora.owl", tmp_path / "ezskiros-sumo.owl"
     cora.write_text(cora.read_text() + "<!-- older -->")
@@ -91,8 +91,8 @@ def test_a_file_that_may_not_be_written_is_told_before_any_is_written(tmp_path: 
     before = content(tmp_path)
     words = [*_as_user(), *COMMAND, "--ontology", str(HALL), "--out", "."]
     done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
-    told = "ezskiros: cannot write ezskiros-sumo.owl: permission denied\n"
-    assert (done.returncode, done.stderr) == (2, told)
+    reported = "ezskiros: cannot write ezskiros-sumo.owl: permission denied\n"
+    assert (done.returncode, done.stderr) == (2, reported)
     assert content(tmp_path) == before
 
 

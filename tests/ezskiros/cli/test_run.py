@@ -121,7 +121,7 @@ def test_skills_with_errors_are_not_run(tmp_path: Path) -> None:
          "cannot write no/after.turtle: no such file or directory"),
     ],
 )  # fmt: skip
-def test_a_wrong_call_is_told(skills: Path, words: tuple[str, ...], said: str) -> None:
+def test_a_wrong_call_is_reported(skills: Path, words: tuple[str, ...], said: str) -> None:
     done = run(*words, folder=skills)
     assert (done.returncode, done.stderr) == (2, f"ezskiros: {said}\n")
 
@@ -135,7 +135,7 @@ def test_a_scene_with_errors_is_not_run(skills: Path) -> None:
     assert "lab.turtle:2:6" in done.stdout
 
 
-def test_an_ontology_that_is_not_there_is_told(skills: Path) -> None:
+def test_an_ontology_that_is_not_there_is_reported(skills: Path) -> None:
     done = run("work", folder=skills, **{VARIABLE: "nowhere"})
     assert done.returncode == 2
     assert "the ontology nowhere cannot be read: there is no such file" in done.stdout

@@ -34,8 +34,8 @@ def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
 
 def is_refused(done: subprocess.CompletedProcess[str], code: str = "EZS004") -> bool:
     """Whether nothing was run, and the reason stands there."""
-    is_told = f"warning[{code}]" in done.stdout and done.stderr.splitlines()[-1] == REFUSED
-    return done.returncode == 2 and is_told and "held" not in done.stdout
+    is_reported = f"warning[{code}]" in done.stdout and done.stderr.splitlines()[-1] == REFUSED
+    return done.returncode == 2 and is_reported and "held" not in done.stdout
 
 
 @pytest.mark.parametrize(

@@ -45,7 +45,7 @@ def test_findings_and_a_value_come_back() -> None:
     assert (codes(report), report.value, report.refused) == (["EZS001"] * 2, {"x": [1, 2]}, None)
 
 
-def test_what_is_refused_is_told_with_its_findings() -> None:
+def test_what_is_refused_is_reported_with_its_findings() -> None:
     def work(collector: Collector) -> None:
         collector.add(finding("a"))
         raise RefusedError("there is none")
@@ -80,7 +80,7 @@ def test_a_value_of_changed_code_is_none() -> None:
     assert (codes(report), report.value) == (["EZS241"], None)
 
 
-def test_a_system_without_confinement_is_told_of(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_system_without_confinement_is_reported_of(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(calls, "_LIBRARY", "libnone.so.2")
     report = confined(lambda _: 1)
     assert report.value == 1

@@ -186,7 +186,7 @@ def test_what_has_a_guard_waits_while_nobody_knows(tmp_path: Path) -> None:
     rules.hear_state(state())
     assert is_known()
     rules.lose(clock() - 0.01)
-    assert is_known(), "it was lost before it told this"
+    assert is_known(), "it was stale before it reported this"
 
 
 def test_a_node_of_other_rules_is_not_trusted(tmp_path: Path) -> None:

@@ -191,7 +191,7 @@ def test_the_message_of_ros_2(modules: Any) -> None:
     assert skill.permits[0].type == "skiros.Product"
 
 
-def test_what_is_missing_is_told(modules: Any) -> None:
+def test_what_is_missing_is_reported(modules: Any) -> None:
     modules()
     with pytest.raises(NoRosError, match="`skill_context_msgs` are not installed"):
         connect()

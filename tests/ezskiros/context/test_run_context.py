@@ -209,7 +209,7 @@ def test_nothing_runs_with_what_is_no_export(whiteboard: Path) -> None:
     assert done.stderr == "ezskiros: cannot read skills.json: no such file or directory\n"
 
 
-def test_without_ros_that_is_told_and_skills_run(hanging: Path) -> None:
+def test_without_ros_that_is_reported_and_skills_run(hanging: Path) -> None:
     done = command_line.run(
         "ezskiros", "run", "Hang", "skills.py", "--context", "skills.json", folder=hanging
     )
@@ -223,7 +223,7 @@ def test_it_is_published_from_start_to_end(hanging: Path, ros: Path) -> None:
     assert "it had no result after 1.5 s" in error, out
     times = [when for when, _ in heard(hanging)]
     names = [running for _, running in heard(hanging)]
-    assert names[0] in ("", "Work"), "what is told first depends on which thread is faster"
+    assert names[0] in ("", "Work"), "what is reported first depends on which thread is faster"
     assert names.count("Work") >= 5
     assert times == sorted(times)
 

@@ -110,7 +110,7 @@ def followed(
     most: int = 12,
     compatible: bool = False,
 ) -> set[str]:
-    """Run a task, and compare after each tick; the goals that were told."""
+    """Run a task, and compare after each tick; the goals that were reported."""
     source = LEAVES.replace("{tree}", f"self.serialstar({tree})")
     skills = Skills(folder, source, options={"compatible": compatible})
     try:
@@ -139,8 +139,8 @@ def followed(
 def test_what_runs_is_what_has_started_and_not_ended(
     tmp_path_factory: pytest.TempPathFactory, tree: str, compatible: bool
 ) -> None:
-    def compare(running: list[str], told: list[str]) -> None:
-        assert running == told
+    def compare(running: list[str], reported: list[str]) -> None:
+        assert running == reported
 
     followed(tmp_path_factory.getbasetemp(), tree, compare, compatible=compatible)
 

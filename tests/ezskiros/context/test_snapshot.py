@@ -55,14 +55,14 @@ def pushing(folder: Path, scene: str = SCENE, *texts: str) -> Task:
     return task
 
 
-def told(task: Task) -> dict[str, Any]:
+def reported(task: Task) -> dict[str, Any]:
     (only,) = plain(Snapshots("digest").of(task.setting.running, None))["running"]
     assert isinstance(only, dict)
     return only
 
 
 def test_arguments_have_their_values_types_and_numbers(tmp_path: Path) -> None:
-    found = told(pushing(tmp_path))
+    found = reported(pushing(tmp_path))
     known = {each["parameter"]: each for each in found["arguments"]}
     weight = {"property": "skiros.Weight", "number": 1.5}
     assert known["Object"] == {
@@ -83,7 +83,8 @@ def test_arguments_have_their_values_types_and_numbers(tmp_path: Path) -> None:
 
 def test_permissions_are_those_of_what_it_has(tmp_path: Path) -> None:
     permits = [
-        (each["kind"], each["type"], each["limit"]) for each in told(pushing(tmp_path))["permits"]
+        (each["kind"], each["type"], each["limit"])
+        for each in reported(pushing(tmp_path))["permits"]
     ]
     assert permits == [
         ("contact", "skiros.Product", None),
@@ -95,16 +96,16 @@ def test_permissions_are_those_of_what_it_has(tmp_path: Path) -> None:
 
 def test_a_thing_has_the_lowest_of_its_classes(tmp_path: Path) -> None:
     given = ("Object=skiros:Product-1", "Goal=skiros:Location-2")
-    found = told(pushing(tmp_path, SCENE, *given))
+    found = reported(pushing(tmp_path, SCENE, *given))
     types = [each["type"] for each in found["arguments"] if each["parameter"] == "Goal"]
     assert types == ["skiros.Container"]
     assert ("contact", "skiros.Container") in [(p["kind"], p["type"]) for p in found["permits"]]
 
 
-def test_a_thing_of_two_classes_is_told_twice(tmp_path: Path) -> None:
+def test_a_thing_of_two_classes_is_reported_twice(tmp_path: Path) -> None:
     scene = "skiros:Product-1 a skiros:Product , sumo:Device .\n"
     prefix = "@prefix sumo: <http://www.inf.ufrgs.br/phi-group/ontologies/sumo.owl#> .\n"
-    found = told(pushing(tmp_path, prefix + scene))
+    found = reported(pushing(tmp_path, prefix + scene))
     types = [each["type"] for each in found["arguments"] if each["parameter"] == "Object"]
     assert types == ["skiros.Product", "sumo.Device"]
     contacts = [each["type"] for each in found["permits"] if each["kind"] == "contact"]
@@ -117,7 +118,7 @@ def test_a_property_is_what_it_is_now(tmp_path: Path) -> None:
     skiros = "http://rvmi.aau.dk/ontologies/skiros.owl#"
 
     def weights() -> list[float | None]:
-        (first, *_) = told(task)["arguments"]
+        (first, *_) = reported(task)["arguments"]
         return [each["number"] for each in first["properties"]]
 
     world.set_value(skiros + "Product-1", skiros + "Weight", 2.5)
@@ -132,7 +133,7 @@ def test_a_thing_that_is_gone_is_of_the_class_of_the_parameter(tmp_path: Path) -
     task = pushing(tmp_path)
     world = task.setting.world
     world.remove("http://rvmi.aau.dk/ontologies/skiros.owl#Product-1")
-    found = told(task)
+    found = reported(task)
     assert found["arguments"][0]["type"] == "skiros.Product"
     kinds = [each["kind"] for each in found["permits"]]
     assert kinds == ["closeness", "speed"], "nothing is permitted with what is not there"
@@ -175,7 +176,7 @@ def test_properties_are_in_si(tmp_path: Path) -> None:
     )
     task, _, _ = Skills(tmp_path, source, scene).task("Take", "Thing=shop:Nut-1")
     task.tick()
-    (argument,) = told(task)["arguments"]
+    (argument,) = reported(task)["arguments"]
     assert argument["properties"] == [
         {"property": "shop.Mass", "number": 0.25},
         {"property": "shop.Holes", "number": 2.0},
@@ -188,5 +189,8 @@ def test_of_too_many_nobody_says_what_is_ahead(count: int, is_known: bool) -> No
     place = Span(SourceFile("skills.py", ""), 0, 0)
     skills = (SkillInterface(f"Go{number}", place, (), (), (), ()) for number in range(count))
     ahead = [Ahead(each, {}) for each in skills]
-    told = plain(Snapshots("digest").of([], [*ahead, *ahead]))
-    assert (len(told["ahead"]), told["is_ahead_known"]) == (count if is_known else 0, is_known)
+    reported = plain(Snapshots("digest").of([], [*ahead, *ahead]))
+    assert (len(reported["ahead"]), reported["is_ahead_known"]) == (
+        count if is_known else 0,
+        is_known,
+    )

@@ -70,7 +70,7 @@ def test_to_wait_is_to_live() -> None:
     assert not any(silent)
 
 
-def test_what_is_new_is_told_at_once_and_all_once_a_period() -> None:
+def test_what_is_new_is_reported_at_once_and_all_once_a_period() -> None:
     heard = list[Snapshot]()
     changed = threading.Condition()
 

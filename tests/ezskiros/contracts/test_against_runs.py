@@ -1,4 +1,4 @@
-"""What is told about the contracts of random trees, against runs of them in small worlds."""
+"""What is reported about the contracts of random trees, against runs of them in small worlds."""
 
 from __future__ import annotations
 
@@ -82,8 +82,8 @@ def compare(found: Drawn, findings: Findings, chance: random.Random) -> None:
         if has_succeeded:
             assert "EZS550" not in codes or run.is_broken
             for clause in found.compound.post:
-                is_told = codes_at(findings, clause.span)
+                is_reported = codes_at(findings, clause.span)
                 if not holds(clause.statement, run.world, OWN):
-                    assert is_told & {"EZS555", "EZS556"}, clause
+                    assert is_reported & {"EZS555", "EZS556"}, clause
                 else:
-                    assert "EZS555" not in is_told
+                    assert "EZS555" not in is_reported

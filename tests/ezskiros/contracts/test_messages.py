@@ -23,6 +23,6 @@ def test_messages_are_as_somebody_has_seen_them(
 ) -> None:
     monkeypatch.setenv(VARIABLE, str(ONTOLOGY))
     found = check_paths([FIXTURES / f"contracts_{row}.py"]).diagnostics
-    told = [each for each in found if int(each.code.removeprefix("EZS")) in CODES]
-    text = render_text(told).plain.replace(f"{FIXTURES}/", "")
+    reported = [each for each in found if int(each.code.removeprefix("EZS")) in CODES]
+    text = render_text(reported).plain.replace(f"{FIXTURES}/", "")
     assert_golden(GOLDEN / f"{row}.txt", text, bless=bless)

@@ -15,7 +15,7 @@ from support.engine import Ran, Skills
 from support.passed_values import skills as passing
 
 
-def told(ran: Ran, primitives: tuple[str, ...], *ends: Happened) -> list[str]:
+def reported(ran: Ran, primitives: tuple[str, ...], *ends: Happened) -> list[str]:
     """The texts of the primitives that end so."""
     found = [each for each in ran.events if each.happened in ends]
     return [each.text for each in found if each.path[-1].lower().startswith(primitives)]
@@ -26,7 +26,7 @@ def test_values_are_those_of_skiros2(tmp_path: Path, tree: str, recorded: list[s
     skills = Skills(tmp_path, passing(tree), options={"compatible": True})
     ran = skills.run("Task", "Mine=8.0")
     ends = (Happened.SUCCEEDED, Happened.FAILED)
-    assert told(ran, skiros2_values.PRIMITIVES, *ends) == recorded
+    assert reported(ran, skiros2_values.PRIMITIVES, *ends) == recorded
     assert ran.outcome.is_success
 
 
@@ -39,7 +39,7 @@ def test_things_are_those_of_skiros2(
     source, scene = skiros2_things.skills(tree), skiros2_things.SCENE
     skills = Skills(tmp_path, source, scene, options={"compatible": True})
     ran = skills.run("Task", "A=bench", "B=shelf", "Object=nut")
-    texts = told(ran, skiros2_things.PRIMITIVES, Happened.SUCCEEDED)
+    texts = reported(ran, skiros2_things.PRIMITIVES, Happened.SUCCEEDED)
     assert (ran.outcome.is_success, texts) == (succeeds, recorded)
 
 

@@ -88,10 +88,10 @@ class Scene:
 
     task: InterruptibleTask
     events: list[Event]
-    told: list[tuple[bool, str]] = field(default_factory=list)
+    reported: list[tuple[bool, str]] = field(default_factory=list)
 
     def ask(self, skill: str, afterwards: Afterwards = Afterwards.RESUME) -> Recovery:
-        recovery = Recovery(self.call(skill), afterwards, lambda *end: self.told.append(end))
+        recovery = Recovery(self.call(skill), afterwards, lambda *end: self.reported.append(end))
         self.task.recover(recovery)
         return recovery
 
@@ -133,7 +133,7 @@ def begin(tmp_path: Path) -> Begin:
     return begun
 
 
-def test_each_tree_that_takes_the_place_of_another_is_told_of(begin: Begin) -> None:
+def test_each_tree_that_takes_the_place_of_another_is_reported_of(begin: Begin) -> None:
     search: Future[Way] = Future()
     scene = begin("Both", search)
     trees: list[str] = []
@@ -156,7 +156,7 @@ def test_what_was_done_stays_done(begin: Begin) -> None:
         *("+aside", "aside", "+back", "back"),
         *("+second", "second"),
     ]
-    assert scene.told == [(True, "")]
+    assert scene.reported == [(True, "")]
 
 
 def test_a_task_that_is_retried_begins_anew(begin: Begin) -> None:
@@ -165,7 +165,7 @@ def test_a_task_that_is_retried_begins_anew(begin: Begin) -> None:
     scene.ask("Clear", Afterwards.RETRY)
     assert scene.ticks(14) is Status.SUCCESS
     assert scene.lives()[-4:] == ["+first", "first", "+second", "second"]
-    assert scene.told == [(True, "")]
+    assert scene.reported == [(True, "")]
 
 
 def test_another_plan_leads_to_the_goal(begin: Begin) -> None:
@@ -176,10 +176,10 @@ def test_another_plan_leads_to_the_goal(begin: Begin) -> None:
     scene.ask("Clear", Afterwards.REPLAN)
     assert scene.ticks(10) is Status.RUNNING
     assert scene.lives()[-4:] == ["+aside", "aside", "+back", "back"]
-    assert scene.told == []
+    assert scene.reported == []
     search.set_result([scene.call("Patient"), scene.call("Clear")])
     scene.ticks(1)
-    assert scene.told == [(True, "")]
+    assert scene.reported == [(True, "")]
     assert scene.ticks(14) is Status.SUCCESS
     assert scene.lives()[-8:-4] == ["+left", "+right", "left", "right"]
     assert scene.lives()[-4:] == ["+aside", "aside", "+back", "back"]
@@ -218,7 +218,7 @@ def test_a_task_whose_goal_is_met_is_over(begin: Begin) -> None:
     scene.ticks(3)
     scene.ask("Clear", Afterwards.REPLAN)
     assert scene.ticks(4) is Status.SUCCESS
-    assert scene.told == [(True, "")]
+    assert scene.reported == [(True, "")]
     assert [*scene.task.setting.running] == []
 
 
@@ -230,7 +230,7 @@ def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
     scene.ask("Clear", Afterwards.REPLAN)
     assert scene.ticks(5) is Status.FAILURE
     why = "no plan leads to the goal of the task: all ways are blocked"
-    assert scene.told == [(False, why)]
+    assert scene.reported == [(False, why)]
     assert [*scene.task.setting.running] == []
 
 
@@ -245,7 +245,7 @@ def test_a_rule_that_is_released_ends_no_search(begin: Begin) -> None:
     scene.ticks(1)
     search.set_result([scene.call("Patient")])
     assert scene.ticks(7) is Status.SUCCESS
-    assert scene.told == [(True, "")]
+    assert scene.reported == [(True, "")]
     assert scene.lives()[-4:] == ["+left", "+right", "left", "right"]
 
 
@@ -275,7 +275,7 @@ def test_a_recovery_that_fails_ends_the_task(begin: Begin) -> None:
     scene.ticks(3)
     scene.ask("Stuck")
     assert scene.ticks(1) is Status.FAILURE
-    assert scene.told == [(False, "the recovery has failed: it is broken")]
+    assert scene.reported == [(False, "the recovery has failed: it is broken")]
     assert scene.task.root.status is Status.INVALID
     assert [*scene.task.setting.running] == []
 
@@ -288,7 +288,7 @@ def test_a_rule_that_is_released_ends_the_tree(begin: Begin) -> None:
     recovery.release()
     assert scene.ticks(3) is Status.SUCCESS
     assert scene.lives()[-4:] == ["+aside", "!aside", "+second", "second"]
-    assert scene.told == [(False, "it was stopped")]
+    assert scene.reported == [(False, "it was stopped")]
 
 
 def test_a_tree_that_is_released_before_the_next_tick_never_begins(begin: Begin) -> None:
@@ -297,7 +297,7 @@ def test_a_tree_that_is_released_before_the_next_tick_never_begins(begin: Begin)
     scene.ask("Clear").release()
     assert scene.ticks(3) is Status.SUCCESS
     assert scene.lives() == ["+first", "first", "+second", "second"]
-    assert scene.told == [(False, "it was stopped")]
+    assert scene.reported == [(False, "it was stopped")]
 
 
 def test_a_release_ends_no_tree_of_another_rule(begin: Begin) -> None:
@@ -309,11 +309,11 @@ def test_a_release_ends_no_tree_of_another_rule(begin: Begin) -> None:
     scene.ask("Patient")
     first.release()
     scene.ticks(1)
-    assert scene.told == [(False, "it was stopped")]
+    assert scene.reported == [(False, "it was stopped")]
     assert scene.lives()[-4:] == ["+aside", "!aside", "+left", "+right"]
     first.release()
     assert scene.ticks(12) is Status.SUCCESS
-    assert scene.told[1:] == [(True, "")]
+    assert scene.reported[1:] == [(True, "")]
 
 
 def test_a_tree_gives_way_to_another(begin: Begin) -> None:
@@ -323,7 +323,7 @@ def test_a_tree_gives_way_to_another(begin: Begin) -> None:
     scene.ticks(1)
     scene.ask("Patient")
     scene.ticks(1)
-    assert scene.told == [(False, "another tree is asked for")]
+    assert scene.reported == [(False, "another tree is asked for")]
     assert scene.lives()[-4:] == ["+aside", "!aside", "+left", "+right"]
 
 
@@ -333,7 +333,7 @@ def test_a_task_that_is_stopped_stops_its_tree(begin: Begin) -> None:
     scene.ask("Clear")
     scene.ticks(1)
     scene.task.preempt()
-    assert scene.told == [(False, "the task is stopped")]
+    assert scene.reported == [(False, "the task is stopped")]
     assert [*scene.task.setting.running] == []
 
 
@@ -344,7 +344,7 @@ def test_a_tree_is_asked_for_from_any_thread(begin: Begin) -> None:
     asking.start()
     asking.join()
     assert scene.ticks(12) is Status.SUCCESS
-    assert scene.told == [(True, "")]
+    assert scene.reported == [(True, "")]
 
 
 def test_the_context_tells_of_the_tree(begin: Begin) -> None:

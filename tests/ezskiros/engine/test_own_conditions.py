@@ -13,7 +13,7 @@ from support.own_conditions import SCENE, TREES, skills
 CHOOSING = "Move(Object=params.One)"
 
 
-def told(ran: Ran) -> list[str]:
+def reported(ran: Ran) -> list[str]:
     """The texts that primitives have said at their ends."""
     ended = [each for each in ran.events if each.happened is Happened.SUCCEEDED]
     return [each.text for each in ended if each.text != "End"]
@@ -28,14 +28,14 @@ def test_the_implementation_whose_conditions_hold_is_taken(
         assert not ran.outcome.is_success
         assert f"pre-condition does not hold: {expected} (" in ran.reason
     else:
-        assert told(ran) == expected
+        assert reported(ran) == expected
         assert ran.outcome.is_success or "inverter" in tree
 
 
 @pytest.mark.parametrize(("one", "expected"), [("nut", ["lifted nut"]), ("bolt", [])])
 def test_compatible_runs_try_the_first_only(tmp_path: Path, one: str, expected: list[str]) -> None:
     library = Skills(tmp_path, skills(CHOOSING), SCENE, {"compatible": True})
-    assert told(library.run("Task", f"One={one}", "Object=feather")) == expected
+    assert reported(library.run("Task", f"One={one}", "Object=feather")) == expected
 
 
 def test_without_one_that_can_start_each_tells_why(tmp_path: Path) -> None:
@@ -66,5 +66,5 @@ def test_each_implementation_is_made_once(
     start, end = source.index("class lift"), source.index("class Shove")
     source = source[:start] + lift + other + source[end:]
     ran = Skills(tmp_path, source, SCENE).run("Task", "One=nut", "Object=feather")
-    assert told(ran) == ["lifted nut"] * 4
+    assert reported(ran) == ["lifted nut"] * 4
     assert capsys.readouterr().out.split() == ["lift", "other"]

@@ -12,13 +12,13 @@ from support.passed_values import IDS, TREES
 from support.passed_values import skills as passing
 
 
-@pytest.mark.parametrize(("tree", "told"), TREES, ids=IDS)
+@pytest.mark.parametrize(("tree", "reported"), TREES, ids=IDS)
 def test_values_reach_the_children_that_they_are_passed_to(
-    tmp_path: Path, tree: str, told: list[str]
+    tmp_path: Path, tree: str, reported: list[str]
 ) -> None:
     ran = Skills(tmp_path, passing(tree)).run("Task", "Mine=8.0")
     assert ran.outcome.is_success
     ended = (Happened.SUCCEEDED, Happened.FAILED)
     primitives = ("Push", "Weigh", "Double")
     found = [each for each in ran.events if each.happened in ended]
-    assert [each.text for each in found if each.path[-1].startswith(primitives)] == told
+    assert [each.text for each in found if each.path[-1].startswith(primitives)] == reported

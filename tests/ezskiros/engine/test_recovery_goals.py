@@ -63,7 +63,7 @@ class Robot:
         )
         self.task = InterruptibleTask(plain.root.call, plain.setting, lambda *_: Future())
         self.goals = RecoveryGoals(DIGEST, TaskHost(self.task))
-        self.told: list[tuple[bool, str]] = []
+        self.reported: list[tuple[bool, str]] = []
         self.task.tick()
 
     def begin(
@@ -75,7 +75,7 @@ class Robot:
         without: Sequence[str] = (),
     ) -> Recovery:
         return self.goals.begin(
-            digest, skill, arguments, afterwards, without, lambda *end: self.told.append(end)
+            digest, skill, arguments, afterwards, without, lambda *end: self.reported.append(end)
         )
 
     def started(self, skill: str) -> Event:
@@ -99,7 +99,7 @@ def test_values_are_those_that_are_written(robot: Robot) -> None:
     values = robot.started("Reroute").values
     assert str(values["Target"]) == "skiros:Location-2"
     assert (values["Speed"], values["Quietly"], values["Gear"].name) == (0.1, True, "SLOW")
-    assert robot.told == [(True, "")]
+    assert robot.reported == [(True, "")]
 
 
 def test_a_number_with_a_default_need_not_be_given(robot: Robot) -> None:
@@ -134,12 +134,12 @@ def test_values_are_those_of_the_skill_that_another_tree_interrupts(robot: Robot
     robot.task.tick()
     assert str(robot.started("Reroute").values["Target"]) == "skiros:Location-1"
     assert robot.ends() is Status.SUCCESS
-    assert robot.told == [(False, "another tree is asked for"), (True, "")]
+    assert robot.reported == [(False, "another tree is asked for"), (True, "")]
 
 
 def test_a_skill_that_runs_again_has_its_new_values(robot: Robot) -> None:
     robot.begin("Target=store", *GIVEN)
-    while not robot.told:
+    while not robot.reported:
         robot.task.tick()
     robot.task.tick()
     assert [*robot.task.running] == [*robot.task.setting.running]
@@ -177,7 +177,7 @@ def test_a_goal_that_is_cancelled_ends(robot: Robot) -> None:
     robot.task.tick()
     recovery.release()
     assert robot.ends() is Status.SUCCESS
-    assert robot.told == [(False, "it was stopped")]
+    assert robot.reported == [(False, "it was stopped")]
 
 
 def test_a_task_goes_on_in_a_way_that_is_known(robot: Robot) -> None:
@@ -226,4 +226,4 @@ def test_a_goal_that_is_not_understood_whole_is_refused(
         robot.begin("Target=store", *GIVEN, afterwards="replan", without=["Drive", without])
     assert str(problem.value).startswith("a skill that rules forbid is not known: ")
     assert reason in str(problem.value)
-    assert robot.told == []
+    assert robot.reported == []

@@ -135,7 +135,7 @@ def test_properties_compare_as_written_but_for_skiros2(skills: Skills) -> None:
     assert not skills.run("find").outcome.is_success
 
 
-def test_of_several_the_first_by_name_is_taken_and_the_others_are_told(skills: Skills) -> None:
+def test_of_several_the_first_by_name_is_taken_and_the_others_are_reported(skills: Skills) -> None:
     skills.scene = SCENE.replace("2.0", "0.2")
     ran = skills.run("find")
     chosen = [each.text for each in ran.events if each.happened is Happened.CHOSEN]
@@ -147,7 +147,7 @@ def test_of_several_the_first_by_name_is_taken_and_the_others_are_told(skills: S
     assert "skiros:Product-5" in skills.run("find").notes[-1]
 
 
-def test_what_cannot_be_inferred_is_told_with_the_condition(skills: Skills) -> None:
+def test_what_cannot_be_inferred_is_reported_with_the_condition(skills: Skills) -> None:
     skills.scene = SCENE.replace("0.5", "5.0")
     reason = skills.run("find").reason
     assert reason.startswith("pre-condition does not hold: Object.Weight < 1.0 (")
@@ -229,7 +229,7 @@ def test_an_output_of_before_is_none_of_now(skills: Skills) -> None:
         ("self.world.thing('screw')", "there is no 'screw' in the world"),
     ],
 )  # fmt: skip
-def test_wrong_names_and_values_are_told(skills: Skills, line: str, said: str) -> None:
+def test_wrong_names_and_values_are_reported(skills: Skills, line: str, said: str) -> None:
     skills.source = SOURCE.replace("self.params.Weight = 3", line)
     assert said in skills.run("Weigh", "Object=nut").reason
 
@@ -385,6 +385,6 @@ def test_a_default_that_is_set_is_passed_on_and_takes_nothing(
     ran = skills.run("hear")
     assert ran.outcome.is_success, ran.reason
     if not simulate:
-        told = [each for each in ran.notes if each not in ("Start", "End")]
+        reported = [each for each in ran.notes if each not in ("Start", "End")]
         shown = "shows 3.5 None"
-        assert told == ["heard 1.0", shown, "heard 2.0", shown, "heard 1.0", shown]
+        assert reported == ["heard 1.0", shown, "heard 2.0", shown, "heard 1.0", shown]

@@ -110,7 +110,7 @@ def noted(task: Task) -> list[str]:
     return list(kind.onStart.__globals__["noted"])
 
 
-def told(events: Sequence[Event], skill: str = "Go") -> list[str]:
+def reported(events: Sequence[Event], skill: str = "Go") -> list[str]:
     return [f"{each.happened.value}: {each.text}" for each in events if each.skill == skill]
 
 
@@ -118,23 +118,23 @@ def test_a_primitive_waits_and_starts_in_the_tick_in_which_it_may(tmp_path: Path
     rules = Rules()
     task, events, _ = begun(tmp_path, 'self.serialstar(Look(), Go(Name="a"))', rules)
     assert [task.tick() for _ in range(3)] == [Status.RUNNING] * 3
-    assert told(events) == [f"running: waits: {STOP}"]
+    assert reported(events) == [f"running: waits: {STOP}"]
     assert noted(task) == []
     assert [each.skill.name for each in task.setting.running] == ["Task"]
     rules.reason = None
     assert task.tick() is Status.RUNNING
-    assert told(events)[1:] == ["started: Start", "running: on the way"]
+    assert reported(events)[1:] == ["started: Start", "running: on the way"]
     assert noted(task) == ["init", "start a", "execute"]
     assert [each.skill.name for each in task.setting.running] == ["Task", "Go"]
     assert task.tick() is Status.SUCCESS
 
 
-def test_another_reason_is_told_too(tmp_path: Path) -> None:
+def test_another_reason_is_reported_too(tmp_path: Path) -> None:
     rules = Rules()
     task, events, _ = begun(tmp_path, 'self.serialstar(Go(Name="a"))', rules)
     for rules.reason in (STOP, STOP, "nobody knows which rules are active", STOP):
         task.tick()
-    assert [each.partition("waits: ")[2] for each in told(events)] == [
+    assert [each.partition("waits: ")[2] for each in reported(events)] == [
         STOP, "nobody knows which rules are active", STOP,
     ]  # fmt: skip
 
@@ -146,7 +146,7 @@ def test_conditions_are_asked_when_it_starts_and_not_before(tmp_path: Path) -> N
     assert task.tick() is Status.RUNNING
     rules.reason = None
     assert task.tick() is Status.FAILURE
-    assert told(events)[1].startswith("failed: ")
+    assert reported(events)[1].startswith("failed: ")
     assert noted(task) == []
 
 
@@ -157,10 +157,10 @@ def test_what_runs_is_left_alone(tmp_path: Path) -> None:
     task.tick()
     rules.reason = STOP
     task.tick()
-    assert [each.partition(":")[0] for each in told(events)] == [
+    assert [each.partition(":")[0] for each in reported(events)] == [
         "started", "running", "succeeded", "running",
     ]  # fmt: skip
-    assert told(events)[-1] == f"running: waits: {STOP}"
+    assert reported(events)[-1] == f"running: waits: {STOP}"
 
 
 def test_only_primitives_are_asked_about(tmp_path: Path) -> None:
@@ -182,7 +182,7 @@ def test_a_skill_that_is_stopped_while_it_waits_was_never_there(
     task.tick()
     task.preempt()
     assert noted(task) == []
-    assert told(events)[-1] == "preempted: stopped before its start"
+    assert reported(events)[-1] == "preempted: stopped before its start"
     assert list(task.setting.running) == []
 
 
@@ -191,7 +191,7 @@ def test_it_waits_anew_after_it_was_stopped(tmp_path: Path) -> None:
     tree = 'self.parallelfs(Go(Name="a"), self.serialstar(Look()))'
     task, events, _ = begun(tmp_path, f"self.serialstar({tree}, Go(Name='b'))", rules)
     assert task.tick() is Status.RUNNING
-    assert told(events) == [
+    assert reported(events) == [
         f"running: waits: {STOP}",
         "preempted: stopped before its start",
         f"running: waits: {STOP}",
@@ -207,8 +207,8 @@ def test_the_wait_counts_for_a_time_limit(tmp_path: Path) -> None:
     outcome = run(task, wait=clock.wait)
     assert outcome.is_success
     assert outcome.seconds == pytest.approx(1.0, abs=2 * PERIOD)
-    assert told(events)[-1] == "preempted: stopped before its start"
-    assert told(events, "Look") == ["started: Start", "succeeded: seen"]
+    assert reported(events)[-1] == "preempted: stopped before its start"
+    assert reported(events, "Look") == ["started: Start", "succeeded: seen"]
     assert noted(task) == []
 
 
@@ -233,7 +233,7 @@ def test_a_tree_of_a_rule_takes_the_place_of_a_skill_that_waits(tmp_path: Path) 
     task.tick()
     assert done == [(True, "")]
     task.tick()
-    assert told(events) == [
+    assert reported(events) == [
         f"running: waits: {STOP}",
         "preempted: stopped before its start",
         f"running: waits: {STOP}",

@@ -70,7 +70,7 @@ def test_order_and_folder_do_not_matter(tmp_path: Path) -> None:
     assert first.read_bytes() == second.read_bytes()
 
 
-def test_skills_are_told_with_their_places(whiteboard: dict[str, Any]) -> None:
+def test_skills_are_reported_with_their_places(whiteboard: dict[str, Any]) -> None:
     skills = named(whiteboard["skills"])
     assert list(skills) == ["Drive", "Erase", "Reach", "Wipe"]
     wipe = skills["Wipe"]
@@ -238,7 +238,7 @@ class Shove(Push):
 """
 
 
-def test_parents_are_told_nearest_first(tmp_path: Path) -> None:
+def test_parents_are_reported_nearest_first(tmp_path: Path) -> None:
     skills = named(of_texts(tmp_path, a=DERIVED)["skills"])
     assert [skills[name]["parents"] for name in ("Move", "Push", "Shove")] == [
         [],
@@ -249,7 +249,7 @@ def test_parents_are_told_nearest_first(tmp_path: Path) -> None:
     assert [each["kind"] for each in skills["Shove"]["permits"]] == ["contact", "speed"]
 
 
-def test_a_class_that_only_a_permission_names_is_told(tmp_path: Path) -> None:
+def test_a_class_that_only_a_permission_names_is_reported(tmp_path: Path) -> None:
     text = (
         "class A(SkillDescription):\n    def description(self, X: int):\n"
         "        self.permits += contact(skiros.Container)\n"
@@ -292,7 +292,7 @@ def test_nothing_is_written_if_there_are_errors(tmp_path: Path) -> None:
     assert out.read_text() == "before"
 
 
-def test_errors_of_skills_of_other_files_are_told(tmp_path: Path) -> None:
+def test_errors_of_skills_of_other_files_are_reported(tmp_path: Path) -> None:
     (tmp_path / "other.py").write_text(
         HEADER + "class B(SkillDescription):\n    def description(self, X: int):\n"
         "        self.permits += contact(3)\n\nclass b(B.SkillBase):\n    def execute(self):\n"
@@ -311,7 +311,7 @@ def test_errors_of_skills_of_other_files_are_told(tmp_path: Path) -> None:
     assert "error[EZS251]" in done.stdout
 
 
-def test_a_file_that_cannot_be_written_is_told_first(tmp_path: Path) -> None:
+def test_a_file_that_cannot_be_written_is_reported_first(tmp_path: Path) -> None:
     out = tmp_path / "nowhere" / "skills.json"
     done = command_line.run("ezskiros", "export", "a.py", "-o", out)
     assert (done.returncode, done.stdout) == (2, "")

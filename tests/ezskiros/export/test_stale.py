@@ -42,8 +42,8 @@ def test_it_is_stale_when_a_source_changes_or_goes(tmp_path: Path) -> None:
     files[0].write_text("as it is")
     files[1].unlink()
     os.mkfifo(files[1])
-    told = [(each.primary.span.text, each.title) for each in changed_sources(export)]
-    assert told == [
+    reported = [(each.primary.span.text, each.title) for each in changed_sources(export)]
+    assert reported == [
         ('"a.py"', f"`{export.file.path}` is stale: `a.py` has changed"),
         (
             json.dumps("b c/\u00e9.ttl"),
@@ -52,7 +52,7 @@ def test_it_is_stale_when_a_source_changes_or_goes(tmp_path: Path) -> None:
     ]
 
 
-def test_what_it_was_not_made_of_is_told(tmp_path: Path) -> None:
+def test_what_it_was_not_made_of_is_reported(tmp_path: Path) -> None:
     for name in ("a.py", "b.py"):
         (tmp_path / name).touch()
     export = right(written(tmp_path, tmp_path / "a.py"))

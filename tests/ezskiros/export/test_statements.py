@@ -59,7 +59,7 @@ def test_a_statement_is_read_as_it_was_written(statement: Statement) -> None:
 
 
 @pytest.mark.parametrize(
-    ("found", "told"),
+    ("found", "reported"),
     [
         (None, "it is no object"),
         ([], "it is no object"),
@@ -83,7 +83,7 @@ def test_a_statement_is_read_as_it_was_written(statement: Statement) -> None:
         (nested(MOST_LEVELS + 1), "it has more than 50 levels"),
     ],
 )
-def test_another_object_is_refused(found: object, told: str) -> None:
+def test_another_object_is_refused(found: object, reported: str) -> None:
     with pytest.raises(ValueError, match="it") as problem:
         statement_of(found)
-    assert told in str(problem.value)
+    assert reported in str(problem.value)

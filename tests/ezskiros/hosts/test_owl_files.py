@@ -116,13 +116,13 @@ def test_a_namespace_may_not_have_a_prefix_of_skiros2() -> None:
     "iri",
     ["http://example.org/hall/Crate", "urn:Crate", "http://a.org/#Crate", "http://a.org/a:b#C"],
 )
-def test_a_namespace_without_a_prefix_is_told(iri: str) -> None:
+def test_a_namespace_without_a_prefix_is_reported(iri: str) -> None:
     ontology, _ = loaded(f"<{iri}> a <http://www.w3.org/2002/07/owl#Class> .")
     files, found = owl_files(ontology)
     assert (files, codes(found)) == ({}, ["EZS884"])
 
 
-def test_files_of_one_name_in_two_folders_are_told(tmp_path: Path) -> None:
+def test_files_of_one_name_in_two_folders_are_reported(tmp_path: Path) -> None:
     for folder, kind in (("a", "Crate"), ("b", "Box")):
         (tmp_path / folder).mkdir()
         (tmp_path / folder / "test.ttl").write_text(f"{PREFIXES}:{kind} a owl:Class .")
@@ -139,7 +139,7 @@ def test_files_of_one_name_in_two_folders_are_told(tmp_path: Path) -> None:
         ":Crate <http://example.org/test.owl#> 3 .",
     ],
 )
-def test_what_xml_cannot_hold_is_told(said: str) -> None:
+def test_what_xml_cannot_hold_is_reported(said: str) -> None:
     files, found = owl_files(turtle(f"{HEADER} :Crate a owl:Class . {said}"))
     assert codes(found) in (["EZS887"], [])
     if not found:  # then it is the same again

@@ -44,7 +44,7 @@ class nobody(Task.SkillBase):
 
 
 @pytest.mark.parametrize(
-    ("tree", "state", "asked", "told"),
+    ("tree", "state", "asked", "reported"),
     [
         ("twice", "Success", ["made", "once", "made", "again"], "greet Success greeted"),
         (
@@ -58,7 +58,7 @@ class nobody(Task.SkillBase):
     ],
 )
 def test_skills_on_a_base_run(
-    package: Any, tree: str, state: str, asked: list[str], told: str
+    package: Any, tree: str, state: str, asked: list[str], reported: str
 ) -> None:
     name = package("library", new_callers() + TREES)
     core = skiros2_core.Core()
@@ -66,4 +66,4 @@ def test_skills_on_a_base_run(
     found, texts = core.run("Task", tree)
     module = __import__(f"{name}.skills").skills
     assert (found, module.Client.asked) == (state, asked)
-    assert told in texts
+    assert reported in texts

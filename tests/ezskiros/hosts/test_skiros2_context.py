@@ -46,7 +46,7 @@ def alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         each.voice.end()
 
 
-class Told:
+class Reported:
     """A context whose thread is not started: the test speaks for it."""
 
     def __init__(self) -> None:
@@ -65,48 +65,48 @@ def no_values() -> dict[str, Any]:
     return {}
 
 
-def test_where_no_skill_runs_that_is_told_for_ever() -> None:
-    told = Told()
-    assert told.running() == []
-    told.clock.wait(1e9)
-    assert told.running() == []
+def test_where_no_skill_runs_that_is_reported_for_ever() -> None:
+    reported = Reported()
+    assert reported.running() == []
+    reported.clock.wait(1e9)
+    assert reported.running() == []
 
 
 def test_each_skill_that_runs_has_to_live() -> None:
-    told = Told()
+    reported = Reported()
     context.start(1, SKILL, no_values)
     context.start(2, OTHER, no_values)
-    assert told.running() == ["Push", "Wait"]
+    assert reported.running() == ["Push", "Wait"]
     for _ in range(2 * PATIENCE):
-        told.clock.wait(PERIOD * 0.4)
+        reported.clock.wait(PERIOD * 0.4)
         context.live(1)
         context.live(2)
-        assert told.running() == ["Push", "Wait"]
+        assert reported.running() == ["Push", "Wait"]
     for _ in range(2 * PATIENCE):
-        told.clock.wait(PERIOD * 0.6)
+        reported.clock.wait(PERIOD * 0.6)
         context.live(1)
-    assert told.running() is None, "nobody ticks the second"
+    assert reported.running() is None, "nobody ticks the second"
     context.live(2)
-    assert told.running() == ["Push", "Wait"]
+    assert reported.running() == ["Push", "Wait"]
     context.end(2)
-    assert told.running() == ["Push"]
-    told.clock.wait(PERIOD * (PATIENCE + 1))
-    assert told.running() is None
+    assert reported.running() == ["Push"]
+    reported.clock.wait(PERIOD * (PATIENCE + 1))
+    assert reported.running() is None
     context.end(1)
-    assert told.running() == []
+    assert reported.running() == []
 
 
 def test_what_does_not_run_gives_no_sign_of_life() -> None:
-    told = Told()
+    reported = Reported()
     context.start(1, SKILL, no_values)
-    told.clock.wait(PERIOD * (PATIENCE + 1))
+    reported.clock.wait(PERIOD * (PATIENCE + 1))
     context.live(2)
     context.end(2)
-    assert told.running() is None
+    assert reported.running() is None
 
 
 def test_a_fault_silences_it_and_no_skill(monkeypatch: pytest.MonkeyPatch) -> None:
-    told = Told()
+    reported = Reported()
     logged = list[str]()
     monkeypatch.setattr(api().log, "error", lambda _who, text: logged.append(text))
 
@@ -114,11 +114,11 @@ def test_a_fault_silences_it_and_no_skill(monkeypatch: pytest.MonkeyPatch) -> No
         raise RuntimeError("the world model is gone")
 
     context.start(1, SKILL, values)
-    assert told.running() is None
+    assert reported.running() is None
     assert logged == ["the context is not known: RuntimeError('the world model is gone')"]
-    told.clock.wait(PERIOD)
+    reported.clock.wait(PERIOD)
     context.end(1)
-    assert told.running() == []
+    assert reported.running() == []
 
 
 def test_a_processor_is_watched() -> None:
@@ -136,17 +136,17 @@ def test_a_processor_is_watched() -> None:
     done = list[Any]()
     plain = Processor()
     assert context.watched(plain, 1) is plain, "without a context all is as it was"
-    told = Told()
+    reported = Reported()
     watched = context.watched(plain, 1)
     context.start(1, SKILL, no_values)
-    told.clock.wait(PERIOD * (PATIENCE + 1))
-    assert told.running() is None
+    reported.clock.wait(PERIOD * (PATIENCE + 1))
+    assert reported.running() is None
     assert watched.printType() == "->"
     watched.reset()
-    assert told.running() is None
+    assert reported.running() is None
     assert watched.processChildren([2], 3) == "state"
     assert done == ["reset", ([2], 3)]
-    assert told.running() == ["Push"]
+    assert reported.running() == ["Push"]
     assert type(deepcopy(watched)) is Processor
 
 
@@ -189,36 +189,36 @@ SPEED = "from ezskiros import speed\n"
 
 
 def test_a_hosted_skill_runs_from_its_start_to_its_end(package: Any) -> None:
-    told = Told()
+    reported = Reported()
     skill = hosted(package, "hosted_one", Duration=1.5, Willing=True)
     assert skill.onStart()
-    assert told.running() == ["Wait"]
-    (running,) = told.heard[-1].running
+    assert reported.running() == ["Wait"]
+    (running,) = reported.heard[-1].running
     assert [(each.parameter, each.value) for each in running.arguments] == [
         ("Duration", "1.5"),
         ("Willing", "true"),
     ]
     assert [(each.kind, each.limit) for each in running.permits] == [("speed", 0.1)]
-    told.clock.wait(PERIOD * (PATIENCE + 1))
-    assert told.running() is None
+    reported.clock.wait(PERIOD * (PATIENCE + 1))
+    assert reported.running() is None
     skill.execute()
-    assert told.running() == ["Wait"]
+    assert reported.running() == ["Wait"]
     assert skill.onEnd()
-    assert told.running() == []
+    assert reported.running() == []
 
 
 def test_what_does_not_start_does_not_run(package: Any) -> None:
-    told = Told()
+    reported = Reported()
     assert not hosted(package, "hosted_two", Duration=1.5, Willing=False).onStart()
-    assert told.running() == []
+    assert reported.running() == []
 
 
-def test_a_value_that_is_missing_is_told_as_none(package: Any) -> None:
-    told = Told()
+def test_a_value_that_is_missing_is_reported_as_none(package: Any) -> None:
+    reported = Reported()
     skill = hosted(package, "hosted_three", Willing=True)
     skill.onStart()
-    started = [each for each in told.heard if each.running]
-    assert told.running() == [], "without it SkiROS2's own start fails"
+    started = [each for each in reported.heard if each.running]
+    assert reported.running() == [], "without it SkiROS2's own start fails"
     assert started == [] or started[-1].running[0].arguments[0].value == ""
 
 
@@ -241,7 +241,7 @@ def quiet() -> Publish:
     return lambda _snapshot: None
 
 
-def test_an_export_is_told_by_several_libraries(tmp_path: Path) -> None:
+def test_an_export_is_reported_by_several_libraries(tmp_path: Path) -> None:
     path, source = exported(tmp_path)
     assert context.begin(path, [source], quiet) is None
     assert context.begin(path, [source], quiet) is None

@@ -66,9 +66,9 @@ def test_the_task_is_done(workspace: Path, library: str, monkeypatch: pytest.Mon
         "Gripper": core.labelled("rparts:GripperEffector", "gripper"),
         "PlacingLocation": core.labelled("skiros:Location", "shelf"),
     }
-    state, told = core.run("PickAndPlace", "pick_and_place", 500, **given)
-    assert state == "Success", told[-5:]
-    assert told[-1] == "wm_move_object Success skiros:Location-13 contains skiros:Product-10"
+    state, reported = core.run("PickAndPlace", "pick_and_place", 500, **given)
+    assert state == "Success", reported[-5:]
+    assert reported[-1] == "wm_move_object Success skiros:Location-13 contains skiros:Product-10"
     shelf = core.wm.get_element("skiros:Location-13")
     contained = [each["dst"] for each in shelf.getRelations("-1", "skiros:contain")]
     assert contained == ["skiros:Product-10"]

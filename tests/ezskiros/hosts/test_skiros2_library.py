@@ -86,7 +86,7 @@ def test_a_mistake_outside_of_skills_refuses_the_file(package: Any) -> None:
     assert refused(library) == ["Late", "late"]
 
 
-def test_a_misspelt_base_is_told_with_all_else(package: Any) -> None:
+def test_a_misspelt_base_is_reported_with_all_else(package: Any) -> None:
     text = WAIT.replace("Wait.SkillBase", "Wait.SkilBase")
     library = checked(package("sixth", text, ""))
     assert refused(library) == ["wait"]

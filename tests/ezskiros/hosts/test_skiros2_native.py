@@ -48,7 +48,7 @@ def library(folder: Path, text: str) -> str:
     return package.name
 
 
-def told(found: list[str], states: tuple[str, ...]) -> Iterator[str]:
+def reported(found: list[str], states: tuple[str, ...]) -> Iterator[str]:
     """The texts of the primitives that end so."""
     for each in found:
         label, state, text = each.split(" ", 2)
@@ -63,7 +63,7 @@ def test_values_in_skiros2_are_those_that_are_recorded(
     core = skiros2_core.Core()
     core.load(library(folder, skiros2_values.skills(tree)), "task")
     state, found = core.run("Task", "task", Mine=8.0)
-    assert (state, [*told(found, ("Success", "Failure"))]) == ("Success", recorded)
+    assert (state, [*reported(found, ("Success", "Failure"))]) == ("Success", recorded)
 
 
 @pytest.mark.parametrize(
@@ -77,7 +77,7 @@ def test_things_in_skiros2_are_those_that_are_recorded(
     things = {"A": core.add("skiros:Location", "bench"), "B": core.add("skiros:Location", "shelf")}
     things["Object"], _ = product(core, "nut"), product(core, "bolt")
     state, found = core.run("Task", "task", **things)
-    assert (state == "Success", [*told(found, ("Success",))]) == (succeeds, recorded)
+    assert (state == "Success", [*reported(found, ("Success",))]) == (succeeds, recorded)
 
 
 def product(core: Any, label: str) -> Any:
@@ -136,4 +136,4 @@ def test_keys_are_renamed_as_in_skiros2(
         remaps.add_all(remaps_above)
     found, back = renamed(skills)
     assert remaps.by_own() == found
-    assert all(key == own for own, key in back.items()), "no value gets lost on the way back"
+    assert all(key == own for own, key in back.items()), "no value gets stale on the way back"

@@ -33,7 +33,7 @@ def things(core: Any) -> dict[str, Any]:
     return found
 
 
-def told(found: list[str]) -> list[str]:
+def reported(found: list[str]) -> list[str]:
     """The texts of the primitives that have succeeded."""
     parts = (each.split(" ", 2) for each in found)
     return [text for label, state, text in parts if state == "Success" and label in PRIMITIVES]
@@ -54,9 +54,9 @@ def test_the_implementation_whose_conditions_hold_is_taken(
     state, found = core.run("Task", "task", One=known[one], Object=known["feather"])
     if isinstance(expected, str):
         assert state == "Failure"
-        assert told(found) == []
+        assert reported(found) == []
     else:
-        assert told(found) == expected
+        assert reported(found) == expected
         assert (state == "Success") or "inverter" in tree
 
 
@@ -70,7 +70,7 @@ def test_the_order_in_which_skiros2_has_loaded_them_counts(package: Any) -> None
         core.load(name, "leave", "lift", "task")
         known = things(core)
         state, found = core.run("Task", "task", One=known[one], Object=known["feather"])
-        assert (state, told(found)) == ("Success", expected)
+        assert (state, reported(found)) == ("Success", expected)
 
 
 @pytest.mark.parametrize(("one", "two", "expected"), PAIRS)
@@ -87,6 +87,6 @@ def test_skiros2_itself_takes_the_first(
     known = things(core)
     state, found = core.run("Task", "task", One=known[one], Two=known[two])
     lifted = expected if expected[0] == "lifted nut" else []
-    assert (state, told(found)) == ("Failure", lifted[:1])
+    assert (state, reported(found)) == ("Failure", lifted[:1])
     for module in [each for each in sys.modules if each.partition(".")[0] == folder.name]:
         del sys.modules[module]

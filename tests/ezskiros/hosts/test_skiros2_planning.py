@@ -18,7 +18,9 @@ class Unplanned(SkillImplementation):
     available_for_planning = False
 
 
-def told(implementation: type[SkillImplementation], *, has_switch: bool = False) -> list[object]:
+def reported(
+    implementation: type[SkillImplementation], *, has_switch: bool = False
+) -> list[object]:
     """The calls of SkiROS2, in order, when it loads an implementation."""
     heard: list[object] = []
 
@@ -38,12 +40,12 @@ def told(implementation: type[SkillImplementation], *, has_switch: bool = False)
 
 @pytest.mark.parametrize("has_switch", [True, False])
 def test_planners_use_what_says_nothing(has_switch: bool) -> None:
-    assert told(Planned, has_switch=has_switch) == ["description"]
+    assert reported(Planned, has_switch=has_switch) == ["description"]
 
 
 def test_planners_do_not_use_what_says_so() -> None:
-    assert told(Unplanned, has_switch=True) == ["description", False]
+    assert reported(Unplanned, has_switch=True) == ["description", False]
 
 
 def test_skiros2_without_the_switch() -> None:
-    assert told(Unplanned) == ["description"]
+    assert reported(Unplanned) == ["description"]

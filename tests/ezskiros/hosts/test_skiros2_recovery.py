@@ -104,7 +104,7 @@ class Robot:
         context = HostedContext("digest", list[Snapshot]().append)
         skiros2_context._contexts.append(context)
         self.recoveries = HostedRecoveries(map(self.tree, self.descriptions()), context)
-        self.told: list[tuple[bool, str]] = []
+        self.reported: list[tuple[bool, str]] = []
         self.ticker = ticker()()
         self.ticker.observe_progress(lambda **_: None)
         self.ticker._visitor.setVerbose(False)
@@ -129,7 +129,7 @@ class Robot:
 
     def ask(self, skill: str, afterwards: Afterwards = Afterwards.RESUME) -> Recovery:
         call = SkillCall(getattr(self.module, skill), None, MappingProxyType({}), NOWHERE)
-        recovery = Recovery(call, afterwards, lambda *end: self.told.append(end))
+        recovery = Recovery(call, afterwards, lambda *end: self.reported.append(end))
         self.recoveries.recover(recovery)
         return recovery
 
@@ -162,7 +162,7 @@ def test_what_was_done_stays_done(robot: Robot) -> None:
     robot.ask("Clear")
     robot.ticks(12)
     assert robot.notes == [*RECOVERED, "+second", "second"]
-    assert robot.told == [(True, "")]
+    assert robot.reported == [(True, "")]
     assert robot.ticker._tasks == {}
 
 
@@ -170,7 +170,7 @@ def test_all_tasks_are_retried(robot: Robot) -> None:
     robot.ask("Clear", Afterwards.RETRY)
     robot.ticks(14)
     assert robot.notes == [*RECOVERED, "+first", "first", "+second", "second"]
-    assert robot.told == [(True, "")]
+    assert robot.reported == [(True, "")]
 
 
 def test_nobody_plans_again(robot: Robot) -> None:
@@ -183,7 +183,7 @@ def test_nobody_plans_again(robot: Robot) -> None:
 def test_a_recovery_that_fails_ends_the_tasks(robot: Robot) -> None:
     robot.ask("Stuck")
     robot.ticks(1)
-    assert robot.told == [(False, "the recovery has failed")]
+    assert robot.reported == [(False, "the recovery has failed")]
     assert robot.notes == [*STOPPED, "+broken"]
     assert robot.ticker._tasks == {}
     assert robot.running() == []
@@ -195,14 +195,14 @@ def test_a_rule_that_is_released_ends_the_tree(robot: Robot) -> None:
     recovery.release()
     robot.ticks(4)
     assert robot.notes == [*STOPPED, "+aside", "!aside", "+second", "second"]
-    assert robot.told == [(False, "it was stopped")]
+    assert robot.reported == [(False, "it was stopped")]
 
 
 def test_a_tree_that_is_released_before_the_next_tick_never_begins(robot: Robot) -> None:
     robot.ask("Clear").release()
     robot.ticks(4)
     assert robot.notes == [*BEGUN, "second"]
-    assert robot.told == [(False, "it was stopped")]
+    assert robot.reported == [(False, "it was stopped")]
 
 
 def test_a_tree_gives_way_to_another(robot: Robot) -> None:
@@ -213,7 +213,7 @@ def test_a_tree_gives_way_to_another(robot: Robot) -> None:
     robot.ticks(1)
     assert robot.notes == [*STOPPED, "+aside", "!aside", "+aside"]
     robot.ticks(12)
-    assert robot.told == [(False, "it was stopped"), (True, "")]
+    assert robot.reported == [(False, "it was stopped"), (True, "")]
     assert robot.notes[-2:] == ["+second", "second"]
 
 
@@ -221,7 +221,7 @@ def test_the_newest_tree_is_run(robot: Robot) -> None:
     robot.ask("Clear")
     robot.ask("Stuck")
     robot.ticks(1)
-    assert robot.told == [
+    assert robot.reported == [
         (False, "another tree is asked for"),
         (False, "the recovery has failed"),
     ]
@@ -232,7 +232,7 @@ def test_a_task_that_is_stopped_stops_the_tree(robot: Robot) -> None:
     robot.ticks(1)
     robot.ticker._tasks_to_preempt.append(TASK)
     robot.ticks(3)
-    assert robot.told == [(False, "the task is stopped")]
+    assert robot.reported == [(False, "the task is stopped")]
     assert robot.notes[-2:] == ["+aside", "!aside"]
     assert robot.ticker._tasks == {}
 
@@ -242,7 +242,7 @@ def test_a_tree_that_skiros2_does_not_have_stops_nothing(robot: Robot) -> None:
     robot.recoveries.add([replace(robot.tree(found), implementations=("nothing",))])
     robot.ask("Clear")
     robot.ticks(4)
-    ((is_success, why),) = robot.told
+    ((is_success, why),) = robot.reported
     assert not is_success
     assert why.startswith("SkiROS2 cannot run it: ")
     assert robot.notes == [*BEGUN, "second"]
@@ -284,13 +284,13 @@ def test_several_libraries_have_one_server(robot: Robot, monkeypatch: pytest.Mon
     for each in (both, clear):
         assert skiros2_recovery.begin([each], context, served.append) is None
     (goals,) = served
-    robot.told.clear()
-    goals.begin("digest", "Clear", [], "resume", [], lambda *end: robot.told.append(end))
+    robot.reported.clear()
+    goals.begin("digest", "Clear", [], "resume", [], lambda *end: robot.reported.append(end))
     for _ in range(12):
         if robot.ticker._tasks:
             robot.ticker._tick()
     assert robot.notes == [*RECOVERED, "+second", "second"]
-    assert robot.told == [(True, "")]
+    assert robot.reported == [(True, "")]
 
 
 def test_without_ros_there_is_none(robot: Robot, monkeypatch: pytest.MonkeyPatch) -> None:

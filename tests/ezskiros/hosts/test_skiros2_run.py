@@ -156,7 +156,7 @@ THINGS = """A: skiros.Location, B: skiros.Location, Product: skiros.Product,
         Found: OPTIONAL[skiros.Location],"""
 
 
-def told_by(
+def reported_by(
     package: Any, tree: str, *, things: bool = False, **given: object
 ) -> tuple[str, list[str]]:
     """The result of a compound with this tree, and what its children tell."""
@@ -174,8 +174,8 @@ def told_by(
 def test_a_library_is_loaded_and_a_primitive_runs(package: Any) -> None:
     core = skiros2_core.Core()
     core.load(package("library", SKILLS), "say")
-    state, told = core.run("Say", "say", Text="hello", Ticks=2)
-    assert (state, told) == ("Success", ["say Running hello", "say Success hello!"])
+    state, reported = core.run("Say", "say", Text="hello", Ticks=2)
+    assert (state, reported) == ("Success", ["say Running hello", "say Success hello!"])
 
 
 def test_the_skills_can_still_be_imported_by_their_names(package: Any) -> None:
@@ -187,25 +187,25 @@ def test_the_skills_can_still_be_imported_by_their_names(package: Any) -> None:
 
 def test_values_of_calls_stay_with_the_child(package: Any) -> None:
     tree = "self.serialstar(Say(Text='one'), Say(Text=params.Text), Measure(Mode=Mode.FAST))"
-    state, told = told_by(package, tree)
+    state, reported = reported_by(package, tree)
     assert state == "Success"
-    assert told == ["say Success one!", "say Success outer!", "measure Success FAST"]
+    assert reported == ["say Success one!", "say Success outer!", "measure Success FAST"]
 
 
 def test_an_output_reaches_the_next_child(package: Any) -> None:
     tree = "self.serialstar(Measure(), Push(Start=params.A, Target=params.B))"
-    state, told = told_by(package, tree, things=True)
+    state, reported = reported_by(package, tree, things=True)
     assert state == "Success"
-    assert told[1].startswith("push Success 1.0 skiros:Location-")
+    assert reported[1].startswith("push Success 1.0 skiros:Location-")
 
 
 def test_things_can_be_swapped_and_passed_twice(package: Any) -> None:
     calls = ("Start=params.A, Target=params.B", "Start=params.B, Target=params.A")
     both = "Start=params.A, Target=params.A"
     tree = ", ".join(f"Push.push(Force=2.0, {each})" for each in (*calls, both))
-    state, told = told_by(package, f"self.serialstar({tree})", things=True)
+    state, reported = reported_by(package, f"self.serialstar({tree})", things=True)
     assert state == "Success"
-    first, second, third = (text.split()[3:] for text in told)
+    first, second, third = (text.split()[3:] for text in reported)
     assert first != third
     assert second == first[::-1]
     assert third == [first[0], first[0]]
@@ -213,11 +213,11 @@ def test_things_can_be_swapped_and_passed_twice(package: Any) -> None:
 
 def test_a_branch_goes_the_way_of_the_value(package: Any) -> None:
     tree = "self.serialstar(Say(Text='LOUD') if params.Loud else Say(Text='quiet'))"
-    assert told_by(package, tree, Loud=True) == ("Success", ["say Success LOUD!"])
+    assert reported_by(package, tree, Loud=True) == ("Success", ["say Success LOUD!"])
 
 
 @pytest.mark.parametrize(
-    ("tree", "state", "told"),
+    ("tree", "state", "reported"),
     [
         ("self.retry({no_no_yes}, 3)", "Success", ["Failure no", "Failure no", "Success yes"]),
         ("self.retry({no_no_yes}, 2)", "Failure", ["Failure no", "Failure no"]),
@@ -238,39 +238,43 @@ def test_a_branch_goes_the_way_of_the_value(package: Any) -> None:
         ),
     ],
 )
-def test_processors_and_decorators(package: Any, tree: str, state: str, told: list[str]) -> None:
+def test_processors_and_decorators(
+    package: Any, tree: str, state: str, reported: list[str]
+) -> None:
     flaky = {"no_no_yes": 2, "no": 1, "yes": 0}
     calls = {name: f"Flaky(Failures={count})" for name, count in flaky.items()}
-    found, texts = told_by(package, tree.format(**calls))
+    found, texts = reported_by(package, tree.format(**calls))
     assert found == state
-    assert [text.split(" ", 1)[1] for text in texts] == told
+    assert [text.split(" ", 1)[1] for text in texts] == reported
 
 
 def test_a_timeout_stops_what_takes_too_long(package: Any) -> None:
-    state, told = told_by(package, "self.timeout(Say(Text='a', Ticks=1000000), 0.000001)")
+    state, reported = reported_by(package, "self.timeout(Say(Text='a', Ticks=1000000), 0.000001)")
     assert state == "Failure"
-    assert told[-1] == "say Failure stopped"
+    assert reported[-1] == "say Failure stopped"
 
 
 def test_the_world_model_is_changed_before_post_conditions_are_checked(package: Any) -> None:
     call = "(Thing=params.Product, Target=params.A)"
-    assert told_by(package, f"self.serialstar(Move.move{call})", things=True)[0] == "Success"
+    assert reported_by(package, f"self.serialstar(Move.move{call})", things=True)[0] == "Success"
 
 
 def test_a_post_condition_that_does_not_hold_fails(package: Any) -> None:
     call = "(Thing=params.Product, Target=params.A)"
-    assert told_by(package, f"self.serialstar(Move.lazy_move{call})", things=True)[0] == "Failure"
+    assert (
+        reported_by(package, f"self.serialstar(Move.lazy_move{call})", things=True)[0] == "Failure"
+    )
 
 
 @pytest.mark.parametrize(
-    ("name", "told"), [("mark", "[3.5]"), ("mark_in_skiros2", "skiros:Product")]
+    ("name", "reported"), [("mark", "[3.5]"), ("mark_in_skiros2", "skiros:Product")]
 )
-def test_things_can_be_changed_and_found_out(package: Any, name: str, told: str) -> None:
+def test_things_can_be_changed_and_found_out(package: Any, name: str, reported: str) -> None:
     after = "Push.push(Force=1.0, Start=params.A, Target=params.Found)"
     tree = f"self.serialstar(Mark.{name}(Thing=params.Product, Container=params.Found), {after})"
-    state, texts = told_by(package, tree, things=True)
+    state, texts = reported_by(package, tree, things=True)
     assert state == "Success"
-    assert texts[0] == f"{name} Success {told}"
+    assert texts[0] == f"{name} Success {reported}"
     assert len(set(texts[1].split()[3:])) == 2
 
 
@@ -281,12 +285,12 @@ def test_things_can_be_changed_and_found_out(package: Any, name: str, told: str)
         ("odd", "`execute` returned True, not what self.success, self.step and self.fail give"),
     ],
 )
-def test_what_goes_wrong_in_a_primitive_is_told_in_one_line(
+def test_what_goes_wrong_in_a_primitive_is_reported_in_one_line(
     package: Any, name: str, problem: str
 ) -> None:
-    state, told = told_by(package, f"self.serialstar(Broken.{name}())")
+    state, reported = reported_by(package, f"self.serialstar(Broken.{name}())")
     assert state == "Failure"
-    assert told == [f"{name} Failure {problem}"]
+    assert reported == [f"{name} Failure {problem}"]
 
 
 def test_hold_conditions_of_primitives_are_checked(package: Any) -> None:
@@ -294,18 +298,18 @@ def test_hold_conditions_of_primitives_are_checked(package: Any) -> None:
             Move.move(Thing=params.Product, Target=params.A),
             Held(Thing=params.Product, Place=params.A),
         )"""
-    state, told = told_by(package, tree, things=True)
+    state, reported = reported_by(package, tree, things=True)
     assert state == "Failure"
-    assert told[1] == "held Running holding"
-    assert "Check failed" in told[2]
+    assert reported[1] == "held Running holding"
+    assert "Check failed" in reported[2]
 
 
 def test_a_value_that_is_needed_and_not_given_fails(package: Any) -> None:
     core = skiros2_core.Core()
     core.load(package("library", SKILLS), "say")
-    state, told = core.run("Say", "say")
+    state, reported = core.run("Say", "say")
     assert state == "Failure"
-    assert "`Text`, a str, has no value" in told[-1]
+    assert "`Text`, a str, has no value" in reported[-1]
 
 
 BAD = """
@@ -365,9 +369,9 @@ def test_a_skill_of_another_library_with_the_same_name_is_not_taken_for_it(packa
     core = skiros2_core.Core()
     core.load("first")
     core.load("second", "task")
-    state, told = core.run("Task", "task")
+    state, reported = core.run("Task", "task")
     assert state == "Failure"
-    assert "the skill `Say` of `first.skills`, which comes first, not that of" in told[-1]
+    assert "the skill `Say` of `first.skills`, which comes first, not that of" in reported[-1]
 
 
 def test_an_implementation_that_cannot_be_made_fails(
@@ -377,6 +381,6 @@ def test_an_implementation_that_cannot_be_made_fails(
     core = skiros2_core.Core()
     core.load(name, "task")
     monkeypatch.setattr(core.instanciator, "add_instance", lambda _name: 1 / 0)
-    state, told = core.run("Task", "task")
+    state, reported = core.run("Task", "task")
     assert state == "Failure"
-    assert "ZeroDivisionError" in told[-1]
+    assert "ZeroDivisionError" in reported[-1]

@@ -17,13 +17,13 @@ pytestmark = [
 ]
 
 
-@pytest.mark.parametrize(("tree", "told"), TREES, ids=IDS)
+@pytest.mark.parametrize(("tree", "reported"), TREES, ids=IDS)
 def test_values_reach_the_children_that_they_are_passed_to(
-    package: Any, tree: str, told: list[str]
+    package: Any, tree: str, reported: list[str]
 ) -> None:
     name = package("library", skills(tree))
     core = skiros2_core.Core()
     core.load(name, "task")
     state, found = core.run("Task", "task", Mine=8.0)
     assert state == "Success"
-    assert [text.split(" ", 2)[2] for text in found] == told
+    assert [text.split(" ", 2)[2] for text in found] == reported

@@ -133,13 +133,13 @@ def test_records_are_not_overwritten(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("name", ["missing.jsonl", "."])
-def test_a_file_that_cannot_be_read_is_told(name: str, tmp_path: Path) -> None:
+def test_a_file_that_cannot_be_read_is_reported(name: str, tmp_path: Path) -> None:
     code, _, said = learn(tmp_path, *pair(tmp_path), name)
     assert code == 2
     assert said.startswith(f"ezskiros: cannot read {name}: ")
 
 
-def test_a_scene_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_a_scene_that_is_not_there_is_reported(tmp_path: Path) -> None:
     code, out, _ = learn(tmp_path, *pair(tmp_path), "--scene", "missing.turtle")
     assert code == 2
     assert "error[EZS001]" in out
@@ -158,7 +158,7 @@ def test_texts_of_records_do_nothing_to_a_terminal(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("command", ["check", "plan"])
-def test_knowledge_that_cannot_be_read_is_told(command: str, tmp_path: Path) -> None:
+def test_knowledge_that_cannot_be_read_is_reported(command: str, tmp_path: Path) -> None:
     put_depot(tmp_path)
     more = (*SCENE, "--goal", GOAL) if command == "plan" else ()
     done = command_line.run(

@@ -41,7 +41,7 @@ def rich(folder: Path) -> Knowledge:
     ]
     runs = [
         (refill(0, RAMP), [header(-1, 11), *active(2, 5)]),
-        (refill(20, SHELF), [header(19, 31), verdict(22, change="activated_lost")]),
+        (refill(20, SHELF), [header(19, 31), verdict(22, change="activated_stale")]),
         (gap, [header(39, 45), *active(43, 43.5)]),
     ]
     files = []
@@ -51,7 +51,7 @@ def rich(folder: Path) -> Knowledge:
     found, wrong = read_runs(files)
     assert wrong == []
     lessons = learn(found, LOCATIONS)
-    assert all((lessons.trips, lessons.failures, lessons.costs, lessons.lost))
+    assert all((lessons.trips, lessons.failures, lessons.costs, lessons.stale))
     return known(lessons, found, folder)
 
 
@@ -89,7 +89,7 @@ def test_the_records_are_named_from_the_folder_of_the_file(tmp_path: Path) -> No
         (lambda it: it["sources"][0].update(sha256="?"), "7: `sha256` is not 64"),
     ],
 )
-def test_what_is_wrong_is_told_with_its_line(
+def test_what_is_wrong_is_reported_with_its_line(
     change: Callable[[dict[str, Any]], object], expected: str, tmp_path: Path
 ) -> None:
     knowledge = rich(tmp_path)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from ezskiros.learning.learn import learn
-from ezskiros.learning.lessons import Cost, Failure, Lost, Share
+from ezskiros.learning.lessons import Cost, Failure, Share, Stale
 from ezskiros.learning.runs import read_runs
 from support.learning import (
     LOCATIONS,
@@ -106,17 +106,17 @@ def test_activations_before_and_after_the_task_are_not_its_own(tmp_path: Path) -
     assert learnt(tmp_path, (refill(0, RAMP), verdicts)).trips == []
 
 
-def test_a_lost_input_is_told_apart(tmp_path: Path) -> None:
-    lost = verdict(2, change="activated_lost")
-    lessons = learnt(tmp_path, (refill(0, RAMP), [header(-1, 11), lost, cleared(3)]))
-    assert (lessons.trips, lessons.lost) == ([], [Lost("tilting", Share(1, 1))])
+def test_a_stale_input_is_distinguished(tmp_path: Path) -> None:
+    stale = verdict(2, change="activated_stale")
+    lessons = learnt(tmp_path, (refill(0, RAMP), [header(-1, 11), stale, cleared(3)]))
+    assert (lessons.trips, lessons.stale) == ([], [Stale("tilting", Share(1, 1))])
     assert all(each.lost_s == 0 for each in lessons.costs)
 
 
 def test_an_exemption_is_no_rule(tmp_path: Path) -> None:
     exempt = verdict(2, exempts={"rule": "tilting", "doing": "Drive", "permits": None})
     lessons = learnt(tmp_path, (refill(0, RAMP), [header(-1, 11), exempt]))
-    assert (lessons.trips, lessons.lost) == ([], [])
+    assert (lessons.trips, lessons.stale) == ([], [])
 
 
 def test_both_of_two_parallel_skills_are_blamed(tmp_path: Path) -> None:
@@ -195,7 +195,7 @@ def failing(at: float, *events: tuple[str, str, str]) -> list[dict[str, object]]
     ]
 
 
-def test_the_skill_that_failed_first_is_told_and_no_skill_above_it(tmp_path: Path) -> None:
+def test_the_skill_that_failed_first_is_reported_and_no_skill_above_it(tmp_path: Path) -> None:
     blocked = failing(0, ("failed", "Refill/Drive", "blocked"), ("failed", "Refill", "blocked"))
     lessons = learnt(tmp_path, (blocked, [header(-1, 5)]), (refill(20, RAMP), [header(19, 31)]))
     assert lessons.failures == [Failure("Drive", Share(1, 2), "blocked")]
@@ -212,7 +212,7 @@ def test_what_could_not_start_has_failed(tmp_path: Path) -> None:
     assert lessons.failures == [Failure("Charge", Share(1, 1), "no plug")]
 
 
-def test_a_skill_that_fails_after_its_children_recovered_is_told(tmp_path: Path) -> None:
+def test_a_skill_that_fails_after_its_children_recovered_is_reported(tmp_path: Path) -> None:
     trace = [
         *failing(0, ("failed", "Refill/Drive", "blocked")),
         *ran(2, 3, "Refill/Drive"),

@@ -94,7 +94,7 @@ def test_the_class_is_one_that_only_the_tripped_places_have(tmp_path: Path) -> N
     assert f"CLASS is to be a class of its own of `{RAMP}`" in rule
 
 
-def test_a_place_that_is_nowhere_is_told(tmp_path: Path) -> None:
+def test_a_place_that_is_nowhere_is_reported(tmp_path: Path) -> None:
     found = lessons(tmp_path, (RAMP, True), (RAMP, True), (SHELF, False))
     rule, _ = proposals(found, Map())
     assert f"// The scene has to say where `{RAMP}` lies." in rule.splitlines()

@@ -1,4 +1,4 @@
-"""Records from outside: each fault is told with its line, and nothing else happens."""
+"""Records from outside: each fault is reported with its line, and nothing else happens."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def verdicts() -> Lines:
         ),
     ],
 )
-def test_what_is_no_record_is_told(content: bytes, expected: str, tmp_path: Path) -> None:
+def test_what_is_no_record_is_reported(content: bytes, expected: str, tmp_path: Path) -> None:
     path = tmp_path / "records.jsonl"
     path.write_bytes(content)
     assert said(path).startswith(expected)
@@ -102,7 +102,7 @@ def test_a_file_that_is_too_large_is_not_read(
         ),
     ],
 )
-def test_what_is_wrong_in_verdicts_is_told(
+def test_what_is_wrong_in_verdicts_is_reported(
     line: int, change: Callable[[dict[str, Any]], object], expected: str, tmp_path: Path
 ) -> None:
     path = write(tmp_path / "verdicts.jsonl", changed(verdicts(), line, change))
@@ -122,7 +122,7 @@ def test_what_is_wrong_in_verdicts_is_told(
         (2, lambda it: it.update(parameters=[]), '2 "parameters": `parameters` is not an object'),
     ],
 )
-def test_what_is_wrong_in_a_trace_is_told(
+def test_what_is_wrong_in_a_trace_is_reported(
     line: int, change: Callable[[dict[str, Any]], object], expected: str, tmp_path: Path
 ) -> None:
     path = write(tmp_path / "trace.jsonl", changed(refill(0, "here"), line, change))

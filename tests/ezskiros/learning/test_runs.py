@@ -46,7 +46,7 @@ def test_a_file_that_is_named_twice_is_one_file(tmp_path: Path) -> None:
     assert len(runs) == 1
 
 
-def test_a_run_without_its_other_half_is_told(tmp_path: Path) -> None:
+def test_a_run_without_its_other_half_is_reported(tmp_path: Path) -> None:
     first, second = trace(tmp_path, "a", 1), trace(tmp_path, "b", 30)
     found, others = verdicts(tmp_path, "c", 0, 12), verdicts(tmp_path, "d", 60, 70)
     assert wrong(first, second, found, others) == [
@@ -70,12 +70,12 @@ def test_the_other_clock_is_guessed(tmp_path: Path) -> None:
     )
 
 
-def test_a_run_alone_needs_no_others_to_be_told(tmp_path: Path) -> None:
+def test_a_run_alone_needs_no_others_to_be_reported(tmp_path: Path) -> None:
     path = trace(tmp_path, "a", 1)
     assert wrong(path) == [("EZS867", f"no verdicts are of the time of {shown(path)}")]
 
 
-def test_two_of_one_time_are_told(tmp_path: Path) -> None:
+def test_two_of_one_time_are_reported(tmp_path: Path) -> None:
     """The one that reaches far is compared, not only the one right before."""
     long, inside = verdicts(tmp_path, "a", 0, 50), verdicts(tmp_path, "b", 5, 6)
     last = verdicts(tmp_path, "c", 40, 60)
@@ -86,6 +86,6 @@ def test_two_of_one_time_are_told(tmp_path: Path) -> None:
     ]
 
 
-def test_many_lonely_runs_are_not_all_told(tmp_path: Path) -> None:
+def test_many_lonely_runs_are_not_all_reported(tmp_path: Path) -> None:
     files = [trace(tmp_path, f"trace_{number}", 20 * number) for number in range(30)]
     assert len(wrong(*files)) == 10

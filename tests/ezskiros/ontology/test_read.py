@@ -1,4 +1,4 @@
-"""Files of ontologies: all forms say the same; what is wrong with one is told at its place."""
+"""Files of ontologies: all forms say the same; what is wrong with one is reported at its place."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def test_the_place_of_a_declaration_is_found(text: str, suffix: str, name: str, 
         ("This is no ontology.", ".owl", 1),
     ],
 )
-def test_a_broken_file_is_told_at_its_line(text: str, suffix: str, line: int) -> None:
+def test_a_broken_file_is_reported_at_its_line(text: str, suffix: str, line: int) -> None:
     _, (wrong,) = loaded(text, suffix)
     assert (wrong.code, wrong.primary.span.begin.line) == ("EZS102", line), wrong.title
 
@@ -95,13 +95,13 @@ def test_a_file_of_another_kind_is_refused() -> None:
     assert [each.code for each in wrong] == ["EZS101"]
 
 
-def test_a_file_that_declares_nothing_is_told() -> None:
+def test_a_file_that_declares_nothing_is_reported() -> None:
     for text in (PREFIXES + ":a :b :c .", ""):
         _, wrong = loaded(text)
         assert [each.code for each in wrong] == ["EZS103"]
 
 
-def test_an_import_that_is_not_there_is_told() -> None:
+def test_an_import_that_is_not_there_is_reported() -> None:
     text = PREFIXES + "<http://x/a.owl> owl:imports <http://x/robots.owl> . :R a owl:Class ."
     _, wrong = loaded(text)
     assert [(each.code, each.primary.span.text) for each in wrong] == [
@@ -128,7 +128,7 @@ def test_a_folder_is_searched_without_scenes(tmp_path: Path) -> None:
     assert load(tmp_path).test.Robot
 
 
-def test_a_path_that_leads_nowhere_is_told(tmp_path: Path) -> None:
+def test_a_path_that_leads_nowhere_is_reported(tmp_path: Path) -> None:
     collector = Collector()
     with session.collecting(collector):
         load(tmp_path / "nowhere")
@@ -138,7 +138,7 @@ def test_a_path_that_leads_nowhere_is_told(tmp_path: Path) -> None:
     assert Path(wrong.primary.span.file.path).samefile(__file__)
 
 
-def test_a_folder_without_a_file_is_told(tmp_path: Path) -> None:
+def test_a_folder_without_a_file_is_reported(tmp_path: Path) -> None:
     with pytest.raises(session.SkillError, match="there is no file of one in"):
         load(tmp_path)
 

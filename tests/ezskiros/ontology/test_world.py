@@ -71,19 +71,19 @@ def findings(ask: str, **names: object) -> list[Diagnostic]:
         ("world.skiros.Robott", "EZS111", "did you mean `cora.Robot`?"),
     ],
 )
-def test_a_misspelt_name_is_told(ask: str, code: str, help: str) -> None:
+def test_a_misspelt_name_is_reported(ask: str, code: str, help: str) -> None:
     (found,) = findings(ask, world=load(HALL))
     assert (found.code, found.help) == (code, help)
 
 
-def test_a_misspelt_relation_is_told() -> None:
+def test_a_misspelt_relation_is_reported() -> None:
     world = load(HALL)
     (found,) = findings("thing.hasAA(thing)", thing=symbol(world.skiros.Product, "Object"))
     assert (found.code, found.help) == ("EZS301", "did you mean `hasA`?")
     assert found.labels[0].span.text == "skiros:hasA"
 
 
-def test_a_relation_of_several_namespaces_is_told_apart(tmp_path: Path) -> None:
+def test_a_relation_of_several_namespaces_is_distinguished(tmp_path: Path) -> None:
     for name in "ab":
         (tmp_path / f"{name}.ttl").write_text(
             "@prefix owl: <http://www.w3.org/2002/07/owl#> .\n"

@@ -347,7 +347,7 @@ def test_who_plans_writes_nothing_beside_the_skills(lab: Path) -> None:
     assert (done.returncode, done.stderr) == (0, "")
 
 
-def test_an_ontology_that_is_not_there_is_told(tmp_path: Path) -> None:
+def test_an_ontology_that_is_not_there_is_reported(tmp_path: Path) -> None:
     (tmp_path / "lab.turtle").write_text((TREES / "lab.turtle").read_text("utf-8"), "utf-8")
     done = run("plan", *GOAL, "--ontology", "nowhere", folder=tmp_path)
     assert done.returncode == 2

@@ -97,7 +97,7 @@ def test_a_detour_of_one_step_is_worth_a_second(tmp_path: Path) -> None:
     assert plan.expected_s == 0
 
 
-def test_what_a_plan_is_expected_to_lose_is_told(tmp_path: Path) -> None:
+def test_what_a_plan_is_expected_to_lose_is_reported(tmp_path: Path) -> None:
     plan = planned(world(tmp_path, SCENE, STRAIGHT), [cost("Straight", 9.0, 2, To=5)])
     assert plan.expected_s == 4.5
 

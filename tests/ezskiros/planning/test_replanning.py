@@ -90,7 +90,7 @@ class Robot:
 
     task: InterruptibleTask
     events: list[Event]
-    told: list[tuple[bool, str]] = field(default_factory=list)
+    reported: list[tuple[bool, str]] = field(default_factory=list)
 
     def block(self, one: str, other: str, *without: Prohibition) -> None:
         """A tree marks a way as blocked; then another is looked for, without what rules stop."""
@@ -99,7 +99,7 @@ class Robot:
         things = {"One": world.thing(one), "Other": world.thing(other)}
         call = SkillCall(found["Block"], None, MappingProxyType(things), NOWHERE)
         self.task.recover(
-            Recovery(call, Afterwards.REPLAN, lambda *end: self.told.append(end), without)
+            Recovery(call, Afterwards.REPLAN, lambda *end: self.reported.append(end), without)
         )
 
     def to_the_end(self) -> Status:
@@ -130,7 +130,7 @@ def test_a_way_around_what_a_tree_found_blocked(tmp_path: Path) -> None:
     robot.task.tick()
     robot.block("corridor", "hall")
     assert robot.to_the_end() is Status.SUCCESS
-    assert robot.told == [(True, "")]
+    assert robot.reported == [(True, "")]
     assert robot.ways() == ["dock to yard at 0.3", "yard to hall at 0.3"]
 
 
@@ -141,7 +141,7 @@ def test_no_way_is_left(tmp_path: Path) -> None:
     world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
     robot.block("yard", "hall")
     assert robot.to_the_end() is Status.FAILURE
-    ((is_done, why),) = robot.told
+    ((is_done, why),) = robot.reported
     assert not is_done
     assert why.startswith("no plan leads to the goal of the task: no skill leads to this: ")
     assert "Robot-1 skiros:at skiros:Location-5" in why
@@ -172,7 +172,7 @@ def test_a_task_that_cannot_be_planned_says_why(
     robot.task.tick()
     robot.block("corridor", "hall")
     assert robot.to_the_end() is Status.FAILURE
-    assert robot.told == [(False, f"no plan leads to the goal of the task: {why}")]
+    assert robot.reported == [(False, f"no plan leads to the goal of the task: {why}")]
 
 
 def test_the_search_changes_nothing_in_the_world(tmp_path: Path) -> None:
@@ -250,7 +250,7 @@ def test_no_way_is_left_without_what_rules_stop(
     robot.block("hall", "dock", without)
     assert robot.to_the_end() is Status.FAILURE
     assert robot.ways() == []
-    ((is_done, why),) = robot.told
+    ((is_done, why),) = robot.reported
     assert not is_done
     assert why.startswith("no plan leads to the goal of the task: no skill leads to this: ")
     assert why.endswith(f"({reason})")
@@ -262,7 +262,7 @@ def test_rules_are_no_reason_where_there_is_no_way_at_all(tmp_path: Path) -> Non
     world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
     robot.block("yard", "hall", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
-    assert "rules" not in robot.told[0][1]
+    assert "rules" not in robot.reported[0][1]
 
 
 def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> None:
@@ -282,7 +282,7 @@ def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> Non
     robot.task.tick()
     robot.block("hall", "dock", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
-    why = robot.told[0][1]
+    why = robot.reported[0][1]
     assert "no sequence of skills leads to this" in why
     assert "the rules forbid `Drive(To = a skiros:Container)`" in why
 

@@ -100,18 +100,18 @@ def test_a_condition_says_what_is_written(expression: str, statement: Statement,
         ("self.pre_conditions.append(Object.Weight)", "EZS215", "self.pre_conditions.append"),
     ],
 )  # fmt: skip
-def test_what_is_no_condition_is_told(line: str, code: str, text: str) -> None:
+def test_what_is_no_condition_is_reported(line: str, code: str, text: str) -> None:
     parameters = "Object: skiros.Product, Gripper: rparts.GripperEffector, Place: skiros.Container"
     result = described(line, f"{parameters}, Speed: float = 1.0")
     assert found(result) == [(code, text)]
 
 
-def test_not_is_told_once() -> None:
+def test_not_is_reported_once() -> None:
     result = described("self.pre_conditions += not Gripper.at(Place)")
     assert found(result) == [("EZS307", "Gripper.at(Place)")]
 
 
-def test_all_that_is_wrong_is_told_at_once() -> None:
+def test_all_that_is_wrong_is_reported_at_once() -> None:
     result = described(
         """
         self.pre_conditions += Gripper.att(Place)
@@ -131,7 +131,7 @@ def test_all_that_is_wrong_is_told_at_once() -> None:
         "0.1 < Object.Weight < 0.2",
     ],
 )
-def test_what_is_left_of_a_question_of_truth_is_no_condition(wrong: str) -> None:
+def test_what_is_left_of_a_query_of_truth_is_no_condition(wrong: str) -> None:
     result = described(
         f"""
         self.pre_conditions += Place.contain(Object)

@@ -27,7 +27,7 @@ VALUES = "Object: skiros.Product, Place: skiros.Container, Speed: float = 1.0, F
         ("try:\n    open('x')\nexcept Exception:\n    pass", "opens a file"),
     ],
 )
-def test_a_side_effect_is_told_and_not_done(
+def test_a_side_effect_is_reported_and_not_done(
     line: str, deed: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -64,12 +64,14 @@ def test_what_it_prints_is_dropped(capsys: pytest.CaptureFixture[str]) -> None:
         "try:\n    while True: sum(range(10**6))\nexcept: pass\nwhile True: pass",
     ],
 )
-def test_a_description_that_never_ends_is_told(line: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_description_that_never_ends_is_reported(
+    line: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(tracing, "SECONDS", 0.2)
     assert [code for code, _ in found(described(line))] == ["EZS222"]
 
 
-def test_a_forgotten_self_is_told() -> None:
+def test_a_forgotten_self_is_reported() -> None:
     (wrong,) = described("pre_conditions += Place.contain(Object)").diagnostics[:1]
     assert (wrong.code, wrong.help) == ("EZS220", "write `self.pre_conditions += ...`")
 
@@ -82,7 +84,7 @@ def test_a_forgotten_self_is_told() -> None:
         ("raise ValueError('why')", "ValueError", "raise ValueError('why')"),
     ],
 )
-def test_an_exception_is_told_at_its_place(line: str, exception: str, text: str | None) -> None:
+def test_an_exception_is_reported_at_its_place(line: str, exception: str, text: str | None) -> None:
     result = described(line)
     (wrong,) = (each for each in result.diagnostics if each.severity.value == "error")
     assert (wrong.code, wrong.title) == (
@@ -92,7 +94,7 @@ def test_an_exception_is_told_at_its_place(line: str, exception: str, text: str 
     assert text is None or wrong.primary.span.text == text
 
 
-def test_a_skill_without_a_description_is_told() -> None:
+def test_a_skill_without_a_description_is_reported() -> None:
     result = checked(f"{HEADER}\nclass Skill(SkillDescription):\n    pass\n")
     assert found(result) == [("EZS201", "Skill")]
     assert result.diagnostics[0].labels == ()
@@ -106,7 +108,7 @@ def test_a_skill_without_a_description_is_told() -> None:
         ("createDescription", "`ezskiros migrate` translates `createDescription`"),
     ],
 )
-def test_a_misspelt_description_is_told(name: str, help: str) -> None:
+def test_a_misspelt_description_is_reported(name: str, help: str) -> None:
     text = f"class Skill(SkillDescription):\n    def {name}(self):\n        pass\n"
     (only,) = checked(f"{HEADER}\n{text}").diagnostics
     assert (only.code, only.primary.span.text, only.help) == ("EZS201", "Skill", help)
@@ -135,7 +137,7 @@ def test_all_branches_are_looked_into() -> None:
     assert found(result) == [("EZS301", "Place.containn"), ("EZS301", "Place.contian")]
 
 
-def test_conditions_that_depend_on_a_value_are_told() -> None:
+def test_conditions_that_depend_on_a_value_are_reported() -> None:
     body = """
     self.post_conditions += Place.contain(Object)
     if Fast:

@@ -60,11 +60,11 @@ def test_a_module_may_read_files_and_its_environment(tmp_path: Path) -> None:
     assert [(each.code, each.title) for each in result.diagnostics] == []
 
 
-def test_what_other_modules_do_first_is_told_as_well(tmp_path: Path) -> None:
+def test_what_other_modules_do_first_is_reported_as_well(tmp_path: Path) -> None:
     first = f"import time, serial\ntime.sleep(3)\n{HEADER}\nworld.skirso\n"
     result = check_folder(tmp_path, a="import b\nopen('made', 'w')\n", b=first)
-    told = [(each.code, each.primary.span.text) for each in result.diagnostics]
-    assert sorted(told) == [
+    reported = [(each.code, each.primary.span.text) for each in result.diagnostics]
+    assert sorted(reported) == [
         ("EZS004", "serial"),
         ("EZS110", "world.skirso"),
         ("EZS231", "open('made', 'w')"),
@@ -139,10 +139,10 @@ def test_an_import_that_does_not_end_hides_nothing(
     result = check_folder(
         tmp_path, a="import loops\n", b=skill(WRONG), c="import loops\n", loops=loops
     )
-    told = [(Path(each.primary.span.file.path).stem, each) for each in result.diagnostics]
-    codes = sorted((name, each.code) for name, each in told)
+    reported = [(Path(each.primary.span.file.path).stem, each) for each in result.diagnostics]
+    codes = sorted((name, each.code) for name, each in reported)
     assert codes == [("b", "EZS301"), ("c", "EZS003"), ("loops", "EZS232")]
-    assert dict(told)["c"].primary.text == "the import of `loops` does not end"
+    assert dict(reported)["c"].primary.text == "the import of `loops` does not end"
 
 
 # --- packages --------------------------------------------------------------------------------
@@ -175,7 +175,7 @@ def test_nothing_of_python_itself_is_checked() -> None:
 @pytest.mark.parametrize(
     ("name", "has_help"), [("no_skills.pick", True), ("no_skills.py", False), ("a/b", False)]
 )
-def test_a_package_that_is_nowhere_is_told(name: str, has_help: bool) -> None:
+def test_a_package_that_is_nowhere_is_reported(name: str, has_help: bool) -> None:
     (one,) = check_paths([Path(name)]).diagnostics
     assert (one.code, one.title) == ("EZS001", f"there is no file {name}")
     assert bool(one.help) == has_help

@@ -1,4 +1,4 @@
-"""Files with skills: what cannot be loaded is told, and hides nothing else."""
+"""Files with skills: what cannot be loaded is reported, and hides nothing else."""
 
 from __future__ import annotations
 
@@ -92,12 +92,12 @@ def test_modules_of_one_name_in_two_folders_are_two(tmp_path: Path) -> None:
     assert [skill.name for skill in result.skills] == ["One", "Two"]
 
 
-def test_two_skills_of_one_name_are_told(tmp_path: Path) -> None:
+def test_two_skills_of_one_name_are_reported(tmp_path: Path) -> None:
     result = check(tmp_path, {"a": HEADER + FINE, "b": HEADER + FINE})
     assert found(result) == [("EZS230", "Fine")]
 
 
-def test_two_skills_of_one_name_in_two_libraries_are_told_with_the_rule(tmp_path: Path) -> None:
+def test_two_skills_of_one_name_in_two_libraries_are_reported_with_the_rule(tmp_path: Path) -> None:
     for name in ("first_library", "second_library"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "__init__.py").touch()
@@ -119,16 +119,16 @@ def test_a_nested_class_is_no_other_skill(tmp_path: Path) -> None:
     assert found(check(tmp_path, {"a": HEADER + names + FINE})) == []
 
 
-def test_a_path_that_leads_nowhere_is_told(tmp_path: Path) -> None:
+def test_a_path_that_leads_nowhere_is_reported(tmp_path: Path) -> None:
     result = check_paths([tmp_path / "nowhere.py"])
     assert [each.code for each in result.diagnostics] == ["EZS001"]
 
 
-def test_files_without_a_skill_are_told(tmp_path: Path) -> None:
+def test_files_without_a_skill_are_reported(tmp_path: Path) -> None:
     assert [code for code, _ in warned(check(tmp_path, {"a": "x = 1"}))] == ["EZS005"]
 
 
-def test_skills_of_modules_of_one_name_are_told_apart(tmp_path: Path) -> None:
+def test_skills_of_modules_of_one_name_are_distinguished(tmp_path: Path) -> None:
     for name in ("one", "two"):
         (tmp_path / name).mkdir()
         (tmp_path / name / "skills.py").write_text(f"# {name}\n{HEADER}{FINE}")
@@ -161,7 +161,7 @@ def test_libraries_know_themselves_what_to_do_without_a_module(
     assert [(each.code, each.title) for each in result.diagnostics] == []
 
 
-def test_a_stand_in_is_told_where_it_is_imported(tmp_path: Path) -> None:
+def test_a_stand_in_is_reported_where_it_is_imported(tmp_path: Path) -> None:
     text = f'"""Skills with rospy."""\n\nimport os.path, rospy\n{HEADER}{FINE}'
     (one,) = check(tmp_path, {"a": text}).diagnostics
     assert (one.code, one.primary.span.begin.line) == ("EZS004", 3)

@@ -103,5 +103,5 @@ def test_a_mock_has_as_many_parts_as_are_asked_for() -> None:
     assert repr(one) == "several"
 
 
-def test_texts_that_are_made_of_mocks_can_be_told() -> None:
+def test_texts_that_are_made_of_mocks_can_be_reported() -> None:
     assert SYMBOL_IN_TEXT in f"a {Mock('read')}"

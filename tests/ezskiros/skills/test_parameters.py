@@ -142,7 +142,7 @@ def test_types_may_be_texts_for_the_whole_file() -> None:
         ("P: skirso.Product", "EZS003", "skirso"),
     ],
 )
-def test_what_is_no_parameter_is_told(written: str, code: str, text: str) -> None:
+def test_what_is_no_parameter_is_reported(written: str, code: str, text: str) -> None:
     assert found(described("", written)) == [(code, text)]
 
 
@@ -183,7 +183,7 @@ def test_a_parameter_has_a_key(written: str, key: str) -> None:
 
 
 @pytest.mark.parametrize("first", [f"{ANNOTATED}[str, Key('the box')]", "str"])
-def test_two_parameters_with_one_key_are_told_at_both_places(first: str) -> None:
+def test_two_parameters_with_one_key_are_reported_at_both_places(first: str) -> None:
     key = "P" if first == "str" else "the box"
     (only,) = described("", f"P: {first}, Q: {ANNOTATED}[float, Key({key!r})]").diagnostics
     assert (only.code, only.primary.span.text) == ("EZS007", "Q")

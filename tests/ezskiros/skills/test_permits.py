@@ -110,7 +110,7 @@ def test_a_use_says_what_is_written(expression: str, use: tuple[str, str, str | 
         ("self.pre_conditions += contact(Object)", "EZS309", "contact(Object)"),
     ],
 )
-def test_each_mistake_is_told_at_its_place(line: str, code: str, text: str) -> None:
+def test_each_mistake_is_reported_at_its_place(line: str, code: str, text: str) -> None:
     result = described(f"{line}\nself.permits += contact(Place)")
     assert found(result) == [(code, text)]
     (skill,) = result.skills

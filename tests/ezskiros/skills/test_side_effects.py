@@ -92,7 +92,7 @@ def test_nothing_is_asked_of_what_is_half_done(library: Path, tmp_path: Path) ->
     assert found(check_folder(tmp_path, skills=skill(line))) == [("EZS221", "s.connect()"), TYPO]
 
 
-def test_conditions_that_depend_on_what_was_not_done_are_told() -> None:
+def test_conditions_that_depend_on_what_was_not_done_are_reported() -> None:
     body = """
     if input("heavy?") == "yes":
         self.pre_conditions += Object.Weight > 3.0
@@ -103,7 +103,7 @@ def test_conditions_that_depend_on_what_was_not_done_are_told() -> None:
     assert "the conditions of `Skill` depend on what `input` gives" in titles
 
 
-def test_conditions_in_a_loop_over_what_was_not_done_are_told() -> None:
+def test_conditions_in_a_loop_over_what_was_not_done_are_reported() -> None:
     result = described("for line in open('x'):\n    self.pre_conditions += Object.Weight")
     assert found(result) == [("EZS221", "open('x')"), ("EZS225", "open('x')")]
 
@@ -112,7 +112,7 @@ def test_conditions_in_a_loop_over_what_was_not_done_are_told() -> None:
     "value",
     ["input()", "float(input())", "[1, 2][input()]", "{'a': 1}[input()]", "f'a {input()}'"],
 )
-def test_a_value_that_was_not_read_is_told(value: str) -> None:
+def test_a_value_that_was_not_read_is_reported(value: str) -> None:
     result = described(f"self.pre_conditions += Object.Weight < {value}")
     assert [code for code, _ in found(result)] == ["EZS305", "EZS221"]
 
@@ -159,7 +159,7 @@ def test_functions_that_cannot_do_with_a_symbol_give_one() -> None:
         "range(1, 2, 3, Speed)",
     ],
 )
-def test_a_call_that_is_wrong_with_any_value_is_told(call: str) -> None:
+def test_a_call_that_is_wrong_with_any_value_is_reported(call: str) -> None:
     body = f"""
     import math, textwrap
     {call}
@@ -167,7 +167,7 @@ def test_a_call_that_is_wrong_with_any_value_is_told(call: str) -> None:
     assert found(described(body, "Speed: float")) == [("EZS220", call)]
 
 
-def test_a_function_of_the_user_that_raises_is_told() -> None:
+def test_a_function_of_the_user_that_raises_is_reported() -> None:
     text = (
         f"{HEADER}\ndef wanted(speed):\n    open('x')\n    raise ValueError(f'never {{speed}}')\n"
         "class Skill(SkillDescription):\n"
@@ -178,7 +178,7 @@ def test_a_function_of_the_user_that_raises_is_told() -> None:
     assert result.diagnostics[1].primary.text == "never Speed"
 
 
-def test_a_description_that_ends_python_is_told() -> None:
+def test_a_description_that_ends_python_is_reported() -> None:
     assert [code for code, _ in found(described("import sys; sys.exit(3)"))] == ["EZS220"]
 
 
@@ -192,7 +192,7 @@ def test_what_is_imported_late_gets_stand_ins(tmp_path: Path) -> None:
     assert "rospy" not in sys.modules
 
 
-def test_what_late_imports_do_is_told_when_all_is_run_again(
+def test_what_late_imports_do_is_reported_when_all_is_run_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (tmp_path / "late_one.py").write_text("import serial, time\ntime.sleep(3)\n")

@@ -47,7 +47,7 @@ def test_lines_that_end_as_on_windows_are_up_to_date(out: Path) -> None:
 
 
 @pytest.mark.parametrize("before", [None, b"", b"class skiros: ...\n", b"\xff\x00"])
-def test_a_stale_stub_is_told_of_and_left(out: Path, before: bytes | None) -> None:
+def test_a_stale_stub_is_reported_of_and_left(out: Path, before: bytes | None) -> None:
     if before is not None:
         out.write_bytes(before)
     done = stubs("--ontology", ONTOLOGY, "--out", out, "--check")
@@ -75,7 +75,7 @@ def test_without_an_ontology_there_is_no_stub(out: Path) -> None:
     assert "error[EZS106]" in done.stdout
 
 
-def test_a_broken_ontology_is_told_of_and_gives_no_stub(out: Path, tmp_path: Path) -> None:
+def test_a_broken_ontology_is_reported_of_and_gives_no_stub(out: Path, tmp_path: Path) -> None:
     (tmp_path / "broken.ttl").write_text("@prefix : <a> .\n:A :B\n")
     done = stubs("--ontology", tmp_path, "--out", out)
     assert (done.returncode, out.exists()) == (1, False)
@@ -88,7 +88,7 @@ def test_a_path_that_leads_nowhere_is_a_wrong_call(out: Path) -> None:
     assert "'nowhere' does not exist" in done.stderr
 
 
-def test_a_warning_is_told_of_and_the_stub_is_written(out: Path, tmp_path: Path) -> None:
+def test_a_warning_is_reported_of_and_the_stub_is_written(out: Path, tmp_path: Path) -> None:
     text = (ONTOLOGY / "cora.ttl").read_text(encoding="utf-8")
     (tmp_path / "cora.ttl").write_text(text, encoding="utf-8")
     done = stubs("--ontology", tmp_path / "cora.ttl", "--out", out)
@@ -97,7 +97,9 @@ def test_a_warning_is_told_of_and_the_stub_is_written(out: Path, tmp_path: Path)
 
 
 @pytest.mark.parametrize("is_check", [True, False])
-def test_a_stub_that_cannot_be_written_or_read_is_told_of(tmp_path: Path, is_check: bool) -> None:
+def test_a_stub_that_cannot_be_written_or_read_is_reported_of(
+    tmp_path: Path, is_check: bool
+) -> None:
     done = stubs("--ontology", ONTOLOGY, "--out", tmp_path, *(["--check"] if is_check else []))
     assert done.returncode == 2
     deed = "read" if is_check else "write"

@@ -1,4 +1,4 @@
-"""Values that are known at launch: branches go one way; a file that is wrong is told."""
+"""Values that are known at launch: branches go one way; a file that is wrong is reported."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def test_known_values_decide(tmp_path: Path, values: str, places: list[str]) -> 
         ("\x00", "EZS511", ""),
     ],
 )
-def test_what_is_wrong_is_told(tmp_path: Path, values: str, code: str, place: str) -> None:
+def test_what_is_wrong_is_reported(tmp_path: Path, values: str, code: str, place: str) -> None:
     assert (code, place) in found(tmp_path, values)
 
 

@@ -24,7 +24,7 @@ static void answer(const void *memory, size_t size)
         exit(2);
 }
 
-/* A case is a number of calls, then these; its answers are told at once. */
+/* A case is a number of calls, then these; its answers are reported at once. */
 static void answer_all(void (*begin)(void), void (*make)(const call *))
 {
     uint32_t count;

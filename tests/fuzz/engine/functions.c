@@ -3,20 +3,20 @@
 
 #include "engine/tables.h"
 
-#define TRUTHS 1
+#define TRUTH_VALUES 1
 #define NODES 1
 
 typedef struct monitor {
     uint64_t dirty;
     int64_t since_ns[1];
-    unsigned char truth[1];
+    unsigned char truth_value[1];
 } monitor;
 
 static const uint64_t node_users[1] = {0};
 
 #include "engine/absent.h"
 
-#include "engine/truths.h"
+#include "engine/propositions.h"
 
 #include "engine/numbers.h"
 
@@ -33,14 +33,14 @@ static void logic(unsigned char a, unsigned char b, double found[])
 
 static void quantifiers(const double x[], double found[])
 {
-    const size_t truths = (size_t)x[0], unknowns = (size_t)x[1], count = (size_t)x[2];
+    const size_t trues = (size_t)x[0], unknowns = (size_t)x[1], count = (size_t)x[2];
     const bool is_known = x[3] > 0.0;
-    found[0] = some(truths, unknowns, count);
-    found[1] = every(truths, unknowns, count);
-    found[2] = how_many(truths, unknowns, count);
-    found[3] = some_of_list(truths, unknowns, is_known);
-    found[4] = every_of_list(truths, unknowns, count, is_known);
-    found[5] = how_many_of_list(truths, unknowns, is_known);
+    found[0] = some(propositions, unknowns, count);
+    found[1] = every(propositions, unknowns, count);
+    found[2] = how_many(propositions, unknowns, count);
+    found[3] = some_of_list(propositions, unknowns, is_known);
+    found[4] = every_of_list(propositions, unknowns, count, is_known);
+    found[5] = how_many_of_list(propositions, unknowns, is_known);
 }
 
 static void make(const call *made)
@@ -57,7 +57,7 @@ static void make(const call *made)
     case NUMBERS:
         found[0] = known(made->x[0]);
         found[1] = outcome((made->about & 1) != 0, (made->about & 2) != 0);
-        found[2] = element_truth((made->about & 1) != 0, (made->about & 2) != 0);
+        found[2] = element_proposition((made->about & 1) != 0, (made->about & 2) != 0);
         found[3] = minimum_of(made->x[0], made->x[1]);
         found[4] = maximum_of(made->x[0], made->x[1]);
         break;
@@ -70,7 +70,7 @@ static void make(const call *made)
         found[2] = pitch_of(made->x[0], made->x[1], made->x[2], made->x[3]);
         break;
     }
-    set_truth(&m, 0, TRUE, made->t_ns);
+    set_truth_value(&m, 0, TRUE, made->t_ns);
     found[5] = is_pending(&m) ? NAN : found[5];
     answer(found, sizeof found);
 }

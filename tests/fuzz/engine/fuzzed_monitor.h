@@ -13,13 +13,13 @@
 #define GUARDS 11
 #define INPUTS 3
 #define RULES 10
-#define TRUTHS (36 + PADDING)
+#define TRUTH_VALUES (36 + PADDING)
 #define VALUES 11
 #define MOST_SAMPLES 4
 
-enum fuzzed_change { fuzzed_CLEARED, fuzzed_ACTIVATED, fuzzed_ACTIVATED_LOST, fuzzed_TIME_JUMP };
+enum fuzzed_change { fuzzed_CLEARED, fuzzed_ACTIVATED, fuzzed_ACTIVATED_STALE, fuzzed_TIME_JUMP };
 
-enum fuzzed_truth { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_LOST };
+enum fuzzed_truth_value { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_STALE };
 
 typedef struct fuzzed_event {
     int64_t at_ns;
@@ -28,7 +28,7 @@ typedef struct fuzzed_event {
     double values[2];
     int32_t rule;
     int32_t change;
-    unsigned char truths[2];
+    unsigned char truth_values[2];
     unsigned char inputs[1];
 } fuzzed_event;
 
@@ -41,7 +41,7 @@ typedef struct fuzzed_monitor {
     double low[GUARDS];
     double high[GUARDS];
 #if PADDING
-    uint64_t dirty[(TRUTHS + RULES + 63) / 64];
+    uint64_t dirty[(TRUTH_VALUES + RULES + 63) / 64];
     bool pending;
 #else
     uint64_t dirty;
@@ -51,8 +51,8 @@ typedef struct fuzzed_monitor {
     int64_t stamp_ns[INPUTS];
     unsigned char state[INPUTS];
     unsigned char active[(RULES + 7) / 8];
-    unsigned char truth[TRUTHS];
-    int64_t since_ns[TRUTHS];
+    unsigned char truth_value[TRUTH_VALUES];
+    int64_t since_ns[TRUTH_VALUES];
     int place[GUARDS];
     int64_t held_due_ns[5];
     unsigned char held_before[5];

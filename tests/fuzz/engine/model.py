@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 
 from fuzz.engine.rules import (
     ACTIVATED,
-    ACTIVATED_LOST,
+    ACTIVATED_STALE,
     AGES,
     CLEARED,
     EARLIEST,
@@ -22,17 +22,17 @@ from fuzz.engine.rules import (
     LATEST,
     LEAVES,
     LONGEST,
-    LOST,
     MOST_SAMPLES,
     NAN,
     NEVER_RECEIVED,
     RESTS_ON,
     RULES,
     SINCES,
+    STALE,
     SWINGS,
     TIME_JUMP,
     TRUE,
-    TRUTHS,
+    TRUTH_VALUES,
     UNKNOWN,
     VALUES,
     Event,
@@ -61,8 +61,8 @@ class Monitor:
         self.state = dict.fromkeys(INPUTS, NEVER_RECEIVED)
         self.stamp_ns = dict.fromkeys(INPUTS, 0)
         self.value = dict.fromkeys(VALUES, NAN)
-        self.truth = dict.fromkeys(TRUTHS, -1)
-        self.since_ns = dict.fromkeys(TRUTHS, 0)
+        self.proposition = dict.fromkeys(TRUTH_VALUES, -1)
+        self.since_ns = dict.fromkeys(TRUTH_VALUES, 0)
         self.active = [False] * len(RULES)
         self.since = dict.fromkeys(SINCES, FALSE)
         self.events: list[Event] = []
@@ -92,7 +92,7 @@ class Monitor:
         first = len(self.events)
         for index, each in enumerate(RULES):
             is_meant = each.release is None and (rule < 0 or rule == index)
-            if is_meant and self.active[index] and self.truth[each.condition] == FALSE:
+            if is_meant and self.active[index] and self.proposition[each.condition] == FALSE:
                 self._change(index, CLEARED, t_ns)
         return before + len(self.events) - first
 
@@ -126,7 +126,7 @@ class Monitor:
         for name in INPUTS:
             self.stamp_ns[name] = t_ns - min(self.now_ns - self.stamp_ns[name], LONGEST)
         self._forget(t_ns)
-        self.truth = dict.fromkeys(TRUTHS, -1)
+        self.proposition = dict.fromkeys(TRUTH_VALUES, -1)
         self.now_ns = t_ns
 
     def _forget(self, t_ns: int) -> None:
@@ -150,18 +150,21 @@ class Monitor:
             if self.state[name] == FRESH and timeout_ns is not None:
                 yield self.stamp_ns[name] + timeout_ns
         for name, (used, age_ns) in AGES.items():
-            if self.truth[name] == FALSE:
+            if self.proposition[name] == FALSE:
                 yield self.stamp_ns[used] + age_ns
         for name, (condition, duration_ns) in HELD.items():
             start_ns = self.start_ns[name]
-            if self.truth[condition] == TRUE != self.truth[name] and start_ns is not None:
+            if (
+                self.proposition[condition] == TRUE != self.proposition[name]
+                and start_ns is not None
+            ):
                 yield start_ns + duration_ns
         windows = {**SWINGS, **EDGES}
         for name, recent in self.recent.items():
             count, within_ns = windows[name][-2:]
-            if self.truth[name] == TRUE:
+            if self.proposition[name] == TRUE:
                 yield recent.instants[-int(count)] + int(within_ns)
-            elif self.truth[name] != FALSE and recent.gap_end_ns is not None:
+            elif self.proposition[name] != FALSE and recent.gap_end_ns is not None:
                 yield recent.gap_end_ns + int(within_ns)
 
     # --- messages ----------------------------------------------------------------------------
@@ -178,13 +181,13 @@ class Monitor:
 
     def _expire(self, t_ns: int) -> None:
         """S10, S21."""
-        lost: dict[str, Sequence[str]] = {"x": ("x", "rate", "mean"), "z": ("z",)}
+        stale: dict[str, Sequence[str]] = {"x": ("x", "rate", "mean"), "z": ("z",)}
         for name, (_, timeout_ns) in INPUTS.items():
             if self.state[name] != FRESH or timeout_ns is None:
                 continue
             if t_ns - self.stamp_ns[name] >= timeout_ns:
                 self.state[name] = EXPIRED
-                self.value.update(dict.fromkeys(lost[name], NAN))
+                self.value.update(dict.fromkeys(stale[name], NAN))
                 if name == "x":
                     self.samples["x"] = []
 
@@ -255,7 +258,8 @@ class Monitor:
             if heading != 0:
                 self.recent[name].instants.append(t_ns)
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
     def _evaluate(self, t_ns: int, arrived: Sequence[int]) -> None:
         self._expire(t_ns)
@@ -264,21 +268,21 @@ class Monitor:
             if INPUTS[SWINGS[name][0]][0] in arrived:
                 self._follow(name, t_ns)
         self.started, self.now_ns = True, t_ns
-        for name in TRUTHS:
-            value = self._truth(name, t_ns)
-            if value != self.truth[name]:
-                self.truth[name], self.since_ns[name] = value, t_ns
+        for name in TRUTH_VALUES:
+            value = self._proposition(name, t_ns)
+            if value != self.proposition[name]:
+                self.proposition[name], self.since_ns[name] = value, t_ns
         for index, rule in enumerate(RULES):
             self._judge(index, rule, t_ns)
 
-    def _truth(self, name: str, t_ns: int) -> int:
-        truth = self.truth
+    def _proposition(self, name: str, t_ns: int) -> int:
+        proposition = self.proposition
         if name in LEAVES:
             return self._leaf(name)
         if name in AGES:
             used, age_ns = AGES[name]
             if self.state[used] == NEVER_RECEIVED:
-                return LOST if INPUTS[used][1] is not None else UNKNOWN
+                return STALE if INPUTS[used][1] is not None else UNKNOWN
             return int(t_ns - self.stamp_ns[used] >= age_ns)
         if name in HELD:
             return self._held(name, t_ns)
@@ -287,17 +291,17 @@ class Monitor:
         if name in EDGES:
             return self._edges(name, t_ns)
         if name in SINCES:
-            held, begun = (truth[each] for each in SINCES[name])
+            held, begun = (proposition[each] for each in SINCES[name])
             self.since[name] = either(begun, both(held, either(begun, self.since[name])))
             return self.since[name]
         return {
             "always": lambda: TRUE,
             "not_ever": lambda: FALSE,
-            "not_inside": lambda: opposite(truth["x_inside"]),
-            "once": lambda: opposite(truth["outside_held"]),
-            "both": lambda: both(truth["rate_above"], truth["y_above"]),
-            "either": lambda: either(truth["quotient_above"], truth["swing_y"]),
-            "mixed": lambda: both(truth["either"], truth["changed"]),
+            "not_inside": lambda: opposite(proposition["x_inside"]),
+            "once": lambda: opposite(proposition["outside_held"]),
+            "both": lambda: both(proposition["rate_above"], proposition["y_above"]),
+            "either": lambda: either(proposition["quotient_above"], proposition["swing_y"]),
+            "mixed": lambda: both(proposition["either"], proposition["changed"]),
         }[name]()
 
     def _leaf(self, name: str) -> int:
@@ -323,16 +327,16 @@ class Monitor:
         rests = RESTS_ON[used]
         guarded = [each for each in rests if each in INPUTS and INPUTS[each][1] is not None]
         if any(math.isnan(self.value[each]) for each in guarded):
-            return LOST
+            return STALE
         missing = [math.isnan(x) or x == math.inf for x in map(self.value.__getitem__, rests)]
         if "least" in rests and math.isinf(self.value["least"]):
             missing.append(True)
-        return UNKNOWN if any(missing) or not guarded else LOST
+        return UNKNOWN if any(missing) or not guarded else STALE
 
     def _held(self, name: str, t_ns: int) -> int:
         """S33, S45."""
         condition, duration_ns = HELD[name]
-        value = self.truth[condition]
+        value = self.proposition[condition]
         if value != TRUE:
             self.held[name], self.start_ns[name] = value, None
             return value
@@ -352,7 +356,7 @@ class Monitor:
     def _edges(self, name: str, t_ns: int) -> int:
         """S48."""
         condition, count, within_ns = EDGES[name]
-        value = self.truth[condition]
+        value = self.proposition[condition]
         if value == TRUE and self.edge[name] == FALSE:
             self.recent[name].instants.append(t_ns)
         self.edge[name] = value
@@ -375,11 +379,15 @@ class Monitor:
 
     def _judge(self, index: int, rule: Rule, t_ns: int) -> None:
         """S35 to S37."""
-        condition = self.truth[rule.condition]
+        condition = self.proposition[rule.condition]
         if not self.active[index]:
-            if condition in (TRUE, LOST):
-                self._change(index, ACTIVATED if condition == TRUE else ACTIVATED_LOST, t_ns)
-        elif condition == FALSE and rule.release is not None and self.truth[rule.release] == TRUE:
+            if condition in (TRUE, STALE):
+                self._change(index, ACTIVATED if condition == TRUE else ACTIVATED_STALE, t_ns)
+        elif (
+            condition == FALSE
+            and rule.release is not None
+            and self.proposition[rule.release] == TRUE
+        ):
             self._change(index, CLEARED, t_ns)
 
     def _change(self, index: int, change: int, t_ns: int) -> None:
@@ -392,7 +400,7 @@ class Monitor:
                 t_ns,
                 t_ns,
                 index,
-                tuple(self.truth[each] for each in rule.terms),
+                tuple(self.proposition[each] for each in rule.terms),
                 tuple(self.since_ns[each] for each in rule.terms),
                 tuple(self.value[each] for each in rule.values),
                 self.state[rule.input],

@@ -12,7 +12,7 @@ typedef fuzzed_monitor monitor;
 
 #define CHANNELS 2
 #define LEAVES (20 + PADDING)
-#define NODES (TRUTHS + RULES)
+#define NODES (TRUTH_VALUES + RULES)
 #define TIMEOUTS 2
 #define COVERED 1
 #define EXCUSES 10
@@ -42,13 +42,13 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
     case SWING_X:
         return swings_or_gap(m, 1, t_ns);
     case NOT_INSIDE:
-        return opposite(m->truth[X_INSIDE]);
+        return opposite(m->truth_value[X_INSIDE]);
     case ABOVE_HELD:
         return held(m, 0, X_ABOVE, t_ns);
     case OUTSIDE_HELD:
         return held(m, 1, X_OUTSIDE, t_ns);
     case ONCE:
-        return opposite(m->truth[OUTSIDE_HELD]);
+        return opposite(m->truth_value[OUTSIDE_HELD]);
     case HUGE_HELD:
         return held(m, 2, Y_HUGE, t_ns);
     case NESTED:
@@ -62,11 +62,11 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
     case EDGES_HELD:
         return recurs(m, 1, ABOVE_HELD, t_ns);
     case BOTH:
-        return both(m->truth[RATE_ABOVE], m->truth[Y_ABOVE]);
+        return both(m->truth_value[RATE_ABOVE], m->truth_value[Y_ABOVE]);
     case EITHER:
-        return either(m->truth[QUOTIENT_ABOVE], m->truth[SWING_Y]);
+        return either(m->truth_value[QUOTIENT_ABOVE], m->truth_value[SWING_Y]);
     case MIXED:
-        return both(m->truth[EITHER], m->truth[CHANGED]);
+        return both(m->truth_value[EITHER], m->truth_value[CHANGED]);
     case SUM_HELD:
         return held(m, 4, SUM_ABOVE, t_ns);
     default:
@@ -142,9 +142,9 @@ typedef struct stand {
     int32_t result;
     int64_t next_wake_ns;
     int64_t wake_ns;
-    int64_t since_ns[TRUTHS];
+    int64_t since_ns[TRUTH_VALUES];
     double value[VALUES];
-    unsigned char truth[TRUTHS];
+    unsigned char truth_value[TRUTH_VALUES];
     unsigned char state[INPUTS];
     unsigned char active[RULES];
     unsigned char watched[WATCHES];
@@ -193,7 +193,7 @@ static void make(const call *made)
     now.wake_ns = tried.wake_ns;
     memcpy(now.since_ns, tried.since_ns, sizeof now.since_ns);
     memcpy(now.value, tried.value, sizeof now.value);
-    memcpy(now.truth, tried.truth, sizeof now.truth);
+    memcpy(now.proposition, tried.proposition, sizeof now.proposition);
     for (int i = 0; i != INPUTS; i++)
         now.state[i] = (unsigned char)fuzzed_input_state(&tried, i);
     for (int i = 0; i != RULES; i++)

@@ -47,16 +47,16 @@ enum {
 static const index_t input_channel[INPUTS] = {0, 1, 0};
 static const int64_t input_timeouts[INPUTS] = {INT64_C(500), INT64_C(0), INT64_C(900)};
 static const index_t input_values[INPUTS + 1] = {0, 5, 5, 6};
-static const index_t lost_values[6] = {X, RATE, MEAN, QUOTIENT, SUM, Z};
+static const index_t stale_values[6] = {X, RATE, MEAN, QUOTIENT, SUM, Z};
 static const index_t input_samples[INPUTS + 1] = {0, 1, 1, 1};
-static const index_t lost_samples[1] = {0};
+static const index_t stale_samples[1] = {0};
 static const index_t input_windows[INPUTS + 1] = {0, 1, 1, 1};
-static const index_t lost_windows[1] = {1};
+static const index_t stale_windows[1] = {1};
 static const index_t sampled_values[SAMPLED_VALUES] = {RATE, CHANGE, MEDIAN, MEAN, LOW_PASS};
 
-/* Who depends on a truth, sorted by truths. */
+/* Who depends on a proposition, sorted by propositions. */
 static const struct {
-    index_t truth;
+    index_t proposition;
     index_t user;
 } uses[] = {
     {X_INSIDE, NOT_INSIDE},
@@ -101,25 +101,25 @@ enum { USES = sizeof uses / sizeof uses[0] };
 
 #if NODES <= 64
 
-static uint64_t node_users[TRUTHS];
+static uint64_t node_users[TRUTH_VALUES];
 
 static void list_users(void)
 {
     for (unsigned i = 0; i != USES; i++)
-        node_users[uses[i].truth] |= BIT(uses[i].user);
+        node_users[uses[i].proposition] |= BIT(uses[i].user);
 }
 
 #else
 
-static index_t node_users[TRUTHS + 1], users[USES];
+static index_t node_users[TRUTH_VALUES + 1], users[USES];
 
 static void list_users(void)
 {
     for (unsigned i = 0; i != USES; i++) {
         users[i] = uses[i].user;
-        node_users[uses[i].truth + 1] = (index_t)(i + 1);
+        node_users[uses[i].proposition + 1] = (index_t)(i + 1);
     }
-    for (unsigned node = 0; node != TRUTHS; node++)
+    for (unsigned node = 0; node != TRUTH_VALUES; node++)
         if (node_users[node + 1] < node_users[node])
             node_users[node + 1] = node_users[node];
 }
@@ -193,11 +193,11 @@ static const unsigned char held_initially[HELD] = {FALSE, TRUE, FALSE, FALSE, FA
 #endif
 static const int64_t age_limits[AGES] = {LONGEST - 1, 700, 1200};
 static const index_t age_input[AGES] = {INPUT_X, INPUT_Y, INPUT_Z};
-static const unsigned char age_unknown[AGES] = {LOST, UNKNOWN, LOST};
+static const unsigned char age_unknown[AGES] = {STALE, UNKNOWN, STALE};
 static const index_t age_leaf[AGES] = {AGE_X, AGE_Y, AGE_Z};
 static const index_t recent_first[RECENT + 1] = {0, 2, 5, 7, 8};
 static const int64_t recent_windows[RECENT] = {600, LONGEST - 1, 700, 100};
-static const index_t recent_truth[RECENT] = {SWING_Y, SWING_X, EDGES_X, EDGES_HELD};
+static const index_t recent_proposition[RECENT] = {SWING_Y, SWING_X, EDGES_X, EDGES_HELD};
 static const index_t turn_value[OSCILLATIONS] = {Y, X};
 static const double turn_swings[OSCILLATIONS] = {1.0, 0.5};
 static const int64_t window_lengths[WINDOWS] = {800, 400};
@@ -228,6 +228,6 @@ static const index_t shown_values[10] = {X, QUOTIENT, Y, X, CHANGE, SUM, LEAST, 
 static const index_t rule_inputs[RULES + 1] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
 static const index_t shown_inputs[10] = {INPUT_X, INPUT_X, INPUT_Y, INPUT_X, INPUT_Y,
                                          INPUT_Y, INPUT_X, INPUT_X, INPUT_X, INPUT_Z};
-static const index_t watched_truths[WATCHES] = {SWING_Y, NESTED};
+static const index_t watched_propositions[WATCHES] = {SWING_Y, NESTED};
 
 #endif

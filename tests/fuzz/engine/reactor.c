@@ -15,7 +15,7 @@
 #define ESCALATIONS 2
 #define YIELDING 1
 
-enum fuzzed_truth { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_LOST };
+enum fuzzed_truth_value { fuzzed_FALSE, fuzzed_TRUE, fuzzed_UNKNOWN, fuzzed_STALE };
 enum fuzzed_order { fuzzed_START, fuzzed_STOP, fuzzed_OVERRULED, fuzzed_FAILED };
 enum fuzzed_task_state {
     fuzzed_TASK_IDLE,
@@ -59,10 +59,10 @@ typedef struct fuzzed_bounds {
     double high;
 } fuzzed_bounds;
 
-/* The monitor: a bit for each active rule, and the watched truth. */
+/* The monitor: a bit for each active rule, and the watched proposition. */
 typedef struct fuzzed_monitor {
     unsigned active;
-    unsigned truth;
+    unsigned proposition;
 } fuzzed_monitor;
 
 static bool fuzzed_is_active(const fuzzed_monitor *m, int rule)
@@ -70,10 +70,10 @@ static bool fuzzed_is_active(const fuzzed_monitor *m, int rule)
     return (m->active >> rule & 1u) != 0;
 }
 
-static enum fuzzed_truth fuzzed_watch(const fuzzed_monitor *m, int watch)
+static enum fuzzed_truth_value fuzzed_watch(const fuzzed_monitor *m, int watch)
 {
     (void)watch;
-    return (enum fuzzed_truth)m->truth;
+    return (enum fuzzed_truth_value)m->truth_value;
 }
 
 typedef fuzzed_reactor reactor;
@@ -143,9 +143,9 @@ static fuzzed_monitor monitored;
 
 static void tell(void *user, int task, enum fuzzed_order given, int by_rule)
 {
-    const order told = {ORDER, task, given, by_rule};
+    const order reported = {ORDER, task, given, by_rule};
     (void)user;
-    answer(&told, sizeof told);
+    answer(&reported, sizeof reported);
 }
 
 static void start_anew(void)
@@ -165,7 +165,7 @@ static void make(const call *made)
         exempted[rule] = (unsigned char)(about >> (4 + rule) & 1u);
     if (made->kind == REACT) {
         monitored.active = about & 15u;
-        monitored.truth = about >> 8 & 3u;
+        monitored.proposition = about >> 8 & 3u;
         fuzzed_react(&tried, &monitored, exempted, made->t_ns);
     } else if (made->kind == REPORT) {
         fuzzed_report(&tried, &monitored, made->t_ns, (int)(about & 15u), (about & 16u) != 0);

@@ -9,9 +9,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-FALSE, TRUE, UNKNOWN, LOST = range(4)
+FALSE, TRUE, UNKNOWN, STALE = range(4)
 NEVER_RECEIVED, FRESH, EXPIRED = range(3)
-CLEARED, ACTIVATED, ACTIVATED_LOST, TIME_JUMP = range(4)
+CLEARED, ACTIVATED, ACTIVATED_STALE, TIME_JUMP = range(4)
 EARLIEST, LATEST, LONGEST = -(2**61), 2**62, 2**61
 NAN = math.nan
 MOST_SAMPLES = 4
@@ -66,7 +66,7 @@ SINCES = {
 }
 SWINGS = {"swing_y": ("y", 1.0, 2, 600), "swing_x": ("x", 0.5, 3, LONGEST - 1)}
 EDGES = {"edges_x": ("x_above", 2, 700), "edges_held": ("above_held", 1, 100)}
-TRUTHS = [
+TRUTH_VALUES = [
     *LEAVES, *AGES, "always", "not_ever", *SWINGS, "not_inside", "above_held", "outside_held",
     "once", "huge_held", "nested", "y_since_x", "not_inside_since_once", "edges_x", "edges_held",
     "both", "either", "mixed", "sum_held",
@@ -108,7 +108,7 @@ class Event:
     at_ns: int
     from_ns: int
     rule: int = 0
-    truths: tuple[int, ...] = (0, 0)
+    propositions: tuple[int, ...] = (0, 0)
     since_ns: tuple[int, ...] = (0, 0)
     values: tuple[float, ...] = ()
     input: int = 0

@@ -53,8 +53,10 @@ def read(content: bytes, folder: Path) -> None:
             case.check(call, program.read)
     except BaseException as error:
         program.stop()  # what it would have answered belongs to this case
-        told = "\n".join(f"    {call}" for call in calls[:done][-12:])
-        raise DefectError(f"{error}\nafter {done} calls, the last of which are\n{told}") from error
+        reported = "\n".join(f"    {call}" for call in calls[:done][-12:])
+        raise DefectError(
+            f"{error}\nafter {done} calls, the last of which are\n{reported}"
+        ) from error
 
 
 def _calls(data: Bytes, case: Case) -> Iterator[Call]:
@@ -89,9 +91,11 @@ class _OfMonitor:
 
     def __init__(self, padding: int) -> None:
         self._monitor = model.Monitor(rules.FALSE if padding else rules.TRUE)
-        truths, values = len(rules.TRUTHS) + padding, len(rules.VALUES)
-        self._stand = struct.Struct(f"@iiqq{truths}q{values}d{truths}B3B10B2BB0q")
-        self._places = [i + (padding if i >= _LEAVES else 0) for i in range(len(rules.TRUTHS))]
+        propositions, values = len(rules.TRUTH_VALUES) + padding, len(rules.VALUES)
+        self._stand = struct.Struct(f"@iiqq{propositions}q{values}d{propositions}B3B10B2BB0q")
+        self._places = [
+            i + (padding if i >= _LEAVES else 0) for i in range(len(rules.TRUTH_VALUES))
+        ]
 
     def decode(self, data: Bytes, now_ns: int) -> Call:
         kind = _MONITOR_KINDS[data.byte() % len(_MONITOR_KINDS)]
@@ -129,7 +133,7 @@ class _OfMonitor:
         monitor, count = self._monitor, (len(found) - len(rules.VALUES) - 18) // 2
         next_wake_ns, wake_ns, *rest = found
         since_ns, value = rest[:count], rest[count : count + len(rules.VALUES)]
-        truth, others = rest[-count - 16 : -16], rest[-16:]
+        proposition, others = rest[-count - 16 : -16], rest[-16:]
         wanted_ns = monitor.next_wake()
         _compare("next wake", next_wake_ns, _NEVER if wanted_ns is None else wanted_ns)
         _compare("active rules", others[3:13], [int(each) for each in monitor.active])
@@ -139,29 +143,33 @@ class _OfMonitor:
         assert wake_ns <= next_wake_ns, (
             f"calm until {wake_ns}, and a timer is due at {next_wake_ns}"
         )
-        for name, place in zip(rules.TRUTHS, self._places, strict=True):
-            _compare(name, truth[place], monitor.truth[name])
+        for name, place in zip(rules.TRUTH_VALUES, self._places, strict=True):
+            _compare(name, proposition[place], monitor.proposition[name])
             _compare(f"since of {name}", since_ns[place], monitor.since_ns[name])
         for name, x in zip(rules.VALUES, value, strict=True):
             _compare(name, x, monitor.value[name])
-        _compare("watched", others[13:15], [monitor.truth[each] for each in rules.WATCHED])
+        _compare("watched", others[13:15], [monitor.proposition[each] for each in rules.WATCHED])
         _compare("all inputs", others[15], int(monitor.has_all_inputs()))
 
 
-_LEAVES = rules.TRUTHS.index("swing_y")
+_LEAVES = rules.TRUTH_VALUES.index("swing_y")
 
 
 def _event(found: tuple[float, ...]) -> rules.Event:
     """An event as rules.py has it; there, no more than the rule shows."""
     _, at_ns, from_ns, *rest = found
-    since_ns, values, (rule, change), truths = rest[:2], rest[2:4], map(int, rest[4:6]), rest[6:8]
+    since_ns, values, (rule, change), propositions = (
+        rest[:2],
+        rest[2:4],
+        map(int, rest[4:6]),
+        rest[6:8],
+    )
     if change == rules.TIME_JUMP:
         return rules.Event(change, int(at_ns), int(from_ns))
     shown = values[: len(rules.RULES[rule].values)]
     return rules.Event(
-        change, int(at_ns), int(from_ns), rule, tuple(map(int, truths)), tuple(map(int, since_ns)),
-        tuple(shown), int(rest[8]),
-    )  # fmt: skip
+        change, int(at_ns), int(from_ns), rule, tuple(map(int, propositions)), tuple(map(int,
+        since_ns)), tuple(shown), int(rest[8]), )  # fmt: skip
 
 
 def _compare(what: str, found: object, wanted: object) -> None:
@@ -217,9 +225,9 @@ class _OfFunctions:
         kind = data.byte() % 5
         if kind == _QUANTIFIERS:
             count = data.byte() % 6
-            truths = data.byte() % (count + 1)
-            unknowns = data.byte() % (count - truths + 1)
-            return Call(kind, 0, 0, (truths, unknowns, count, data.byte() % 2))
+            propositions = data.byte() % (count + 1)
+            unknowns = data.byte() % (count - propositions + 1)
+            return Call(kind, 0, 0, (propositions, unknowns, count, data.byte() % 2))
         bits = int.from_bytes(data.several(8), "little", signed=True) if kind == _BITS else 0
         return Call(kind, bits or 1, data.byte(), tuple(data.number() for _ in range(4)))
 
@@ -256,8 +264,8 @@ def _numbers(call: Call) -> list[float]:
 
 def _quantifiers(call: Call) -> list[float]:
     """S24, S25, S51, S53: from a list of elements."""
-    truths, unknowns, count = map(int, call.numbers[:3])
-    elements = [rules.TRUE] * truths + [rules.UNKNOWN] * unknowns
+    propositions, unknowns, count = map(int, call.numbers[:3])
+    elements = [rules.TRUE] * propositions + [rules.UNKNOWN] * unknowns
     elements += [rules.FALSE] * (count - len(elements))
     of_array = _folded(elements) if elements else [math.nan] * 3
     return of_array + (_folded(elements) if call.numbers[3] else [math.nan] * 3)
@@ -268,7 +276,10 @@ def _folded(elements: list[int]) -> list[float]:
     for each in elements:
         some, every = rules.either(some, each), rules.both(every, each)
     known = rules.UNKNOWN not in elements
-    found = [math.nan if truth == rules.UNKNOWN else float(truth) for truth in (some, every)]
+    found = [
+        math.nan if proposition == rules.UNKNOWN else float(proposition)
+        for proposition in (some, every)
+    ]
     return [*found, float(elements.count(rules.TRUE)) if known else math.nan]
 
 

@@ -49,7 +49,7 @@ def inserting(seen: Floats, step: int) -> Floats:
 
 
 def episode(env: Any, policy: Policy, seed: int) -> Iterator[tuple[Floats, Any]]:
-    """The place of the peg after each step, and what the step told."""
+    """The place of the peg after each step, and what the step reported."""
     seen, _ = env.reset(seed=seed)
     task = env.unwrapped
     for step in count():

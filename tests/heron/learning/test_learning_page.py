@@ -14,7 +14,7 @@ from support.parts import LEARNERS, require
 require(LEARNERS)
 
 from campaign import Value
-from heron.evaluation.claim import Verdict
+from heron.evaluation.expectation import Verdict
 from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
 from heron.evaluation.learning.expectations import expectations_of
 from heron.evaluation.learning.folder import read_rows
@@ -85,7 +85,7 @@ def test_what_is_expected_comes_out() -> None:
         ({"intervened_late": 0.9}, "less later"),
     ],
 )
-def test_what_comes_out_otherwise_is_told(changed: dict[str, float | None], key: str) -> None:
+def test_what_comes_out_otherwise_is_reported(changed: dict[str, float | None], key: str) -> None:
     found = verdicts(rows(range(10), **changed))
     assert found[key] is not Verdict.HOLDS
 
@@ -180,7 +180,7 @@ def test_a_study_is_run_and_gone_on_with(tmp_path: Path) -> None:
     assert "| | unguarded | guard |" in page
 
 
-def test_a_checkpoint_of_something_else_is_told(tmp_path: Path) -> None:
+def test_a_checkpoint_of_something_else_is_reported(tmp_path: Path) -> None:
     run = Run(Formulation.TREE, "cma-es", LearningArm.GUARD, 300, 0)
     folder = LearningFolder(tmp_path).trainings / run.folder
     folder.mkdir(parents=True)

@@ -60,13 +60,13 @@ def test_all_uses_give_the_same_log(
     recording = tmp_path / "episode.mcap"
     wrapped = recorded(arm, policy, seed, recording)
     header, _, wanted = replayed(recording, tmp_path).partition(b"\n")
-    told = json.loads(header)
-    assert told["start_ns"] == 0
-    assert told["notes"] == []
+    reported = json.loads(header)
+    assert reported["start_ns"] == 0
+    assert reported["notes"] == []
     machine = compile_file(RULES).machine
-    assert log(machine, wrapped, told["end_ns"]) == wanted
+    assert log(machine, wrapped, reported["end_ns"]) == wanted
     own = in_process(machine, list(messages_of(recording)))
-    assert log(machine, own, told["end_ns"]) == wanted
+    assert log(machine, own, reported["end_ns"]) == wanted
     assert own == wrapped, "with all that verdicts rest on, whether it decides or not"
     assert len(activated(wrapped)) >= 4
 

@@ -17,7 +17,7 @@ from support.shared import HUSKY_DRIVE
 HUSKY = Path(__file__).parents[3] / "examples" / "husky" / "husky.ross"
 
 NEAR = 0.03
-"""Seconds by which instants may differ: time is told in steps."""
+"""Seconds by which instants may differ: time is reported in steps."""
 
 START, SECONDS = 177.0, 37.0
 
@@ -35,11 +35,11 @@ def test_a_part_of_a_real_drive_gives_the_same_verdicts(
 ) -> None:
     expected = replayed(HUSKY, HUSKY_DRIVE, NEAR, (START, START + SECONDS))
     assert {rule for rule, _, _ in expected} == {"limit_speed", "slow_on_jolts", "slow_on_slopes"}
-    told = says(
+    reported = says(
         ros1,
         programs[0],
         tmp_path / "latched",
         lambda: ros1.play(HUSKY_DRIVE, START, SECONDS),
         len(expected),
     )
-    assert told == expected
+    assert reported == expected

@@ -36,8 +36,8 @@ def test_a_node_says_what_a_replay_says(ros: Ros, programs: Sequence[Path], tmp_
     activated = {rule for rule, change, _ in wanted if change != CLEARED}
     assert activated == {rule.name for rule in compile_file(rules).machine.rules}
     latched = tmp_path / "latched"
-    told = says(ros, programs[0], latched, lambda: ros.play(recording), len(wanted))
-    assert of_each_rule(told) == of_each_rule(wanted)
+    reported = says(ros, programs[0], latched, lambda: ros.play(recording), len(wanted))
+    assert of_each_rule(reported) == of_each_rule(wanted)
 
 
 def of_each_rule(changes: Changes) -> dict[str, list[tuple[int, Any]]]:

@@ -64,10 +64,10 @@ def test_an_experiment_has_the_same_outcome(
     begin(ros1, programs[0], started, tmp_path)
     with closing(Ros1Link(ros1.variables["ROS_MASTER_URI"], "127.0.0.1")) as link:
         there = run_navigation(Arm.ROSSMARIE, terrain, SEED, link=link)
-    assert verdicts(there.told) == [
-        (words, pytest.approx(at_s, abs=NEAR)) for words, at_s in verdicts(here.told)
+    assert verdicts(there.reported) == [
+        (words, pytest.approx(at_s, abs=NEAR)) for words, at_s in verdicts(here.reported)
     ]
-    assert {words for words, _ in verdicts(here.told)} == EXPECTED[terrain]
+    assert {words for words, _ in verdicts(here.reported)} == EXPECTED[terrain]
     assert there.outcome is here.outcome
     assert there.measures.is_completed
     assert there.measures.is_completed == here.measures.is_completed
@@ -83,9 +83,9 @@ def outcomes(tree: Sequence[TreeSkill]) -> list[tuple[str, list[Status]]]:
     return [(skill.label, [span.status for span in skill.spans]) for skill in tree]
 
 
-def verdicts(told: Sequence[tuple[float, str]]) -> list[tuple[str, Any]]:
+def verdicts(reported: Sequence[tuple[float, str]]) -> list[tuple[str, Any]]:
     """Rules and what happened to them, with the instants; causes are worded differently."""
-    return [(words.partition(":")[0], at_s) for at_s, words in told]
+    return [(words.partition(":")[0], at_s) for at_s, words in reported]
 
 
 def test_a_node_that_has_been_on_guard_is_refused(

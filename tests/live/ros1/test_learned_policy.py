@@ -80,18 +80,18 @@ def test_the_peg_is_inserted_behind_the_node(
 ) -> None:
     numbers = tmp_path / "numbers.json"
     numbers.write_text(json.dumps(GOOD), encoding="utf-8")
-    told = episode(ros1, started, numbers, tmp_path)
-    assert told["task"] == "inserted"
-    assert told["violations"] == "none"
+    reported = episode(ros1, started, numbers, tmp_path)
+    assert reported["task"] == "inserted"
+    assert reported["violations"] == "none"
 
 
 @pytest.mark.usefixtures("guard")
 def test_the_node_keeps_a_policy_off_the_fragile_part(
     ros1: Ros1, started: list[Process], tmp_path: Path
 ) -> None:
-    told = episode(ros1, started, reckless(tmp_path), tmp_path)
-    assert told["force on the fragile part"] == "0 N"
-    assert "touched" not in told["violations"]
+    reported = episode(ros1, started, reckless(tmp_path), tmp_path)
+    assert reported["force on the fragile part"] == "0 N"
+    assert "touched" not in reported["violations"]
 
 
 @pytest.mark.deep
@@ -99,8 +99,8 @@ def test_without_the_node_the_policy_hits_it(
     ros1: Ros1, started: list[Process], tmp_path: Path
 ) -> None:
     with relay(ros1):
-        told = episode(ros1, started, reckless(tmp_path), tmp_path)
-    assert "touched" in told["violations"]
+        reported = episode(ros1, started, reckless(tmp_path), tmp_path)
+    assert "touched" in reported["violations"]
 
 
 @pytest.mark.deep
@@ -138,8 +138,8 @@ def test_readings_of_another_type_are_refused(
         policy = heron(ros1, started, tmp_path, "policy", str(reckless(tmp_path)))
         until(lambda: policy.running.poll() is not None, "the policy refuses")
     assert policy.running.poll() == 1
-    told = "/other publishes /arm/pose as geometry_msgs/Twist, not geometry_msgs/Point"
-    assert told in policy.said()
+    reported = "/other publishes /arm/pose as geometry_msgs/Twist, not geometry_msgs/Point"
+    assert reported in policy.said()
 
 
 def reckless(folder: Path) -> Path:

@@ -128,5 +128,5 @@ def test_a_node_of_another_name_logs_under_it(
     started.append(Process(command, ros2.variables, tmp_path / "guard.log"))
     robot.passes(1.0)
     robot.set(pitch=15.0)
-    told = "[guard]: rule tilted is active: abs(orientation.pitch()) = 15 deg"
-    until(lambda: told in started[-1].said(), "it is told that a rule is active")
+    reported = "[guard]: rule tilted is active: abs(orientation.pitch()) = 15 deg"
+    until(lambda: reported in started[-1].said(), "it is told that a rule is active")

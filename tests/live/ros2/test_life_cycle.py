@@ -83,9 +83,9 @@ def test_parameters_have_defaults_and_descriptions(ros2: Ros2, robot: Robot, sta
     start()
     robot.passes(1.0)
     assert "0.5" in ros2.command("param", "get", NODE, "command_timeout")
-    told = ros2.command("param", "describe", NODE, "filter_rate")
-    assert "How often (Hz)" in told
-    assert "1000.0" in told
+    reported = ros2.command("param", "describe", NODE, "filter_rate")
+    assert "How often (Hz)" in reported
+    assert "1000.0" in reported
 
 
 @pytest.mark.parametrize(

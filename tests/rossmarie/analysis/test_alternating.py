@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.questions import ask_all
+from rossmarie.analysis.queries import ask_all
 from rossmarie.analysis.witness import Witness, as_csv, views
 from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
@@ -102,8 +102,8 @@ def ask(folder: Path, rules: str) -> tuple[Path, Machine, list[Finding]]:
     path.write_text(INPUTS + rules, encoding="utf-8")
     machine = compile_file(path).machine
     found = ask_all(machine, thorough=False, within_ns=10**9)
-    told = [each for each in found if each.diagnostic.code in ("ROSS718", "ROSS729")]
-    return path, machine, told
+    reported = [each for each in found if each.diagnostic.code in ("ROSS718", "ROSS729")]
+    return path, machine, reported
 
 
 def starts(machine: Machine, witness: Witness) -> list[int]:
@@ -182,13 +182,13 @@ def test_of_rules_that_are_proved_not_to_alternate_nothing_is_said(
     assert [each.diagnostic.title for each in found] == []
 
 
-def test_a_group_is_not_told_again_with_a_rule_more(tmp_path: Path) -> None:
+def test_a_group_is_not_reported_again_with_a_rule_more(tmp_path: Path) -> None:
     rules = FOUND["texts"] + 'rule c: if mode == "sport" then { plain; eco; };'
     *_, found = ask(tmp_path, rules)
     titles = [each.diagnostic.title for each in found if each.diagnostic.code == "ROSS718"]
     assert not any(all(f"`{name}`" in title for name in "abc") for title in titles)
 
 
-def test_what_toggles_without_the_messages_of_the_rules_is_not_told(tmp_path: Path) -> None:
+def test_what_toggles_without_the_messages_of_the_rules_is_not_reported(tmp_path: Path) -> None:
     *_, found = ask(tmp_path, "rule a: if age(speed) > 0.05 sec and level < 9 then { one; };")
     assert "ROSS718" not in {each.diagnostic.code for each in found}

@@ -1,4 +1,4 @@
-"""Requirements of rules: proved, refuted by a course that bears it out, or not decided."""
+"""Requirements of rules: proved, refuted by a trace that bears it out, or not decided."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.analysis import questions
-from rossmarie.analysis.questions import ask_required
+from rossmarie.analysis import queries
+from rossmarie.analysis.queries import ask_required
 from rossmarie.analysis.witness import views
 from rossmarie.driver.analyze import analyze_file
 from rossmarie.driver.pipeline import compile_file
@@ -84,8 +84,8 @@ def test_a_rule_that_is_late_is_refuted(tmp_path: Path, condition: str) -> None:
     (required,) = compile_file(path).requirements
     (late,) = ask_required(required, thorough=False)
     assert late.witness is not None
-    last = list(views(required.machine, late.witness, (required.truth,)))[-1]
-    assert last.truths[required.truth] is TruthValue.TRUE
+    last = list(views(required.machine, late.witness, (required.proposition,)))[-1]
+    assert last.truth_values[required.proposition] is TruthValue.TRUE
     assert not last.active[0]
 
 
@@ -125,7 +125,7 @@ def test_a_rule_of_which_nobody_knows_is_an_error(tmp_path: Path) -> None:
 def test_a_requirement_for_which_there_is_no_time_is_an_error(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(questions, "QUICK_S", 0.0)
+    monkeypatch.setattr(queries, "QUICK_S", 0.0)
     path = tmp_path / "rules.ross"
     found(tmp_path, "distance(pose, SchoolCorridor) < stopping(drive, 0.3 m/s)")
     (required,) = compile_file(path).requirements

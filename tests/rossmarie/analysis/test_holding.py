@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.analysis.questions import ask_all
+from rossmarie.analysis.queries import ask_all
 from rossmarie.driver import compile_file
 from rossmarie.interpreter import Interpreter, Reactor, State
 from rossmarie.ir import ChannelValues, Machine

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.questions import ask_all
+from rossmarie.analysis.queries import ask_all
 from rossmarie.analysis.witness import Witness, views
 from rossmarie.driver import compile_file
 from rossmarie.interpreter import Interpreter

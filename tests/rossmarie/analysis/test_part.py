@@ -31,11 +31,11 @@ def test_a_part_does_what_its_rules_do_in_the_whole(
 
 @settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(machines(), st.data())
-def test_the_last_truth_of_what_lies_below_one_is_that_one(
+def test_the_last_proposition_of_what_lies_below_one_is_that_one(
     machine: ir.Machine, data: st.DataObject
 ) -> None:
     rule = data.draw(st.sampled_from(machine.rules))
     part = part_below(machine, rule.condition)
     ir.verify(part)
-    assert part.truths[-1].text == machine.truths[rule.condition].text
-    assert len(part.truths) <= len(machine.truths)
+    assert part.propositions[-1].text == machine.propositions[rule.condition].text
+    assert len(part.propositions) <= len(machine.propositions)

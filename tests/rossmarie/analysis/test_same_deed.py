@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.analysis.questions import ask_all
+from rossmarie.analysis.queries import ask_all
 from rossmarie.driver import compile_file
 
 RULES = """\

@@ -1,4 +1,4 @@
-"""Questions to skills: no message answers them so that they contradict each other."""
+"""Queries to skills: no message answers them so that they contradict each other."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from rossmarie.driver.analyze import analyze_file
 from rossmarie.ir import Doing
 from rossmarie.ir.skills import answer
 from support.drafts import Draft
-from support.skill_contexts import random_context, random_question
+from support.skill_contexts import random_context, random_query
 
 RULES = Path(__file__).parents[2] / "fixtures" / "skillful"
 
@@ -26,14 +26,14 @@ RULES = Path(__file__).parents[2] / "fixtures" / "skillful"
 @given(st.integers(0, 2**64))
 def test_the_facts_hold_in_every_message(seed: int) -> None:
     random = Random(seed)
-    questions = [random_question(random) for _ in range(8)]
+    queries = [random_query(random) for _ in range(8)]
     context = random_context(random)
     draft = Draft()
     draft.input(draft.channel())
-    for each in (*questions, questions[0]):
+    for each in (*queries, queries[0]):
         kind = ir.Kind.FLAG if isinstance(each, Doing) else ir.Kind.REAL
         draft.slots.append(ir.Slot(0, (each,), kind, 1.0, 0.0, ""))
-    answers = [answer(each, context) for each in (*questions, questions[0])]
+    answers = [answer(each, context) for each in (*queries, queries[0])]
     numbers = {
         slot: Number(z3.BoolVal(not math.isnan(found)), constant(_finite(found)))
         for slot, found in enumerate(answers)

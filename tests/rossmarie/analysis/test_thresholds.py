@@ -1,4 +1,4 @@
-"""Leaves that compare one number with many constants: few questions, and the same answers."""
+"""Leaves that compare one number with many constants: few queries, and the same answers."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ def test_the_outermost_thresholds_speak_for_the_others(
     assert [title.split(":")[0] for title in found] == titles
 
 
-def test_many_thresholds_cost_as_many_questions_as_two(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_many_thresholds_cost_as_many_queries_as_two(monkeypatch: pytest.MonkeyPatch) -> None:
     asked: list[object] = []
 
-    def counted(*question: object) -> Answer:
-        asked.append(question)
-        return ask(*question)  # type: ignore[arg-type]
+    def counted(*query: object) -> Answer:
+        asked.append(query)
+        return ask(*query)  # type: ignore[arg-type]
 
     monkeypatch.setattr("rossmarie.analysis.inquiry.ask", counted)
     assert constant(rules(*(f"norm(acceleration) > {each} m/s^2" for each in range(1, 60)))) == []

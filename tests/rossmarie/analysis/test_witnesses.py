@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.questions import ask_all
+from rossmarie.analysis.queries import ask_all
 from rossmarie.analysis.shrink import cost
 from rossmarie.analysis.witness import Sending, Witness, as_csv, views
 from rossmarie.driver import compile_file
@@ -126,8 +126,8 @@ def test_a_message_with_an_empty_array_has_a_column(tmp_path: Path) -> None:
     recording = tmp_path / "witness.csv"
     recording.write_text(text, encoding="utf-8")
     replay, _ = replay_file(asked.rules, recording, topic_map={})
-    (lost,) = (event for event in replay.events if isinstance(event, Verdict))
-    assert lost.inputs == (InputState.FRESH,)
+    (stale,) = (event for event in replay.events if isinstance(event, Verdict))
+    assert stale.inputs == (InputState.FRESH,)
 
 
 RATES = """
@@ -136,15 +136,15 @@ input volts = topic /battery timeout 0.5 sec
 """
 
 
-def test_an_input_that_is_lost_between_messages_is_shown_by_a_replay(tmp_path: Path) -> None:
+def test_an_input_that_is_stale_between_messages_is_shown_by_a_replay(tmp_path: Path) -> None:
     asked = ask(tmp_path, RATES + "rule one: if volts < 11 V then { low; };")
-    (lost,) = asked.shown("ROSS714")
+    (stale,) = asked.shown("ROSS714")
     recording = tmp_path / "witness.csv"
-    assert lost.witness is not None
-    recording.write_text(as_csv(asked.machine, lost.witness), encoding="utf-8")
+    assert stale.witness is not None
+    recording.write_text(as_csv(asked.machine, stale.witness), encoding="utf-8")
     replay, _ = replay_file(asked.rules, recording, topic_map={})
     seen = [(event.at_ns, event.change) for event in replay.events if isinstance(event, Verdict)]
-    assert seen == [(5 * 10**8, Change.ACTIVATED_LOST), (10**9, Change.CLEARED)]
+    assert seen == [(5 * 10**8, Change.ACTIVATED_STALE), (10**9, Change.CLEARED)]
 
 
 def test_one_message_fulfils_a_for_that_is_over_before_the_next(tmp_path: Path) -> None:

@@ -137,6 +137,6 @@ def test_the_program_has_the_name_of_its_file(program: CheckedProgram) -> None:
         ("not other or 3 m > 2 m", True),
     ],
 )
-def test_truths_of_constants_are_worked_out(written: str, value: bool) -> None:
-    program = program_of(f"const other = true\nconst truth = {written}\n")
+def test_propositions_of_constants_are_worked_out(written: str, value: bool) -> None:
+    program = program_of(f"const other = true\nconst proposition = {written}\n")
     assert program.symbols.constants["truth"].boolean is value

@@ -39,7 +39,7 @@ def out(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("target", ["ros1", "ros2"])
-def test_a_package_without_licence_and_maintainer_is_told_of_in_a_line(
+def test_a_package_without_licence_and_maintainer_is_reported_of_in_a_line(
     target: str, rules: Path, out: Path
 ) -> None:
     done = run("build", rules, "--target", target, "--out", out)

@@ -89,7 +89,7 @@ def test_without_witnesses_json_is_all_that_is_printed(rules: Path, tmp_path: Pa
     assert "wrote" in done.stderr
 
 
-def test_proofs_are_told_when_all_is_asked(rules: Path) -> None:
+def test_proofs_are_reported_when_all_is_asked(rules: Path) -> None:
     assert "ROSS711" not in run("check", rules).stdout
     done = run("check", "--thorough", rules)
     assert "warning[ROSS711]" in done.stdout

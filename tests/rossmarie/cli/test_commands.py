@@ -50,7 +50,7 @@ def test_check_says_what_it_found_and_counts(rules: Path, wrong: Path) -> None:
     assert "\x1b" not in bad.stdout
 
 
-def test_a_finding_in_an_imported_file_is_told_once(tmp_path: Path, wrong: Path) -> None:
+def test_a_finding_in_an_imported_file_is_reported_once(tmp_path: Path, wrong: Path) -> None:
     importing = tmp_path / "importing.ross"
     importing.write_text('import "wrong.ross";')
     assert run("check", wrong, importing).stdout.count("error[ROSS101]") == 1

@@ -60,8 +60,8 @@ def test_elsewhere_nothing_is_shown(replay: list[str]) -> None:
 
 STEPS = """
 import time
-from rossmarie.cli.progress import told_steps
-with told_steps("reading the rules") as on_step:
+from rossmarie.cli.progress import reported_steps
+with reported_steps("reading the rules") as on_step:
     time.sleep({before})
     on_step("which rules are in conflict?")
     time.sleep({behind})
@@ -83,13 +83,13 @@ def test_a_command_that_is_done_soon_shows_no_step() -> None:
     assert on_terminal(*steps(before=0.0, behind=0.0)) == ""
 
 
-def test_a_check_tells_its_questions(tmp_path: Path) -> None:
-    told: list[str] = []
+def test_a_check_tells_its_queries(tmp_path: Path) -> None:
+    reported: list[str] = []
     rules = tmp_path / "rules.ross"
     rules.write_text(RULES)
-    analyze_file(rules, on_step=told.append)
-    assert told[0] == "which rules are in conflict?"
-    assert len(told) > 3
+    analyze_file(rules, on_step=reported.append)
+    assert reported[0] == "which rules are in conflict?"
+    assert len(reported) > 3
 
 
 def _all_of(terminal: int) -> str:

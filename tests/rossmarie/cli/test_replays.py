@@ -1,4 +1,6 @@
-"""Replays of many recordings at the same time: told in their order, and none keeps the others."""
+"""Replays of many recordings at the same time: reported in their order, and none keeps the
+others.
+"""
 
 from __future__ import annotations
 
@@ -58,15 +60,15 @@ def switches(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def test_each_is_told_as_if_it_were_alone_in_the_order_in_which_they_were_given(
+def test_each_is_reported_as_if_it_were_alone_in_the_order_in_which_they_were_given(
     drives: Path,
 ) -> None:
     rules, names = drives / "rules.ross", ["half.bag", "broken.bag", "whole.bag"]
     alone = {name: replay(rules, name, folder=drives) for name in names}
     together = replay(rules, *names, folder=drives)
     *sections, totals = together.stdout.split("\n\n")
-    told = "\n\n".join(sections)
-    assert told == "\n\n".join(f"{name}:\n{alone[name].stdout.rstrip()}" for name in names)
+    reported = "\n\n".join(sections)
+    assert reported == "\n\n".join(f"{name}:\n{alone[name].stdout.rstrip()}" for name in names)
     assert re.fullmatch(r"2 of 3 recordings replayed, 2 min \d+ s: 2 activations\n", totals)
     assert alone["broken.bag"].returncode == 1
     assert together.returncode == 1
@@ -106,7 +108,7 @@ def test_nothing_is_written_where_one_report_cannot_be(switches: Path) -> None:
     assert [each.name for each in (switches / "out").iterdir()] == ["drive1.csv"]
 
 
-def test_findings_about_the_rules_are_told_once(switches: Path) -> None:
+def test_findings_about_the_rules_are_reported_once(switches: Path) -> None:
     rules = switches / "rules.ross"
     rules.write_text(RULES + "action nobody;\n")
     done = replay(rules, "drive1.csv", "drive2.csv", folder=switches)
@@ -164,8 +166,8 @@ def test_who_interrupts_it_gets_one_line(switches: Path) -> None:
         assert running.stderr is not None
         assert running.stderr.readline().startswith("1 of 20")
         os.killpg(running.pid, signal.SIGINT)
-        told, complaints = running.communicate(timeout=command_line.TIME_LIMIT_S)
-    assert (running.returncode, told) == (130, "")
+        reported, complaints = running.communicate(timeout=command_line.TIME_LIMIT_S)
+    assert (running.returncode, reported) == (130, "")
     assert complaints.splitlines()[-1] == "rossmarie: interrupted"
     assert "Traceback" not in complaints
 

@@ -55,7 +55,7 @@ rule faster: if speed > 2 m/s then { off; };
 """
 
 
-def test_a_conflict_is_told_here_and_in_the_page(rules: Path) -> None:
+def test_a_conflict_is_reported_here_and_in_the_page(rules: Path) -> None:
     rules.write_text(CONFLICT)
     assert "ROSS700" in report().output
     assert "ROSS700" in Path("report.html").read_text()
@@ -138,21 +138,21 @@ def test_a_wrong_or_missing_report_is_refused(rules: Path) -> None:
     assert not Path("report.html").exists()
 
 
-def test_thorough_questions_are_asked_and_what_shows_an_answer_is_drawn(rules: Path) -> None:
+def test_thorough_queries_are_asked_and_what_shows_an_answer_is_drawn(rules: Path) -> None:
     rules.write_text(CONFLICT)
     done = report("--thorough")
     assert done.exit_code == 0
-    assert "thorough questions" not in done.output
+    assert "thorough queries" not in done.output
     text = Path("report.html").read_text()
     assert "ROSS711" in text  # asked only thoroughly
-    assert "All questions were asked." in text
+    assert "All queries were asked." in text
     assert "<title>When fast, faster are active</title>" in text
 
 
-def test_proofs_are_told_and_are_no_findings(rules: Path) -> None:
+def test_proofs_are_reported_and_are_no_findings(rules: Path) -> None:
     rules.write_text(CONFLICT + "priority fast over faster;\n")
     done = report("--thorough")
-    warnings, proofs = Path("report.html").read_text().split("Proofs and open questions", 1)
+    warnings, proofs = Path("report.html").read_text().split("Proofs and open queries", 1)
     assert "ROSS702" in proofs
     assert "ROSS702" not in warnings
     count = done.output.count("warning[")

@@ -113,7 +113,7 @@ def test_recordings(rules: Path, tmp_path: Path) -> None:
     recording.write_text("time,/odom.twist.twist.linear.x\n0,0.5\n0.3,1.5\n0.6,0.2\n", "utf-8")
     code, printed = run("coverage", rules, recording)
     assert code == 0
-    assert "MC/DC 2 of 2, boundaries 0 of 3, lost inputs 0 of 1" in printed
+    assert "MC/DC 2 of 2, boundaries 0 of 3, stale inputs 0 of 1" in printed
     assert "1 m/s in speed > 1 m/s  1 m/s    0.5 m/s  1.5 m/s        0.2 m/s  1.5 m/s" in printed
     assert run("coverage", rules, tmp_path / "none.csv")[0] == 2
 
@@ -192,7 +192,7 @@ def test_what_is_read_is_not_written_over(rules: Path, tmp_path: Path, read: str
     assert (rules.read_text("utf-8"), drive.read_text("utf-8")) == (RULES, DRIVE)
 
 
-def test_a_setting_that_no_rule_reads_is_told(rules: Path) -> None:
+def test_a_setting_that_no_rule_reads_is_reported(rules: Path) -> None:
     add(
         rules,
         'test "a" { at 0 s speed = 2 m/s, acceleration = [0, 0, 1] m/s^2, ok; '

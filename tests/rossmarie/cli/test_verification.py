@@ -102,7 +102,7 @@ def test_undecided_is_not_fine(rules: Path, prove_by: Any) -> None:
     assert "\nNOT proved: " in printed
 
 
-def test_a_prover_that_fails_at_a_question_leaves_it_undecided(rules: Path, prove_by: Any) -> None:
+def test_a_prover_that_fails_at_a_query_leaves_it_undecided(rules: Path, prove_by: Any) -> None:
     prove_by(StandIn(fails="tick"))
     code, printed = verify(rules)
     assert code == 1
@@ -119,7 +119,7 @@ def test_a_process_that_the_system_ends_leaves_it_undecided(rules: Path, prove_b
     )
 
 
-def test_sources_that_no_question_is_about_are_not_proved(
+def test_sources_that_no_query_is_about_are_not_proved(
     rules: Path, prove_by: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def generated(*_: object) -> dict[str, str]:
@@ -163,7 +163,7 @@ def test_rules_with_errors_are_not_verified(rules: Path) -> None:
     assert "roved" not in printed
 
 
-def test_a_program_that_the_prover_does_not_take_is_told(rules: Path, prove_by: Any) -> None:
+def test_a_program_that_the_prover_does_not_take_is_reported(rules: Path, prove_by: Any) -> None:
     reason = "harness.c:2:10: fatal error: math.h: No such file or directory"
     prove_by(StandIn(refuses=f"{reason}\n 2 | #include <math.h>\ncompilation terminated.\n"))
     code, printed = verify(rules)
@@ -213,7 +213,7 @@ def test_what_is_read_is_not_written_over(rules: Path, prove_by: Any, read: str)
     assert Path(read).read_text() == before
 
 
-def test_what_cannot_be_written_is_told_before_it_takes_its_time(rules: Path) -> None:
+def test_what_cannot_be_written_is_reported_before_it_takes_its_time(rules: Path) -> None:
     code, printed = verify(rules, "--json", "missing/v.json")
     assert code == 2
     assert "cannot write missing/v.json: no such file or directory" in printed
@@ -246,7 +246,7 @@ def test_the_report_goes_into_the_safety_file(rules: Path, prove_by: Any) -> Non
     assert whole["results"][0] == {
         "name": "rule fast in runs of any length",
         "status": "proved",
-        "detail": "rests on every question about the monitor",
+        "detail": "rests on every query about the monitor",
     }
     printed = CliRunner().invoke(app, ["report", "fast.ross", "--verification", "v.json"]).output
     assert "ROSS78" not in printed

@@ -1,4 +1,4 @@
-"""Questions that are on their way to a process when it ends keep nobody.
+"""Queries that are on their way to a process when it ends keep nobody.
 
 They are longer than a pipe holds. Python before 3.11.5 waits for ever until somebody reads them
 (gh-94777).
@@ -16,10 +16,10 @@ RUN = """\
 import os, signal, time
 from rossmarie.driver.workers import answers
 
-def wait(question):
+def wait(query):
     time.sleep(600)
 
-def die(question):
+def die(query):
     os.kill(os.getpid(), signal.SIGKILL)
 
 def stop(*_):
@@ -36,15 +36,15 @@ if __name__ == "__main__":
 
 
 @pytest.mark.parametrize(
-    ("ask", "seconds", "told"),
+    ("ask", "seconds", "reported"),
     [("wait", 3, "ended\n"), ("die", 100, "[None, None, None, None]\n")],
     ids=["the run is interrupted", "the system ends a process"],
 )
-def test_it_ends_at_once(ask: str, seconds: int, told: str, tmp_path: Path) -> None:
+def test_it_ends_at_once(ask: str, seconds: int, reported: str, tmp_path: Path) -> None:
     (tmp_path / "run.py").write_text(RUN.format(ask=ask, seconds=seconds))
     done = subprocess.run(
         [sys.executable, "run.py"], cwd=tmp_path, capture_output=True, text=True, timeout=120,
         check=True,
     )  # fmt: skip
-    assert done.stdout == told
+    assert done.stdout == reported
     assert "Traceback" not in done.stderr

@@ -50,15 +50,15 @@ def found_in(main: Path, text: str, library: str = LIBRARY) -> tuple[Diagnostic,
 # --- messages --------------------------------------------------------------------------------
 
 
-def test_a_mistake_in_the_file_is_told_once_with_all_imports(main: Path) -> None:
+def test_a_mistake_in_the_file_is_reported_once_with_all_imports(main: Path) -> None:
     (found,) = found_in(main, FRONT + REAR, LIBRARY.replace("{ stop; }", "{ stopp; }"))
     assert Path(found.primary.span.file.path).name == "library.ross"
     assert "`stopp`" in found.title
     assert found.help == "did you mean `stop`?"
     assert found.fix is not None
     assert [edit.replacement for edit in found.fix.edits] == ["stop"]
-    told = [(label.span.begin.line, label.text) for label in found.labels[1:]]
-    assert told == [(1, "imported here as `front`"), (2, "imported here as `rear`")]
+    reported = [(label.span.begin.line, label.text) for label in found.labels[1:]]
+    assert reported == [(1, "imported here as `front`"), (2, "imported here as `rear`")]
 
 
 def test_a_mistake_of_one_instance_names_its_import(main: Path) -> None:
@@ -89,12 +89,12 @@ def test_a_name_without_its_import_is_found(main: Path) -> None:
     assert found.help == "did you mean `front.ranges`?"
 
 
-def test_a_mistake_of_syntax_is_told_once(main: Path) -> None:
+def test_a_mistake_of_syntax_is_reported_once(main: Path) -> None:
     (found,) = found_in(main, FRONT + REAR, LIBRARY.replace("gap in m", "gap in"))
     assert found.code.startswith("ROSS0")
 
 
-def test_questions_about_rules_name_the_import(main: Path) -> None:
+def test_queries_about_rules_name_the_import(main: Path) -> None:
     library = LIBRARY.replace("min(ranges) < gap", "min(ranges) < gap and min(ranges) > 4 m")
     main.with_name("library.ross").write_text(library)
     found = [each for each in analyze_file(main).diagnostics if each.code.startswith("ROSS7")]
@@ -192,9 +192,9 @@ def test_a_file_of_several_instances_is_one_source(main: Path) -> None:
     compiled = compile_file(main)
     names = [Path(source.path).name for source in compiled.sources]
     assert names == ["library.ross", "main.ross"]
-    told = json.loads(rules_file(compiled.machine, compiled.sources, main))
-    assert [each["path"] for each in told["sources"]] == ["library.ross", "main.ross"]
-    assert [each["name"] for each in told["rules"]] == ["front_tooNear", "rear_tooNear"]
+    reported = json.loads(rules_file(compiled.machine, compiled.sources, main))
+    assert [each["path"] for each in reported["sources"]] == ["library.ross", "main.ross"]
+    assert [each["name"] for each in reported["rules"]] == ["front_tooNear", "rear_tooNear"]
 
 
 def test_generated_tests_name_what_instances_have(main: Path) -> None:

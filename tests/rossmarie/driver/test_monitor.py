@@ -33,7 +33,7 @@ def monitor(engine: str, tmp_path: Path) -> Monitor:
     return load(RULES, engine, tmp_path)
 
 
-def told(monitor: Monitor, events: list[Event]) -> list[str]:
+def reported(monitor: Monitor, events: list[Event]) -> list[str]:
     return [monitor.explain(event) for event in events]
 
 
@@ -60,9 +60,9 @@ def test_a_fresh_one_has_seen_nothing(monitor: Monitor) -> None:
     assert (monitor.active, fresh.active) == (("fast",), ())
 
 
-def test_silence_is_told(monitor: Monitor) -> None:
+def test_silence_is_reported(monitor: Monitor) -> None:
     monitor.update(0, {"speed": 0.0, "mode": "auto", "at.x": 0.0, "at.y": 0.0, "at.z": 1.0})
-    assert told(monitor, monitor.advance(2 * SECOND)) == [
+    assert reported(monitor, monitor.advance(2 * SECOND)) == [
         "fast activated: input speed (/odom) is older than its timeout"
     ]
 
@@ -75,7 +75,7 @@ def test_an_operator_resets_a_latched_rule(monitor: Monitor) -> None:
     assert (before, monitor.active) == (("out",), ())
 
 
-def test_a_mistaken_name_is_told(monitor: Monitor) -> None:
+def test_a_mistaken_name_is_reported(monitor: Monitor) -> None:
     with pytest.raises(KeyError, match="did you mean `speed`"):
         monitor.update(0, {"sped": 1.0})
     with pytest.raises(TypeError, match="a string is wanted"):
@@ -113,7 +113,7 @@ rule blind: if age(fix) > 0.5 sec then { stop; };
 
 def test_an_input_with_only_an_age_arrives_by_its_name(engine: str, tmp_path: Path) -> None:
     monitor = load(AGES, engine, tmp_path)
-    (never,) = told(monitor, monitor.advance(0))
+    (never,) = reported(monitor, monitor.advance(0))
     assert never == "blind activated: input fix (/fix) has never been received"
     (cleared,) = monitor.update(1, {"fix": 0.0})
     assert monitor.explain(cleared).startswith("blind cleared")

@@ -29,7 +29,7 @@ rule glaring: if max(p in bright.points: p.intensity) > 3 then { stop; };
 FAR = {"x": 5.0, "z": 5.0, "intensity": 0.0}
 NEAR = {"x": 0.5, "z": 0.0, "intensity": 0.0}
 NAN = math.nan
-LOST = {"another name": ["near", "blind"], "a number twice": ["glaring"]}
+STALE = {"another name": ["near", "blind"], "a number twice": ["glaring"]}
 """The rules that do not know of the points, for lies about a field that only some read."""
 FIELDS = ("x", "y", "z", "intensity")
 
@@ -76,13 +76,13 @@ def test_clouds_as_columns(monitor: Monitor) -> None:
 
 
 @pytest.mark.parametrize("lie", [*LIES, "points without a field"])
-def test_a_cloud_that_is_not_known_is_lost(monitor: Monitor, lie: str) -> None:
+def test_a_cloud_that_is_not_known_is_stale(monitor: Monitor, lie: str) -> None:
     assert send(monitor, 0, cloud(FAR, FAR)) == []
     value: object = [FAR, {"x": 5.0}]
     if lie in LIES:
         value = truthful()
         LIES[lie](value)
-    assert send(monitor, 1, value) == LOST.get(lie, ["near", "blind", "glaring"])
+    assert send(monitor, 1, value) == STALE.get(lie, ["near", "blind", "glaring"])
 
 
 def test_the_points_of_any_layout(monitor: Monitor) -> None:

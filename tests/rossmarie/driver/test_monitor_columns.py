@@ -89,7 +89,7 @@ rule unsafe: if not clear then { stop; };
 
 @pytest.mark.parametrize("kind", [np.float64, np.float32, np.float16, np.longdouble])
 @pytest.mark.parametrize("broken", [NAN, np.inf, -np.inf])
-def test_a_flag_that_is_no_number_is_lost(tmp_path: Path, kind: type, broken: float) -> None:
+def test_a_flag_that_is_no_number_is_stale(tmp_path: Path, kind: type, broken: float) -> None:
     """Read as true, it would say that the way is clear."""
     column: np.ndarray = np.array([1.0, broken, 0.0, 1.0, 0.5], kind)
     for monitor in monitors(tmp_path, FLAG):

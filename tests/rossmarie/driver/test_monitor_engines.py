@@ -37,7 +37,7 @@ def warned(rules: Path) -> tuple[Monitor, str]:
     return monitor, str(warning.message)
 
 
-def test_without_a_compiler_the_reason_is_told_once(
+def test_without_a_compiler_the_reason_is_reported_once(
     rules: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("CC", "no-such-compiler")
@@ -54,14 +54,14 @@ def test_a_compiler_that_is_no_command(rules: Path, monkeypatch: pytest.MonkeyPa
 
 
 @needs_c
-def test_with_a_compiler_nothing_is_told(rules: Path) -> None:
+def test_with_a_compiler_nothing_is_reported(rules: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         monitor = rossmarie.load(rules)
     assert (monitor.kind, monitor.reason) == ("native", None)
 
 
-def test_of_a_compiler_that_fails_the_first_line_is_told(
+def test_of_a_compiler_that_fails_the_first_line_is_reported(
     rules: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     script = tmp_path / "failing-cc"

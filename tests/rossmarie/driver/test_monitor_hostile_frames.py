@@ -71,7 +71,7 @@ def transform(random: Random) -> dict[str, float]:
     return found | {f"base.rotation.{axis}": value for axis, value in turn.items()}
 
 
-def told(monitor: Monitor, seed: int) -> list[tuple[str, tuple[str, ...]]]:
+def reported(monitor: Monitor, seed: int) -> list[tuple[str, tuple[str, ...]]]:
     """The verdicts of a monitor on a random drive."""
     random, found = Random(seed), []
     for tick in range(250):
@@ -88,7 +88,9 @@ def told(monitor: Monitor, seed: int) -> list[tuple[str, tuple[str, ...]]]:
 
 @pytest.mark.parametrize("seed", range(6))
 def test_both_engines_say_the_same(tmp_path: Path, seed: int) -> None:
-    natively, plainly = (told(load(RULES, kind, tmp_path), seed) for kind in ("native", "python"))
+    natively, plainly = (
+        reported(load(RULES, kind, tmp_path), seed) for kind in ("native", "python")
+    )
     assert natively == plainly
     seen = {rule for _, active in natively for rule in active}
     assert seen == {"inside", "near", "behind", "blind"}

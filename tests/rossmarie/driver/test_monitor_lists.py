@@ -60,13 +60,13 @@ def test_lists_as_columns(monitor: Monitor) -> None:
     assert list(monitor.active) == ["near", "broken"]
 
 
-@pytest.mark.parametrize("lost", [None, [at(9.0, 9.0)] * 4])
-def test_a_list_that_is_not_known_is_lost(monitor: Monitor, lost: object) -> None:
-    monitor.update(1, {"path": lost})  # type: ignore[dict-item]
+@pytest.mark.parametrize("stale", [None, [at(9.0, 9.0)] * 4])
+def test_a_list_that_is_not_known_is_stale(monitor: Monitor, stale: object) -> None:
+    monitor.update(1, {"path": stale})  # type: ignore[dict-item]
     assert list(monitor.active) == ["near"]
 
 
-def test_a_list_with_columns_of_different_lengths_is_lost(monitor: Monitor) -> None:
+def test_a_list_with_columns_of_different_lengths_is_stale(monitor: Monitor) -> None:
     monitor.update(1, {"path.x": [9.0], "path.y": [9.0, 9.0]})
     assert list(monitor.active) == ["near"]
 
@@ -95,7 +95,7 @@ def test_what_is_no_list_is_refused(monitor: Monitor, values: dict[str, object],
     assert list(monitor.active) == []
 
 
-def test_a_misspelt_list_is_told(monitor: Monitor) -> None:
+def test_a_misspelt_list_is_reported(monitor: Monitor) -> None:
     with pytest.raises(KeyError, match="did you mean `path`"):
         monitor.update(1, {"pth": []})
 

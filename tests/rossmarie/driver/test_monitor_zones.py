@@ -13,7 +13,7 @@ from support.c_compiler import needs_c
 from support.clouds import message, plain_cloud, random_cloud
 from support.engines import ENGINES, load
 from support.recordings import ROS1, START_NS, write_kind
-from support.replays import told, without_compiler
+from support.replays import reported, without_compiler
 
 pytestmark = needs_c
 
@@ -57,7 +57,7 @@ def test_lists_and_clouds_in_a_zone(engine: str, tmp_path: Path) -> None:
     assert active(3, "odom", (3.0, 2.0)) == ["close", "away", "many"]
 
 
-def test_a_cloud_without_its_header_is_lost(tmp_path: Path) -> None:
+def test_a_cloud_without_its_header_is_stale(tmp_path: Path) -> None:
     monitor: Monitor = load(RULES.replace("FRAME", "base_link"), "native", tmp_path)
     monitor.update(0, {"cloud": plain_cloud([{"x": 5.0}]), "poses": []})
     assert {"away", "many"} <= {*monitor.active}
@@ -74,7 +74,7 @@ def test_all_engines_replay_the_same(tmp_path: Path, frame: str) -> None:
     recording = write_kind(tmp_path, "bag", sent)
     rules = tmp_path / "rules.ross"
     rules.write_text(RULES.replace("FRAME", frame))
-    natively = told(rules, recording)
+    natively = reported(rules, recording)
     assert len(natively) > 20
     with without_compiler():
-        assert told(rules, recording) == natively
+        assert reported(rules, recording) == natively

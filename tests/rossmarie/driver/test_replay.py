@@ -41,7 +41,7 @@ def test_rules_that_count_are_replayed(tmp_path: Path) -> None:
     assert len(changes(replay)) == 1
 
 
-def test_what_actions_would_do_is_told(tmp_path: Path) -> None:
+def test_what_actions_would_do_is_reported(tmp_path: Path) -> None:
     """The lights go on at 1 s, and off when the battery is well again."""
     body = "stop { publish /light : std_msgs/Bool { data = true; } at 1 Hz; }\n"
     rules = RULES.replace("stop;\n", body, 1)

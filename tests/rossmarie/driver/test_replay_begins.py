@@ -57,17 +57,17 @@ def test_the_first_messages_of_one_instant_are_seen_together(
     machine = compile_file(rules).machine
     assert arriving(machine, recording) == [(0, [0, 1]), (late_ns, [0]), (late_ns, [1])]
     replay, _ = replay_file(rules, recording, topic_map={})
-    told = [(each.rule, each.change) for each in replay.events if isinstance(each, Verdict)]
-    assert told == [(1, Change.ACTIVATED), (0, Change.ACTIVATED), (1, Change.CLEARED)]
+    reported = [(each.rule, each.change) for each in replay.events if isinstance(each, Verdict)]
+    assert reported == [(1, Change.ACTIVATED), (0, Change.ACTIVATED), (1, Change.CLEARED)]
 
 
-def test_an_input_that_comes_later_is_lost_before(rules: Path, tmp_path: Path) -> None:
+def test_an_input_that_comes_later_is_stale_before(rules: Path, tmp_path: Path) -> None:
     recording = write_kind(
         tmp_path, "mcap", said("mcap", ("/battery", START_NS, 12.0), ("/scan", LATER_NS, 2.0))
     )
     replay, _ = replay_file(rules, recording, topic_map={})
-    told = [(each.rule, each.change) for each in replay.events if isinstance(each, Verdict)]
-    assert told == [(1, Change.ACTIVATED_LOST), (1, Change.CLEARED)]
+    reported = [(each.rule, each.change) for each in replay.events if isinstance(each, Verdict)]
+    assert reported == [(1, Change.ACTIVATED_STALE), (1, Change.CLEARED)]
 
 
 def test_a_second_message_of_a_topic_is_an_update_of_its_own(rules: Path, tmp_path: Path) -> None:

@@ -10,7 +10,7 @@ import pytest
 from support.c_compiler import needs_c
 from support.clouds import message, random_cloud
 from support.recordings import ROS1, ROS2, START_NS, write_kind
-from support.replays import told, without_compiler
+from support.replays import reported, without_compiler
 
 RULES = """\
 action stop;
@@ -34,7 +34,7 @@ def test_all_engines_say_the_same(tmp_path: Path, kind: str) -> None:
     recording = write_kind(tmp_path, kind, sent)
     rules = tmp_path / "rules.ross"
     rules.write_text(RULES)
-    natively = told(rules, recording)
+    natively = reported(rules, recording)
     assert len(natively) > 100
     with without_compiler():
-        assert told(rules, recording) == natively
+        assert reported(rules, recording) == natively

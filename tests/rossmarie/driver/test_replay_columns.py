@@ -27,7 +27,7 @@ from support.recordings import (
     store_of,
     write_kind,
 )
-from support.replays import message_by_message, told, without_compiler
+from support.replays import message_by_message, reported, without_compiler
 from support.shared import HUSKY_DRIVE
 
 ROOT = Path(__file__).parents[3]
@@ -184,12 +184,12 @@ def drive() -> list[Said]:
 @pytest.mark.parametrize("kind", KINDS)
 def test_all_ways_say_the_same(tmp_path: Path, kind: str, rules: Path) -> None:
     recording = write_kind(tmp_path, kind, readings_of(store_of(kind), drive()))
-    in_columns = told(rules, recording)
+    in_columns = reported(rules, recording)
     assert len(in_columns) > 100
     with message_by_message():
-        assert told(rules, recording) == in_columns
+        assert reported(rules, recording) == in_columns
     with without_compiler():
-        assert told(rules, recording) == in_columns
+        assert reported(rules, recording) == in_columns
 
 
 @settings(max_examples=examples(0.5))
@@ -197,9 +197,9 @@ def test_all_ways_say_the_same(tmp_path: Path, kind: str, rules: Path) -> None:
 def test_any_messages(rules: Path, kind: str, said: list[Said]) -> None:
     with tempfile.TemporaryDirectory() as folder:
         recording = write_kind(Path(folder), kind, readings_of(store_of(kind), said))
-        in_columns = told(rules, recording)
+        in_columns = reported(rules, recording)
         with message_by_message():
-            assert told(rules, recording) == in_columns
+            assert reported(rules, recording) == in_columns
 
 
 @settings(max_examples=examples(0.5))
@@ -218,9 +218,9 @@ def test_damaged_files(
             place = int(part * len(content))
             content[place : place + len(other)] = other[: len(content) - place]
         recording.write_bytes(content)
-        in_columns = told(rules, recording)
+        in_columns = reported(rules, recording)
         with message_by_message():
-            assert told(rules, recording) == in_columns
+            assert reported(rules, recording) == in_columns
 
 
 @pytest.mark.parametrize("part", [0.3, 0.6, 0.9])
@@ -229,9 +229,9 @@ def test_files_that_end_early(tmp_path: Path, kind: str, part: float, rules: Pat
     recording = write_kind(tmp_path, kind, readings_of(store_of(kind), drive()))
     content = recording.read_bytes()
     recording.write_bytes(content[: int(part * len(content))])
-    in_columns = told(rules, recording)
+    in_columns = reported(rules, recording)
     with message_by_message():
-        assert told(rules, recording) == in_columns
+        assert reported(rules, recording) == in_columns
 
 
 def test_rows_of_a_table(tmp_path: Path) -> None:
@@ -247,15 +247,15 @@ def test_rows_of_a_table(tmp_path: Path) -> None:
     ]
     recording = tmp_path / "drive.csv"
     recording.write_text("\n".join([*rows[:50], "9,nan", "30,", *rows[60:], "3,8", "90,8"]))
-    in_columns = told(rules, recording)
+    in_columns = reported(rules, recording)
     with message_by_message():
-        assert told(rules, recording) == in_columns
+        assert reported(rules, recording) == in_columns
 
 
 @pytest.mark.deep
 @needs(A_DRIVE)
 def test_a_real_drive() -> None:
     rules = ROOT / "examples/husky/husky.ross"
-    in_columns = told(rules, HUSKY_DRIVE)
+    in_columns = reported(rules, HUSKY_DRIVE)
     with message_by_message():
-        assert told(rules, HUSKY_DRIVE) == in_columns
+        assert reported(rules, HUSKY_DRIVE) == in_columns

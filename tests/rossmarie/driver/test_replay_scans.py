@@ -10,7 +10,7 @@ import pytest
 from rossmarie.driver.pipeline import compile_file
 from support.c_compiler import needs_c
 from support.recordings import ROS1, ROS2, START_NS, codes, replay, write_kind
-from support.replays import told, without_compiler
+from support.replays import reported, without_compiler
 from support.scans import LIES, message, random_scan, truthful
 
 RULES = """\
@@ -37,10 +37,10 @@ def test_all_engines_say_the_same(tmp_path: Path, kind: str) -> None:
     recording = write_kind(tmp_path, kind, sent)
     rules = tmp_path / "rules.ross"
     rules.write_text(RULES)
-    natively = told(rules, recording)
+    natively = reported(rules, recording)
     assert len(natively) > 100
     with without_compiler():
-        assert told(rules, recording) == natively
+        assert reported(rules, recording) == natively
 
 
 def test_a_replay_says_why_nothing_is_known(tmp_path: Path) -> None:

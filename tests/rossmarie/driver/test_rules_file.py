@@ -90,15 +90,15 @@ def test_each_effect_has_a_word() -> None:
     assert WORDS.keys() == {*typing.get_args(reactions.Effect)} - {reactions.Limit}
 
 
-def test_exemptions_are_told_with_what_they_rest_on(tmp_path: Path) -> None:
+def test_exemptions_are_reported_with_what_they_rest_on(tmp_path: Path) -> None:
     rules = Path(__file__).parents[3] / "examples" / "whiteboard" / "whiteboard.ross"
     out = tmp_path / "rules.json"
     assert export(rules, out) == 0
-    told = {each["name"]: each for each in json.loads(out.read_text())["rules"]}
-    assert told["contact_doing_Wipe"]["exempts"]["rule"] == "contact"
-    assert told["contact_doing_Wipe"]["exempts"]["doing"] == "doing Wipe"
+    reported = {each["name"]: each for each in json.loads(out.read_text())["rules"]}
+    assert reported["contact_doing_Wipe"]["exempts"]["rule"] == "contact"
+    assert reported["contact_doing_Wipe"]["exempts"]["doing"] == "doing Wipe"
     assert (
         "force with office.Whiteboard up to 20 N"
-        in told["contact_doing_Wipe"]["exempts"]["permits"]
+        in reported["contact_doing_Wipe"]["exempts"]["permits"]
     )
-    assert [name for name, each in told.items() if each["always"]] == ["too_hard"]
+    assert [name for name, each in reported.items() if each["always"]] == ["too_hard"]

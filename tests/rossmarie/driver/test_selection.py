@@ -90,7 +90,7 @@ def test_a_selection_survives_as_json(rules: Path) -> None:
         ]
 
 
-def test_orders_that_name_a_rule_that_is_left_out_are_told(rules: Path) -> None:
+def test_orders_that_name_a_rule_that_is_left_out_are_reported(rules: Path) -> None:
     found = compile_file(rules, only=[Category.TASK_DEPENDENT]).warnings
     lines = [each.primary.span.begin.line for each in found if each.code == "ROSS252"]
     assert lines == [7, 12]
@@ -110,9 +110,9 @@ def test_an_empty_selection_is_an_error_that_tells_the_categories(rules: Path) -
 
 
 def test_monitors_are_of_a_selection(rules: Path) -> None:
-    with pytest.warns(RuntimeWarning, match="is left out") as told:
+    with pytest.warns(RuntimeWarning, match="is left out") as reported:
         monitor = rossmarie.load(rules, only=["human"])
-    assert len(told) == 3
+    assert len(reported) == 3
     assert monitor.rules == ("close", "rule_3")
     monitor.update(0, {"speed": 3.0, "near": 0.0})
     assert monitor.active == ("rule_3",)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from dslkit.source import Span
-from rossmarie.driver.verifying import Questions, prove, questions_of
+from rossmarie.driver.verifying import Queries, prove, queries_of
 from rossmarie.report.proofs import Proofs, refutations
 from rossmarie.verification.prover import Prover
 from support.damage import damaged
@@ -27,40 +27,40 @@ def prover() -> Prover:
 
 
 @pytest.fixture(scope="module")
-def judged(tmp_path_factory: pytest.TempPathFactory) -> Questions:
-    """The question of how a rule is judged."""
+def judged(tmp_path_factory: pytest.TempPathFactory) -> Queries:
+    """The query of how a rule is judged."""
     path = tmp_path_factory.mktemp("rules") / "fast.ross"
     path.write_text(RULES)
-    found = questions_of(path)
+    found = queries_of(path)
     program = found.programs[0]
     checks = [check for check in program.checks if check.about == "rule fast is judged"]
     return replace(found, programs=(replace(program, checks=tuple(checks)),))
 
 
-def changed(questions: Questions, old: str, new: str) -> Questions:
+def changed(queries: Queries, old: str, new: str) -> Queries:
     """As if the generator had written something else."""
-    return replace(questions, files=damaged(questions.files, "monitor", old, new))
+    return replace(queries, files=damaged(queries.files, "monitor", old, new))
 
 
-def shown(proofs: Proofs, questions: Questions) -> list[tuple[str, str]]:
+def shown(proofs: Proofs, queries: Queries) -> list[tuple[str, str]]:
     """The findings: the sentence, and where it is pointed at."""
-    nowhere = Span(questions.compiled.sources[-1], 0, 0)
+    nowhere = Span(queries.compiled.sources[-1], 0, 0)
     found = refutations(proofs, nowhere)
     return [(each.primary.text, each.primary.span.text) for each in found]
 
 
-def test_what_is_right_is_proved(prover: Prover, judged: Questions) -> None:
-    told: list[float] = []
-    proofs = prove(judged, prover, seconds=SECONDS, on_progress=told.append)
+def test_what_is_right_is_proved(prover: Prover, judged: Queries) -> None:
+    reported: list[float] = []
+    proofs = prove(judged, prover, seconds=SECONDS, on_progress=reported.append)
     assert proofs.is_complete
     assert proofs.tools["cbmc"].startswith("6.")
-    assert told == [1.0]
+    assert reported == [1.0]
 
 
 def test_a_fault_in_the_generated_c_is_refuted_where_the_rule_is(
-    prover: Prover, judged: Questions
+    prover: Prover, judged: Queries
 ) -> None:
-    wrong = changed(judged, "condition == LOST", "condition == UNKNOWN")
+    wrong = changed(judged, "condition == STALE", "condition == UNKNOWN")
     proofs = prove(wrong, prover, seconds=SECONDS)
     assert not proofs.is_inductive
     sentences = ("rule fast is active as S35 to S37 say", "the report of rule fast")

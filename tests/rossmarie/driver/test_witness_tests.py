@@ -100,7 +100,7 @@ def test_a_conflict_is_kept_as_a_test_in_which_both_rules_are_active(
     ],
     ids=lambda path: path.stem,
 )
-def test_all_witnesses_of_all_questions_can_be_kept(fixture: Path, tmp_path: Path) -> None:
+def test_all_witnesses_of_all_queries_can_be_kept(fixture: Path, tmp_path: Path) -> None:
     rules = tmp_path / fixture.name
     rules.write_text(fixture.read_text(encoding="utf-8"), encoding="utf-8")
     kept(analyze_file(rules, thorough=True), rules)
@@ -117,10 +117,10 @@ def test_the_numbers_are_those_that_a_user_would_write(tmp_path: Path) -> None:
     rules.write_text(INPUTS + pair, encoding="utf-8")
     text, _ = kept(analyze_file(rules), rules)
     assert "every 0.1 s from 0 s to 4 s orientation, speed;" in text
-    told = re.search(r"at 0 s orientation\.pitch = (\d+) deg, speed = (\d+) km/h;", text)
-    assert told is not None, text
-    assert int(told[1]) > 10
-    assert int(told[2]) > 5
+    reported = re.search(r"at 0 s orientation\.pitch = (\d+) deg, speed = (\d+) km/h;", text)
+    assert reported is not None, text
+    assert int(reported[1]) > 10
+    assert int(reported[2]) > 5
 
 
 def test_a_script_that_does_something_else_is_seen(tmp_path: Path) -> None:

@@ -95,9 +95,9 @@ def test_a_report_comes_after_what_was_due_before_it(kind: str) -> None:
     guard = begun(kind)
     tell(guard, 1, SPEED, 1.5)
     guard.report(2 * SECOND, GIVE_UP, success=True)
-    told = guard.take()
+    reported = guard.take()
     assert guard.states[GIVE_UP] is State.RUNNING, "the word came in time, the confirmation did not"
-    instants = {event.at_ns for event in told.events if isinstance(event, ir.Verdict)}
+    instants = {event.at_ns for event in reported.events if isinstance(event, ir.Verdict)}
     assert instants == {SECOND, SECOND + 1}, "inputs have expired"
 
 

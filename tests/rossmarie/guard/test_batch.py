@@ -74,7 +74,7 @@ def test_rows_that_are_not_marked_stay_as_they_are(guard: Guard) -> None:
     assert found.actions.tolist() == [[0.8, 0.1], [0.2, 0.1], [0.8, 0.1]]
 
 
-def test_actions_that_would_pass_are_told_and_nothing_happens(guard: Guard) -> None:
+def test_actions_that_would_pass_are_reported_and_nothing_happens(guard: Guard) -> None:
     batch = guard.batch(3)
     batch.observe(0, SEEN)
     some = np.array([[0.8, 0.1], [0.2, 0.1], [-0.1, 0.0], [np.nan, 0.0]])

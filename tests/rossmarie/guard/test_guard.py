@@ -60,7 +60,7 @@ def test_a_rule_limits_an_action_and_lifts_the_limit_along_its_ramp(make: Make) 
     assert decision.active == ("fast",), "a decision does not change afterwards"
 
 
-def test_the_reasons_are_told_in_words(make: Make) -> None:
+def test_the_reasons_are_reported_in_words(make: Make) -> None:
     lines = step(make(), 0, FAST).why().splitlines()
     assert lines[0].startswith("fast is active: speed = 1.5 m/s, > 1 m/s")
     assert lines[1:] == ["action[0] (linear.x): 0.8 became 0.2, by fast"]

@@ -46,7 +46,7 @@ def events_of(made: Guard, seen: list[list[float]], *, one_by_one: bool) -> list
 
 
 def interpreted(made: Guard, seen: list[list[float]]) -> list[Event]:
-    """The same for the interpreter, to which the topics are told one by one after the first."""
+    """The same for the interpreter, to which the topics are reported one by one after the first."""
     monitor = Interpreter(made.machine)
     events = monitor.update(
         0, {0: ChannelValues({0: seen[0][0]}), 1: ChannelValues({1: seen[0][1]})}

@@ -71,7 +71,7 @@ def test_a_saved_guard_has_its_memory(guard: Guard) -> None:
     assert poses(guard, 0.8, 0.8) == []
 
 
-def test_margins_are_told_beside_what_memories_ask(guard: Guard) -> None:
+def test_margins_are_reported_beside_what_memories_ask(guard: Guard) -> None:
     poses(guard, 0.0, 0.5)
     decision = guard.step(round(0.1 * SECOND), np.array([0.5, 0.0, 0.5, *TURN]), np.array([0.4]))
     assert decision.margin.tolist() == pytest.approx([25.0])

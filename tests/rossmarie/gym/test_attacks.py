@@ -87,8 +87,8 @@ def test_a_copy_of_an_environment_has_a_guard_of_its_own(rules: str) -> None:
     other = deepcopy(env)
     assert other.guard is not env.guard
     for _ in range(12):
-        told = env.step(fast())[4]["guard"]
-    assert told["active"][1]
+        reported = env.step(fast())[4]["guard"]
+    assert reported["active"][1]
     assert not other.step(np.zeros(1, np.float32))[4]["guard"]["active"][1], "it stood still"
     assert other.unwrapped is not env.unwrapped
     again: GuardedEnv = pickle.loads(pickle.dumps(guarded(rules)))

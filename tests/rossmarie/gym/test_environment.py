@@ -42,14 +42,14 @@ def test_only_what_rules_allow_is_executed(rules: str) -> None:
     cart = Cart()
     env = guarded(rules, cart)
     env.reset()
-    told = [env.step(fast())[4] for _ in range(8)]
+    reported = [env.step(fast())[4] for _ in range(8)]
     assert cart.executed[:4] == [1.0] * 4
     assert max(cart.executed[5:]) <= 0.05
-    assert [each["guard"]["intervened"] for each in told] == [False] * 5 + [True] * 3
-    assert told[5]["guard"]["proposed"] == fast()
-    assert told[5]["guard"]["executed"].dtype == np.float32
-    assert [each["cost"] for each in told] == [0.0] * 4 + [1.0] * 4
-    assert told[4]["guard"]["active"].tolist() == [True, False]
+    assert [each["guard"]["intervened"] for each in reported] == [False] * 5 + [True] * 3
+    assert reported[5]["guard"]["proposed"] == fast()
+    assert reported[5]["guard"]["executed"].dtype == np.float32
+    assert [each["cost"] for each in reported] == [0.0] * 4 + [1.0] * 4
+    assert reported[4]["guard"]["active"].tolist() == [True, False]
     assert env.rules == ("close", "at_wall")
     assert env.decision is not None
     assert env.decision.changed_by == ("close",)
@@ -59,10 +59,10 @@ def test_rules_that_are_not_enforced_are_watched(rules: str) -> None:
     cart = Cart()
     env = guarded(rules, cart, enforce=False)
     env.reset()
-    told = [env.step(fast())[4]["guard"] for _ in range(8)]
+    reported = [env.step(fast())[4]["guard"] for _ in range(8)]
     assert cart.executed == [1.0] * 8
-    assert [each["executed"] for each in told] == [fast()] * 8
-    assert [each["intervened"] for each in told] == [False] * 5 + [True] * 3
+    assert [each["executed"] for each in reported] == [fast()] * 8
+    assert [each["intervened"] for each in reported] == [False] * 5 + [True] * 3
     assert env.decision is not None
     assert env.decision.changed_by
 
@@ -137,8 +137,8 @@ def test_a_target_is_held_by_a_block_and_moves_no_faster_than_a_limit(rules: str
 def test_entries_of_a_dictionary_are_observed_by_their_keys(rules: str) -> None:
     env = guarded(rules, Cart(as_dictionary=True), observe={"wall": ("range", 0, "mm")})
     env.reset()
-    told = [env.step(fast())[4]["guard"]["intervened"] for _ in range(7)]
-    assert told == [False] * 5 + [True] * 2
+    reported = [env.step(fast())[4]["guard"]["intervened"] for _ in range(7)]
+    assert reported == [False] * 5 + [True] * 2
 
 
 def test_gymnasium_finds_nothing_wrong(rules: str) -> None:
@@ -163,8 +163,8 @@ def test_a_specification_makes_the_same_environment(rules: str) -> None:
             made = gymnasium.make(spec)
             assert isinstance(made, GuardedEnv)
             made.reset()
-            told = [made.step(fast())[4]["guard"]["intervened"] for _ in range(6)]
-            assert told == [False] * 5 + [True]
+            reported = [made.step(fast())[4]["guard"]["intervened"] for _ in range(6)]
+            assert reported == [False] * 5 + [True]
     finally:
         del gymnasium.registry["Cart-v0"]
 
@@ -184,8 +184,8 @@ def test_time_is_counted_in_steps(rules: str, tmp_path: Path) -> None:
     path.write_text(RULES.replace("wall < 0.6 m then", "wall < 2 m for 0.3 sec then"))
     env = guarded(path)
     env.reset()
-    told = [env.step(fast(0.1))[4]["guard"]["active"][0] for _ in range(4)]
-    assert told == [False, False, True, True]
+    reported = [env.step(fast(0.1))[4]["guard"]["active"][0] for _ in range(4)]
+    assert reported == [False, False, True, True]
     env.reset()
     assert not env.step(fast(0.1))[4]["guard"]["active"][0]
 
@@ -214,15 +214,15 @@ def test_what_does_not_fit_is_refused_before_the_first_step(
         guarded(rules, env, **changed)
 
 
-def test_feedback_is_told_and_taken_from_the_reward_on_request(rules: str) -> None:
+def test_feedback_is_reported_and_taken_from_the_reward_on_request(rules: str) -> None:
     for with_feedback in (False, True):
         env = guarded(rules, with_feedback=with_feedback)
         env.reset()
         steps = [env.step(fast()) for _ in range(7)]
-        told = [info["guard"]["feedback"].tolist() for *_, info in steps]
-        assert told == [*[[0.0, 0.0]] * 4, [1.0, 0.0], [0.5, 0.0], [0.5, 0.0]]
+        reported = [info["guard"]["feedback"].tolist() for *_, info in steps]
+        assert reported == [*[[0.0, 0.0]] * 4, [1.0, 0.0], [0.5, 0.0], [0.5, 0.0]]
         speeds = [float(info["guard"]["executed"][0]) for *_, info in steps]
-        losses = [sum(each) if with_feedback else 0.0 for each in told]
+        losses = [sum(each) if with_feedback else 0.0 for each in reported]
         rewards = [speed - loss for speed, loss in zip(speeds, losses, strict=True)]
         assert [reward for _, reward, *_ in steps] == pytest.approx(rewards)
 
@@ -230,9 +230,9 @@ def test_feedback_is_told_and_taken_from_the_reward_on_request(rules: str) -> No
 def test_margins_are_those_of_the_new_observation(rules: str) -> None:
     env = guarded(rules)
     env.reset()
-    told = [env.step(fast())[4]["guard"]["margin"] for _ in range(5)]
+    reported = [env.step(fast())[4]["guard"]["margin"] for _ in range(5)]
     assert env.rules_with_margin == ("close",)
-    np.testing.assert_allclose(told, [[300.0], [200.0], [100.0], [0.0], [-100.0]], atol=1e-4)
+    np.testing.assert_allclose(reported, [[300.0], [200.0], [100.0], [0.0], [-100.0]], atol=1e-4)
 
 
 def test_what_only_substeps_see_is_guarded_against(rules: str) -> None:

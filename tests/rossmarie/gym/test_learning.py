@@ -199,13 +199,13 @@ def test_any_environment_is_guarded_by_a_mapping(
     was_active, intervened = False, 0
     for _ in range(200):
         _, _, terminated, truncated, info = env.step(env.action_space.sample())
-        told = info["guard"]
-        intervened += bool(told["intervened"])
+        reported = info["guard"]
+        intervened += bool(reported["intervened"])
         if was_active and isinstance(env.action_space, gymnasium.spaces.Box):
-            assert abs(float(told["executed"][0])) <= 0.5
+            assert abs(float(reported["executed"][0])) <= 0.5
         elif was_active:
-            assert told["executed"] == 1
-        was_active = bool(told["active"].any())
+            assert reported["executed"] == 1
+        was_active = bool(reported["active"].any())
         if terminated or truncated:
             env.reset()
             was_active = False

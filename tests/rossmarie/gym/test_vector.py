@@ -72,19 +72,19 @@ def alone(
     ended = [False] * COUNT
     found: list[list[Any]] = []
     for actions in wanted_actions(kind, steps):
-        told: list[Any] = []
+        reported: list[Any] = []
         for number, env in enumerate(envs):
             if ended[number] and mode is AutoresetMode.NEXT_STEP:
                 env.reset()
                 ended[number] = False
-                told.append(None)
+                reported.append(None)
                 continue
             _, reward, terminated, truncated, info = env.step(actions[number])
-            told.append((info["guard"] | {"reward": reward}, info["cost"]))
+            reported.append((info["guard"] | {"reward": reward}, info["cost"]))
             ended[number] = terminated or truncated
             if ended[number] and mode is not AutoresetMode.NEXT_STEP:
                 env.reset()
-        found.append(told)
+        found.append(reported)
     return found
 
 
@@ -124,9 +124,9 @@ def plain(found: list[list[Any]]) -> list[list[Any]]:
             None
             if each is None
             else ({name: np.asarray(value).tolist() for name, value in each[0].items()}, each[1])
-            for each in told
+            for each in reported
         ]
-        for told in found
+        for reported in found
     ]
 
 
@@ -138,10 +138,10 @@ def test_each_is_guarded_as_by_itself(
 ) -> None:
     wanted = plain(alone(rules, kind, 40, mode, enforce=enforce))
     assert plain(together(rules, kind, 40, mode, enforce=enforce)) == wanted
-    assert any(each and each[0]["intervened"] for told in wanted for each in told)
-    assert any(each and sum(each[0]["feedback"]) for told in wanted for each in told)
-    assert any(each and not each[0]["intervened"] for told in wanted for each in told)
-    margins = [each[0]["margin"][0] for told in wanted for each in told if each]
+    assert any(each and each[0]["intervened"] for reported in wanted for each in reported)
+    assert any(each and sum(each[0]["feedback"]) for reported in wanted for each in reported)
+    assert any(each and not each[0]["intervened"] for reported in wanted for each in reported)
+    margins = [each[0]["margin"][0] for reported in wanted for each in reported if each]
     assert min(margins) < 0 < max(margins)
 
 
@@ -169,7 +169,7 @@ def test_masks_of_choices_are_those_of_the_next_step(rules: str) -> None:
     assert infos["action_mask"].shape == (COUNT, len(CHOICES))
 
 
-def test_environments_in_which_no_choice_passes_are_told(rules: str) -> None:
+def test_environments_in_which_no_choice_passes_are_reported(rules: str) -> None:
     given = declared("choice") | {"act": {"linear.x": [0.1, 0.2, 0.3, 0.4]}}
     two = [lambda: Cart(start=0.45, kind="choice"), lambda: Cart(start=2.0, kind="choice")]
     envs = GuardedVectorEnv(SyncVectorEnv(two), rules, **given)

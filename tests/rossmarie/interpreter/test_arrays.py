@@ -29,7 +29,7 @@ def test_s22_functions_apply_to_each_element() -> None:
     distance = draft.apply(Function.ABSOLUTE, off)
     least = draft.signal(Fold(Folding.MINIMUM, distance))
     near, far = draft.above(distance, 1.5), draft.above(element, 3.5)
-    both = draft.truth(And((near, draft.truth(Not(far)))))
+    both = draft.proposition(And((near, draft.proposition(Not(far)))))
     count = draft.signal(Count(both))
     bench = Bench(draft)
     bench.send(0, c0=[1.0, 2.5, 5.0])
@@ -87,10 +87,15 @@ def test_s24_count() -> None:
 def test_s25_any_and_all(elements: list[float], some: TruthValue, every: TruthValue) -> None:
     draft = Draft()
     positive = draft.above(draft.elements(), 0.0)
-    some_truth, every_truth = (draft.truth(Quantified(which, positive)) for which in Quantifier)
+    some_proposition, every_proposition = (
+        draft.proposition(Quantified(which, positive)) for which in Quantifier
+    )
     bench = Bench(draft)
     bench.send(0, c0=elements)
-    assert (bench.truth(some_truth), bench.truth(every_truth)) == (some, every)
+    assert (bench.proposition(some_proposition), bench.proposition(every_proposition)) == (
+        some,
+        every,
+    )
 
 
 def test_s26_results_hold_until_the_next_message_or_expiry() -> None:

@@ -22,7 +22,7 @@ from rossmarie.ir import (
     TruthValue,
     verify,
 )
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -39,15 +39,15 @@ class Near:
         self.element = draft.elements(timeout_ns)
         self.beside = draft.read(beside_ns)
         twice = draft.apply(Function.MULTIPLY, self.beside, draft.constant(2.0))
-        self.below = draft.truth(Compare(Comparison.LESS, self.element, twice))
-        self.any = draft.truth(Quantified(Quantifier.ANY, self.below))
+        self.below = draft.proposition(Compare(Comparison.LESS, self.element, twice))
+        self.any = draft.proposition(Quantified(Quantifier.ANY, self.below))
         self.count = draft.signal(Count(self.below))
         apart = draft.apply(Function.SUBTRACT, self.element, self.beside)
         self.least = draft.signal(Fold(Folding.MINIMUM, apart))
         self.leaf = draft.above(self.least, 0.0)
 
     def seen(self, bench: Bench) -> tuple[TruthValue | None, float, float]:
-        return bench.truth(self.any), bench.signal(self.count), bench.signal(self.least)
+        return bench.proposition(self.any), bench.signal(self.count), bench.signal(self.least)
 
 
 def test_s74_all_messages_of_one_update_count() -> None:
@@ -82,25 +82,25 @@ def test_s74_samples_are_taken_when_elements_arrive() -> None:
 def test_s74_without_the_number_what_does_not_rest_on_it_is_known() -> None:
     near = Near()
     draft = near.draft
-    touching = draft.truth(Compare(Comparison.LESS, near.element, draft.constant(0.5)))
-    either = draft.truth(Or((near.below, touching)))
-    close = draft.truth(Quantified(Quantifier.ANY, either))
+    touching = draft.proposition(Compare(Comparison.LESS, near.element, draft.constant(0.5)))
+    either = draft.proposition(Or((near.below, touching)))
+    close = draft.proposition(Quantified(Quantifier.ANY, either))
     bench = Bench(draft)
     bench.send(0, c0=[0.25, 3.0])
-    assert bench.truth(close) is T
-    assert bench.truth(near.any) is U
+    assert bench.proposition(close) is T
+    assert bench.proposition(near.any) is U
     assert math.isnan(bench.signal(near.count))
 
 
 def test_s74_of_no_elements_nothing_is_beyond_a_number_that_is_not_known() -> None:
     draft = Draft()
     column = draft.column(draft.list_of(draft.input(draft.channel()), most=2))
-    below = draft.truth(Compare(Comparison.LESS, draft.signal(Element(column)), draft.read()))
-    found = draft.truth(Quantified(Quantifier.ANY, below))
+    below = draft.proposition(Compare(Comparison.LESS, draft.signal(Element(column)), draft.read()))
+    found = draft.proposition(Quantified(Quantifier.ANY, below))
     bench = Bench(draft)
     for elements, expected in (([], F), ([1.0], U)):
         bench.monitor.update(0, {0: ChannelValues(arrays={column: elements})})
-        assert bench.truth(found) is expected
+        assert bench.proposition(found) is expected
 
 
 def test_s74_results_are_forgotten_when_an_input_of_the_number_expires() -> None:
@@ -108,10 +108,10 @@ def test_s74_results_are_forgotten_when_an_input_of_the_number_expires() -> None
     bench = Bench(near.draft)
     bench.send(0, c0=[3.0], c1=1.0)
     bench.advance(1)
-    assert bench.truth(near.any) is L
+    assert bench.proposition(near.any) is L
     assert math.isnan(bench.signal(near.least))
     bench.send(2, c1=1.0)  # it is back, but the elements are gone
-    assert bench.truth(near.any) is L
+    assert bench.proposition(near.any) is L
     bench.send(3, c1=1.0)
     bench.send(3, c0=[3.0])
     assert near.seen(bench) == (F, 0.0, 2.0)
@@ -122,7 +122,7 @@ def test_s74_what_expires_at_the_instant_of_the_elements_is_not_known() -> None:
     bench = Bench(near.draft)
     bench.send(0, c0=[3.0], c1=1.0)
     bench.send(1, c0=[3.0])
-    assert bench.truth(near.any) is L
+    assert bench.proposition(near.any) is L
     assert math.isnan(bench.signal(near.count))
 
 
@@ -138,8 +138,8 @@ def test_s74_a_jump_in_time_leaves_results() -> None:
 def test_s74_numbers_of_samples_stand_outside(function: Sampling) -> None:
     near = Near()
     before = near.draft.signal(Sampled(function, near.beside))
-    below = near.draft.truth(Compare(Comparison.LESS, near.element, before))
-    near.draft.truth(Quantified(Quantifier.ANY, below))
+    below = near.draft.proposition(Compare(Comparison.LESS, near.element, before))
+    near.draft.proposition(Quantified(Quantifier.ANY, below))
     with pytest.raises(MalformedMachine, match="neither elementwise nor of slots and constants"):
         verify(near.draft.machine())
 
@@ -162,15 +162,15 @@ def test_s75_the_inputs_of_the_numbers_count(
     near = Near(timeout_ns, beside_ns)
     bench = Bench(near.draft)
     bench.send(0, c0=[3.0], c1=NAN)
-    assert bench.truth(near.any) is expected
-    assert bench.truth(near.leaf) is expected
+    assert bench.proposition(near.any) is expected
+    assert bench.proposition(near.leaf) is expected
 
 
 def test_s75_a_rule_is_active_without_the_number() -> None:
     near = Near(beside_ns=SECOND)
     near.draft.rule(near.any)
     bench = Bench(near.draft)
-    assert len(told(bench.send(0, c0=[3.0]))) == 1
+    assert len(reported(bench.send(0, c0=[3.0]))) == 1
     assert bench.monitor.active == (True,)
 
 
@@ -182,6 +182,6 @@ def test_s75_a_number_that_is_not_known_now_excuses_nothing() -> None:
     leaf = draft.above(inverse, 1.0)
     bench = Bench(draft)
     bench.send(0, c0=[1.0], c1=1.0)
-    assert bench.truth(leaf) is L
+    assert bench.proposition(leaf) is L
     bench.send(0.5, c1=NAN)
-    assert bench.truth(leaf) is L
+    assert bench.proposition(leaf) is L

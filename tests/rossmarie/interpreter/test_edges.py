@@ -5,20 +5,20 @@ from support.bench import Bench
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
-F, T, U, L = TruthValue.FALSE, TruthValue.TRUE, TruthValue.UNKNOWN, TruthValue.LOST
+F, T, U, L = TruthValue.FALSE, TruthValue.TRUE, TruthValue.UNKNOWN, TruthValue.STALE
 
 
 def test_s47_changed_compares_with_the_sample_before() -> None:
     draft = Draft()
     x = draft.read(timeout_ns=10 * SECOND)
     before = draft.signal(Sampled(Sampling.PREVIOUS, x))
-    changed = draft.truth(Compare(Comparison.NOT_EQUAL, x, before))
+    changed = draft.proposition(Compare(Comparison.NOT_EQUAL, x, before))
     draft.rule(changed)
     bench = Bench(draft)
     samples = ((0, 1.0), (1, 1.0), (2, 3.0))
     assert values(bench, changed, *samples) == [U, F, T]
     bench.advance(3)
-    assert bench.truth(changed) is T, "until the next message"
+    assert bench.proposition(changed) is T, "until the next message"
     assert values(bench, changed, (4, 3.0), (5, NAN), (6, 3.0)) == [F, L, U]
 
 
@@ -26,17 +26,19 @@ def recurring(count: int, window_s: int, timeout_ns: int | None = None) -> tuple
     """Edges of `c0 > 0`, counted within a window."""
     draft = Draft()
     high = draft.above(draft.read(timeout_ns=timeout_ns), 0.0)
-    recurs = draft.truth(Recurs(high, count, window_s * SECOND))
+    recurs = draft.proposition(Recurs(high, count, window_s * SECOND))
     draft.rule(recurs)
     return Bench(draft), recurs
 
 
-def values(bench: Bench, truth: int, *samples: tuple[float, float]) -> list[TruthValue | None]:
-    """The truth behind each of some messages."""
+def values(
+    bench: Bench, proposition: int, *samples: tuple[float, float]
+) -> list[TruthValue | None]:
+    """The proposition behind each of some messages."""
     found = []
     for at_s, value in samples:
         bench.send(at_s, c0=value)
-        found.append(bench.truth(truth))
+        found.append(bench.proposition(proposition))
     return found
 
 
@@ -61,9 +63,9 @@ def test_s48_the_window_closes() -> None:
     assert values(bench, twice, (1, 1.0), (2, -1.0), (4, 1.0)) == [F, F, T]
     assert bench.wake() == 11
     bench.advance(10.5)
-    assert bench.truth(twice) is T
+    assert bench.proposition(twice) is T
     bench.advance(11)
-    assert bench.truth(twice) is F
+    assert bench.proposition(twice) is F
     assert bench.wake() is None
     assert values(bench, twice, (12, -1.0), (13, 1.0)) == [F, T]
 
@@ -72,7 +74,7 @@ def test_s48_known_edges_stay_while_the_condition_is_unknown() -> None:
     bench, once = recurring(1, 10)
     assert values(bench, once, (0, 1.0), (1, NAN)) == [T, T]
     bench.advance(10)
-    assert bench.truth(once) is U, "there may have been an edge that was not seen"
+    assert bench.proposition(once) is U, "there may have been an edge that was not seen"
     assert bench.wake() is None
 
 
@@ -83,16 +85,16 @@ def test_s48_after_a_gap_it_is_false_once_it_was_known_throughout_the_window() -
     assert bench.wake() == 12
     assert values(bench, twice, (4, 1.0)) == [T]
     bench.advance(10)
-    assert (bench.truth(twice), bench.wake()) == (U, 12)
+    assert (bench.proposition(twice), bench.wake()) == (U, 12)
     bench.advance(12)
-    assert (bench.truth(twice), bench.wake()) == (F, None)
+    assert (bench.proposition(twice), bench.wake()) == (F, None)
 
 
-def test_s48_lost_while_the_input_is() -> None:
+def test_s48_stale_while_the_input_is() -> None:
     bench, once = recurring(1, 10, timeout_ns=SECOND)
     assert values(bench, once, (0, -1.0)) == [F]
     bench.advance(1)
-    assert bench.truth(once) is L
+    assert bench.proposition(once) is L
     assert values(bench, once, (3, -1.0)) == [L]
     bench.advance(4)
     assert values(bench, once, (5, 1.0)) == [L], "nobody saw it become true"
@@ -103,5 +105,5 @@ def test_s48_a_jump_forgets_edges() -> None:
     assert values(bench, once, (20, 1.0), (5, 1.0)) == [T, U]
     assert bench.wake() == 15
     bench.advance(15)
-    assert bench.truth(once) is F
+    assert bench.proposition(once) is F
     assert values(bench, once, (16, -1.0), (17, 1.0)) == [F, T]

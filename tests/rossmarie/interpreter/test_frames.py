@@ -76,9 +76,9 @@ class Watched:
         return [float(memory.signals[rule.signals[0]]) for rule in self.machine.rules]
 
     @property
-    def truths(self) -> list[TruthValue | None]:
+    def propositions(self) -> list[TruthValue | None]:
         memory = self._monitor._memory
-        return [memory.truths[rule.condition] for rule in self.machine.rules]
+        return [memory.truth_values[rule.condition] for rule in self.machine.rules]
 
 
 def _unit(expression: str) -> str:
@@ -128,14 +128,14 @@ def test_s76_no_turn_changes_no_bit() -> None:
         assert arithmetic.apply(function, (0.1, -0.7, 1e9, 0.0, 0.0, 0.0, 0.3)) == expected
 
 
-def test_s77_another_frame_than_declared_is_lost() -> None:
+def test_s77_another_frame_than_declared_is_stale() -> None:
     watched = Watched(
         f"{HAND} from tool timeout 1 sec", "hand.position.x", "hand.orientation.yaw()"
     )
     watched.hear(1, {"/hand": pose("tool", (1.0, 2.0, 3.0))})
-    assert watched.truths == [T, F]
+    assert watched.propositions == [T, F]
     watched.hear(2, {"/hand": pose("camera", (1.0, 2.0, 3.0))})
-    assert watched.truths == [L, L]
+    assert watched.propositions == [L, L]
 
 
 def test_s77_the_twist_of_an_odometry_is_in_the_frame_of_the_child() -> None:
@@ -151,11 +151,11 @@ def test_s77_the_twist_of_an_odometry_is_in_the_frame_of_the_child() -> None:
         "child_frame_id": "base",
     }
     watched.hear(1, {"/odom": fields})
-    assert watched.truths == [T, T]
+    assert watched.propositions == [T, T]
     watched.hear(2, {"/odom": {**fields, "child_frame_id": "head"}})
-    assert watched.truths == [L, T]
+    assert watched.propositions == [L, T]
     watched.hear(3, {"/odom": {**fields, "header.frame_id": "map"}})
-    assert watched.truths == [T, L]
+    assert watched.propositions == [T, L]
 
 
 @given(places, turns, places, turns, places, turns)
@@ -215,30 +215,30 @@ FORCE = Watched(
 )
 
 
-def test_s79_a_frame_that_does_not_come_is_lost() -> None:
+def test_s79_a_frame_that_does_not_come_is_stale() -> None:
     watched = Watched(f"{HAND} from base in odom timeout 9 sec", "hand.position.x")
     hand = pose("base", (1.0, 0.0, 0.0))
     base = transform(Placed("odom", "base", (1.0, 0.0, 0.0), UPRIGHT))
     watched.hear(1, {"/hand": hand})
-    assert watched.truths == [L]
+    assert watched.propositions == [L]
     watched.hear(2, {"/tf (base in odom)": base})
-    assert watched.truths == [T]
+    assert watched.propositions == [T]
     assert watched.numbers == [2.0]
     watched.advance(1_000_000_001)
-    assert watched.truths == [T]
+    assert watched.propositions == [T]
     watched.advance(1_000_000_002)
-    assert watched.truths == [L]
+    assert watched.propositions == [L]
 
 
-def test_s80_a_frame_that_stays_is_lost_only_until_it_has_come() -> None:
+def test_s80_a_frame_that_stays_is_stale_only_until_it_has_come() -> None:
     watched = Watched(f"{HAND} from camera in head timeout 100000 sec", "hand.position.x")
     watched.hear(1, {"/hand": pose("camera", (1.0, 0.0, 0.0))})
-    assert watched.truths == [L]
+    assert watched.propositions == [L]
     camera = transform(Placed("head", "camera", (1.0, 0.0, 0.0), UPRIGHT))
     watched.hear(2, {"/tf_static (camera in head)": camera})
-    assert watched.truths == [T]
+    assert watched.propositions == [T]
     watched.advance(90_000 * 10**9)
-    assert watched.truths == [T]
+    assert watched.propositions == [T]
 
 
 def test_s80_what_is_mounted_comes_with_no_message() -> None:

@@ -60,8 +60,8 @@ def test_s8_infinite_elements_are_ordinary_numbers() -> None:
     bench = Bench(draft)
     bench.send(0, c0=[INFINITY, INFINITY])
     bench.send(1, c0=[INFINITY])
-    assert (bench.truth(far), bench.truth(was_far)) == (T, T)
-    assert bench.truth(doubled_far) is U
+    assert (bench.proposition(far), bench.proposition(was_far)) == (T, T)
+    assert bench.proposition(doubled_far) is U
 
 
 def test_s9_a_message_makes_all_inputs_of_its_channel_fresh() -> None:
@@ -69,7 +69,7 @@ def test_s9_a_message_makes_all_inputs_of_its_channel_fresh() -> None:
     channel = draft.channel()
     short, long = draft.input(channel, SECOND), draft.input(channel, 2 * SECOND)
     x, y = (draft.signal(Read(draft.slot(used))) for used in (short, long))
-    both = draft.truth(And((draft.above(x, 0.0), draft.above(y, 0.0))))
+    both = draft.proposition(And((draft.above(x, 0.0), draft.above(y, 0.0))))
     draft.rule(both)
     bench = Bench(draft)
     (verdict,) = bench.send(0, c0=NAN)  # what it brings does not matter

@@ -249,9 +249,9 @@ def test_s86_a_constant_names_an_element(tmp_path: Path) -> None:
         import "arm.ross" with elbow = right as right_arm;
     """
     machine = machine_of(tmp_path, arm=ARM, system=CELL, main=main)
-    told = machine_to_json(machine)
-    assert "left_elbow" in told
-    assert "right_elbow" in told
+    reported = machine_to_json(machine)
+    assert "left_elbow" in reported
+    assert "right_elbow" in reported
     assert not check_file(tmp_path / "main.ross").diagnostics
 
 

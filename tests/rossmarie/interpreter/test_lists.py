@@ -40,9 +40,11 @@ class Objects:
         self.distance, self.speed = (
             draft.signal(Element(column)) for column in (self.distances, self.speeds)
         )
-        near = draft.truth(Compare(Comparison.LESS, self.distance, draft.constant(1.5)))
-        self.coming = draft.truth(And((near, draft.above(self.speed, 0.0))))
-        self.any, self.all = (draft.truth(Quantified(which, self.coming)) for which in Quantifier)
+        near = draft.proposition(Compare(Comparison.LESS, self.distance, draft.constant(1.5)))
+        self.coming = draft.proposition(And((near, draft.above(self.speed, 0.0))))
+        self.any, self.all = (
+            draft.proposition(Quantified(which, self.coming)) for which in Quantifier
+        )
         self.count = draft.signal(Count(self.coming))
         self.nearest, self.farthest = (
             draft.signal(Fold(folding, self.distance)) for folding in Folding
@@ -59,7 +61,7 @@ class Objects:
 
     def seen(self, bench: Bench) -> list[object]:
         numbers = (bench.signal(self.count), bench.signal(self.nearest))
-        return [bench.truth(self.any), bench.truth(self.all), *map(_shown, numbers)]
+        return [bench.proposition(self.any), bench.proposition(self.all), *map(_shown, numbers)]
 
 
 def _shown(number: float) -> float | None:
@@ -120,13 +122,13 @@ def test_s52_texts_of_elements() -> None:
     draft = Draft(texts=("motor", "camera"))
     parts = draft.list_of(draft.input(draft.channel()), most=4)
     name = draft.signal(Element(draft.column(parts, Kind.TEXT)))
-    is_motor = draft.truth(Compare(Comparison.EQUAL, name, draft.constant(0.0)))
-    some = draft.truth(Quantified(Quantifier.ANY, is_motor))
+    is_motor = draft.proposition(Compare(Comparison.EQUAL, name, draft.constant(0.0)))
+    some = draft.proposition(Quantified(Quantifier.ANY, is_motor))
     bench = Bench(draft)
     bench.send(0, c0=[-1.0, 1.0])
-    assert bench.truth(some) is F
+    assert bench.proposition(some) is F
     bench.send(0, c0=[-1.0, 0.0])
-    assert bench.truth(some) is T
+    assert bench.proposition(some) is T
 
 
 @pytest.mark.parametrize(
@@ -162,15 +164,17 @@ def test_s53_a_list_without_elements_is_known() -> None:
 def test_s53_nothing_is_near_and_nothing_is_fast_in_a_list_without_elements() -> None:
     objects = Objects(timeout_ns=SECOND)
     draft = objects.draft
-    near = draft.truth(Compare(Comparison.LESS, objects.nearest, draft.constant(1.0)))
+    near = draft.proposition(Compare(Comparison.LESS, objects.nearest, draft.constant(1.0)))
     far = draft.above(objects.farthest, 1.0)
     bench = objects.bench()
     objects.send(bench, [], [])
-    assert (bench.truth(near), bench.truth(far)) == (F, F)
+    assert (bench.proposition(near), bench.proposition(far)) == (F, F)
 
 
 @pytest.mark.parametrize("folding", Folding)
-def test_s54_arithmetic_with_the_least_of_nothing_is_unknown_and_not_lost(folding: Folding) -> None:
+def test_s54_arithmetic_with_the_least_of_nothing_is_unknown_and_not_stale(
+    folding: Folding,
+) -> None:
     objects = Objects(timeout_ns=SECOND)
     draft = objects.draft
     folded = draft.signal(Fold(folding, objects.distance))
@@ -179,28 +183,28 @@ def test_s54_arithmetic_with_the_least_of_nothing_is_unknown_and_not_lost(foldin
     size = draft.above(draft.apply(Function.ABSOLUTE, before), 0.0)
     bench = objects.bench()
     objects.send(bench, [], [])
-    assert (bench.truth(nearer), bench.truth(size)) == (U, U)
+    assert (bench.proposition(nearer), bench.proposition(size)) == (U, U)
     objects.send(bench, [2.0], [0.0], at_ns=1)
-    assert (bench.truth(nearer), bench.truth(size)) == (T, U)
+    assert (bench.proposition(nearer), bench.proposition(size)) == (T, U)
     objects.send(bench, [NAN], [0.0], at_ns=2)
-    assert (bench.truth(nearer), bench.truth(size)) == (L, T)
+    assert (bench.proposition(nearer), bench.proposition(size)) == (L, T)
 
 
-def test_s54_a_list_that_is_not_known_is_lost_where_its_input_has_a_timeout() -> None:
+def test_s54_a_list_that_is_not_known_is_stale_where_its_input_has_a_timeout() -> None:
     objects = Objects(timeout_ns=SECOND)
     draft = objects.draft
-    near = draft.truth(Compare(Comparison.LESS, objects.nearest, draft.constant(1.0)))
+    near = draft.proposition(Compare(Comparison.LESS, objects.nearest, draft.constant(1.0)))
     many = draft.above(objects.count, 1.0)
     bench = objects.bench()
     objects.send(bench, [5.0] * 4, [0.0] * 4)
     assert objects.seen(bench)[:2] == [L, L]
-    assert (bench.truth(near), bench.truth(many)) == (L, L)
+    assert (bench.proposition(near), bench.proposition(many)) == (L, L)
 
 
 def test_results_over_two_lists_do_not_meet() -> None:
     draft = Draft()
     used = draft.input(draft.channel())
     one, other = (draft.signal(Element(draft.column(draft.list_of(used, 2)))) for _ in range(2))
-    draft.truth(Compare(Comparison.LESS, one, other))
+    draft.proposition(Compare(Comparison.LESS, one, other))
     with pytest.raises(MalformedMachine, match="elements of 2 arrays meet"):
         verify(draft.machine())

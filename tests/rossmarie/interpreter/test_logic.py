@@ -1,4 +1,4 @@
-"""Truth and logic: rules S1 and S2 of docs/explanation/semantics.md."""
+"""Proposition and logic: rules S1 and S2 of docs/explanation/semantics.md."""
 
 from rossmarie.ir import TruthValue
 from rossmarie.ir.kleene import conjunction, disjunction, negation
@@ -7,7 +7,7 @@ F, T, U, L = TruthValue
 
 
 def test_s1_the_four_values_have_their_numbers() -> None:
-    assert [value.name for value in sorted(TruthValue)] == ["FALSE", "TRUE", "UNKNOWN", "LOST"]
+    assert [value.name for value in sorted(TruthValue)] == ["FALSE", "TRUE", "UNKNOWN", "STALE"]
     assert list(map(int, (F, T, U, L))) == [0, 1, 2, 3]
 
 

@@ -62,14 +62,14 @@ class Watched:
         self._monitor.update(at_ns, messages)
 
     @property
-    def truth(self) -> TruthValue:
-        found = self._monitor._memory.truths[self.machine.rules[0].condition]
+    def proposition(self) -> TruthValue:
+        found = self._monitor._memory.truth_values[self.machine.rules[0].condition]
         assert found is not None
         return found
 
     def says(self, speed: float) -> TruthValue:
         self.see(1, 0.0, speed)
-        return self.truth
+        return self.proposition
 
 
 def way(speed: float, wanted: float, travelling: float | None = None) -> float:
@@ -102,7 +102,7 @@ def test_s65_messages_apart() -> None:
         assert apart.says(0.2) is expected
 
 
-def test_s65_a_speed_that_is_lost() -> None:
+def test_s65_a_speed_that_is_stale() -> None:
     assert Watched("stopping(drive) > 1 m").says(NAN) is L
 
 
@@ -157,11 +157,11 @@ def test_s66_the_robot_is_slow_when_it_arrives(
     watched = Watched(f"distance(pose, SchoolCorridor) < stopping(drive, {wanted} m/s)")
     robot = Robot(BEGIN - max(way(speed, wanted), 0.0) - spare, speed)
     watched.see(0, robot.x, robot.speed)
-    assert watched.truth is F
+    assert watched.proposition is F
     for gap, push in zip(gaps, pushes, strict=False):
         robot.go_on(robot.at_ns + round(gap * NS), wanted, push)
         watched.see(robot.at_ns, robot.x, robot.speed)
-        if watched.truth is F:
+        if watched.proposition is F:
             robot.brakes_from_ns = None
         elif robot.brakes_from_ns is None:
             robot.brakes_from_ns = robot.at_ns + round(LATENCY * NS)

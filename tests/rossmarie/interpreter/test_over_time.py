@@ -6,7 +6,7 @@ from itertools import product
 import pytest
 
 from rossmarie.ir import And, Change, Held, Not, Since, TruthValue, kleene
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.drafts import SECOND, Draft
 from support.machines import NAN
 
@@ -15,16 +15,16 @@ F, T, U, L = TruthValue
 
 def once(draft: Draft, condition: int, seconds: float) -> int:
     """`once condition within seconds`, as lowering defines it."""
-    never = draft.truth(Not(condition))
-    held = draft.truth(Held(never, round(seconds * SECOND), initially=True))
-    return draft.truth(Not(held))
+    never = draft.proposition(Not(condition))
+    held = draft.proposition(Held(never, round(seconds * SECOND), initially=True))
+    return draft.proposition(Not(held))
 
 
 def response(draft: Draft, cause: int, answer: int, seconds: float) -> int:
     """`after cause, answer within seconds`, as lowering defines it."""
-    missing = draft.truth(Not(answer))
-    pending = draft.truth(Since(missing, draft.truth(And((cause, missing)))))
-    return draft.truth(Not(draft.truth(Held(pending, round(seconds * SECOND)))))
+    missing = draft.proposition(Not(answer))
+    pending = draft.proposition(Since(missing, draft.proposition(And((cause, missing)))))
+    return draft.proposition(Not(draft.proposition(Held(pending, round(seconds * SECOND)))))
 
 
 # --- since -------------------------------------------------------------------------------------
@@ -33,13 +33,13 @@ def response(draft: Draft, cause: int, answer: int, seconds: float) -> int:
 def test_s44_b_begins_and_a_goes_on() -> None:
     draft = Draft()
     a, b = (draft.above(draft.read(), 0.0) for _ in "ab")
-    since = draft.truth(Since(a, b))
+    since = draft.proposition(Since(a, b))
     bench = Bench(draft)
     seen = []
     steps = ((1, -1), (-1, 1), (1, -1), (1, -1), (-1, -1), (1, -1), (1, 1), (-1, 1))
     for at, (held, begun) in enumerate(steps):
         bench.send(at, c0=float(held), c1=float(begun))
-        seen.append(bench.truth(since))
+        seen.append(bench.proposition(since))
     # Nothing has held before the start; B alone begins; A goes on until it is false.
     assert seen == [F, T, T, T, F, F, T, T]
 
@@ -47,13 +47,13 @@ def test_s44_b_begins_and_a_goes_on() -> None:
 def test_s44_what_is_not_known_stays_unknown_until_b_is_true_or_a_false() -> None:
     draft = Draft()
     a, b = (draft.above(draft.read(), 0.0) for _ in "ab")
-    since = draft.truth(Since(a, b))
+    since = draft.proposition(Since(a, b))
     bench = Bench(draft)
     seen = []
     steps = ((1.0, 1.0), (NAN, -1.0), (1.0, -1.0), (-1.0, -1.0), (1.0, NAN), (1.0, 1.0))
     for at, (held, begun) in enumerate(steps):
         bench.send(at, c0=held, c1=begun)
-        seen.append(bench.truth(since))
+        seen.append(bench.proposition(since))
     assert seen == [T, U, U, F, U, T]
 
 
@@ -73,37 +73,37 @@ def test_s44_evaluating_again_changes_nothing(
 def test_s44_wakes_in_between_change_nothing() -> None:
     draft = Draft()
     a, b, other = (draft.above(draft.read(timeout_ns=SECOND), 0.0) for _ in range(3))
-    since = draft.truth(Since(a, b))
-    draft.truth(Held(other, SECOND // 4))
+    since = draft.proposition(Since(a, b))
+    draft.proposition(Held(other, SECOND // 4))
     bench = Bench(draft)
-    bench.send(0, c1=NAN, c2=1.0)  # A lost, B lost
-    before = bench.truth(since)
+    bench.send(0, c1=NAN, c2=1.0)  # A stale, B stale
+    before = bench.proposition(since)
     bench.advance(0.25)
-    assert (before, bench.truth(since)) == (L, L)
+    assert (before, bench.proposition(since)) == (L, L)
 
 
-def test_s44_unknown_beside_lost_is_lost_at_once() -> None:
+def test_s44_unknown_beside_stale_is_stale_at_once() -> None:
     draft = Draft()
     a = draft.above(draft.read(timeout_ns=SECOND), 0.0)
     b = draft.above(draft.read(), 0.0)
-    since = draft.truth(Since(a, b))
+    since = draft.proposition(Since(a, b))
     bench = Bench(draft)
     bench.advance(0)
-    assert bench.truth(since) is L
+    assert bench.proposition(since) is L
 
 
 def test_s44_it_outlasts_a_jump() -> None:
     draft = Draft()
     a, b = (draft.above(draft.read(), 0.0) for _ in "ab")
-    since = draft.truth(Since(a, b))
+    since = draft.proposition(Since(a, b))
     bench = Bench(draft)
     bench.send(10, c0=1.0, c1=1.0)
     bench.send(11, c1=-1.0)
     bench.send(5, c0=1.0)
-    assert bench.truth(since) is T
+    assert bench.proposition(since) is T
     bench.send(6, c0=-1.0)
     bench.send(2, c0=1.0)
-    assert bench.truth(since) is F
+    assert bench.proposition(since) is F
 
 
 # --- once --------------------------------------------------------------------------------------
@@ -114,16 +114,16 @@ def test_s45_once_within() -> None:
     seen = once(draft, draft.above(draft.read(), 0.0), 2)
     bench = Bench(draft)
     bench.send(0, c0=-1.0)
-    assert bench.truth(seen) is F  # it was never true before the start
+    assert bench.proposition(seen) is F  # it was never true before the start
     bench.send(1, c0=1.0)
-    assert bench.truth(seen) is T
+    assert bench.proposition(seen) is T
     bench.send(2, c0=-1.0)
-    assert bench.truth(seen) is T
+    assert bench.proposition(seen) is T
     assert bench.wake() == 4.0
     bench.send(3.9, c0=-1.0)
-    assert bench.truth(seen) is T
+    assert bench.proposition(seen) is T
     bench.advance(4)
-    assert bench.truth(seen) is F
+    assert bench.proposition(seen) is F
 
 
 def test_s45_what_counts_as_true_before_the_start_needs_no_wake() -> None:
@@ -139,11 +139,11 @@ def test_s45_unknown_lasts_for_the_window() -> None:
     seen = once(draft, draft.above(draft.read(), 0.0), 2)
     bench = Bench(draft)
     bench.send(0, c0=NAN)
-    assert bench.truth(seen) is U
+    assert bench.proposition(seen) is U
     bench.send(1, c0=-1.0)
-    assert bench.truth(seen) is U  # it may have been true just before
+    assert bench.proposition(seen) is U  # it may have been true just before
     bench.advance(3)
-    assert bench.truth(seen) is F
+    assert bench.proposition(seen) is F
 
 
 def test_s45_after_a_jump_it_is_unknown_for_the_window() -> None:
@@ -152,9 +152,9 @@ def test_s45_after_a_jump_it_is_unknown_for_the_window() -> None:
     bench = Bench(draft)
     bench.send(10, c0=-1.0)
     bench.send(5, c0=-1.0)
-    assert bench.truth(seen) is U
+    assert bench.proposition(seen) is U
     bench.advance(7)
-    assert bench.truth(seen) is F
+    assert bench.proposition(seen) is F
 
 
 # --- after -------------------------------------------------------------------------------------
@@ -164,28 +164,28 @@ def test_s46_the_answer_at_the_last_instant_is_in_time() -> None:
     draft = Draft()
     a, b = (draft.above(draft.read(), 0.0) for _ in "ab")
     kept = response(draft, a, b, 2)
-    draft.rule(draft.truth(Not(kept)))
+    draft.rule(draft.proposition(Not(kept)))
     bench = Bench(draft)
     bench.send(0, c0=-1.0, c1=-1.0)
     bench.send(1, c0=1.0)
     bench.send(1.5, c0=-1.0)
-    assert bench.truth(kept) is T
+    assert bench.proposition(kept) is T
     assert bench.send(3, c1=1.0) == []
-    assert bench.truth(kept) is T
+    assert bench.proposition(kept) is T
 
 
 def test_s46_false_while_an_answer_is_overdue() -> None:
     draft = Draft()
     a, b = (draft.above(draft.read(), 0.0) for _ in "ab")
     kept = response(draft, a, b, 2)
-    draft.rule(draft.truth(Not(kept)))
+    draft.rule(draft.proposition(Not(kept)))
     bench = Bench(draft)
     bench.send(0, c0=-1.0, c1=-1.0)
     bench.send(1, c0=1.0)
     bench.send(1.5, c0=-1.0)
-    assert told(bench.advance(5)) == [(0, 3.0, Change.ACTIVATED)]
-    assert bench.truth(kept) is F
-    assert told(bench.send(6, c1=1.0)) == [(0, 6.0, Change.CLEARED)]
+    assert reported(bench.advance(5)) == [(0, 3.0, Change.ACTIVATED)]
+    assert bench.proposition(kept) is F
+    assert reported(bench.send(6, c1=1.0)) == [(0, 6.0, Change.CLEARED)]
 
 
 def test_s46_a_cause_that_goes_on_asks_at_each_instant() -> None:
@@ -195,9 +195,9 @@ def test_s46_a_cause_that_goes_on_asks_at_each_instant() -> None:
     bench = Bench(draft)
     bench.send(0, c0=1.0, c1=1.0)
     bench.send(3, c1=-1.0)
-    assert bench.truth(kept) is T
+    assert bench.proposition(kept) is T
     bench.advance(5)
-    assert bench.truth(kept) is F
+    assert bench.proposition(kept) is F
 
 
 def test_s46_an_unknown_cause_leaves_it_unknown_until_the_answer() -> None:
@@ -208,9 +208,9 @@ def test_s46_an_unknown_cause_leaves_it_unknown_until_the_answer() -> None:
     bench.send(0, c0=NAN, c1=-1.0)
     bench.send(1, c0=-1.0)
     bench.advance(100)
-    assert bench.truth(kept) is U
+    assert bench.proposition(kept) is U
     bench.send(101, c1=1.0)
-    assert bench.truth(kept) is T
+    assert bench.proposition(kept) is T
 
 
 # --- definitions on traces -----------------------------------------------------------------------
@@ -249,14 +249,14 @@ def _compare(
     """
     draft = Draft()
     a, b = (draft.above(draft.read(), 0.0) for _ in "ab")
-    truth = operator(draft, a, b)
+    proposition = operator(draft, a, b)
     numbers = {F: -1.0, T: 1.0, U: NAN}
     histories = list(product(numbers, repeat=length))
     for one, other in product(histories, histories):
         bench = Bench(draft)
         for at in range(length):
             bench.send(at, c0=numbers[one[at]], c1=numbers[other[at]])
-        found = bench.truth(truth)
+        found = bench.proposition(proposition)
         outcomes = {meant(x, y) for x in _possible(one) for y in _possible(other)}
         assert found is U or outcomes == {found is T}, (one, other)
         assert found is not U or U in (*one, *other), (one, other)
@@ -264,7 +264,7 @@ def _compare(
 
 @pytest.mark.parametrize("length", _LENGTHS)
 def test_s44_on_all_short_traces(length: int) -> None:
-    _compare(lambda draft, a, b: draft.truth(Since(a, b)), _since, length)
+    _compare(lambda draft, a, b: draft.proposition(Since(a, b)), _since, length)
 
 
 @pytest.mark.parametrize("length", _LENGTHS)

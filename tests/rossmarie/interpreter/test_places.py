@@ -36,7 +36,7 @@ def test_s63_a_point_is_in_a_polygon() -> None:
     assert watched("pose not in hall.Corridor").at(-1.0, 1.0) is T
 
 
-def test_s63_another_frame_is_lost() -> None:
+def test_s63_another_frame_is_stale() -> None:
     corridor = watched("pose in Corridor")
     assert corridor.at(1.0, 1.0, "odom") is L
     assert corridor.at(NAN, 1.0) is L
@@ -73,7 +73,7 @@ def test_s64_inside_it_is_zero() -> None:
     assert watched("distance(pose.position, Corridor) == 1 m").at(-1.0, 1.0) is T
 
 
-def test_s64_another_frame_is_lost() -> None:
+def test_s64_another_frame_is_stale() -> None:
     corridor = watched("distance(pose, Corridor) < 1 m")
     assert corridor.at(1.0, 1.0, "odom") is L
     assert corridor.at(1e308, 1.0) is L

@@ -141,7 +141,7 @@ def test_r4_a_confirmation_has_to_be_true_as_well() -> None:
     assert bench.state(0) is State.HOLDING
 
 
-@pytest.mark.parametrize("unknown", [TruthValue.UNKNOWN, TruthValue.LOST])
+@pytest.mark.parametrize("unknown", [TruthValue.UNKNOWN, TruthValue.STALE])
 def test_r4_a_confirmation_that_is_unknown_confirms_nothing(unknown: TruthValue) -> None:
     plans = Plans()
     plans.rule([plans.task(cancel(confirmation=0, timeout_ns=SECOND))])

@@ -26,7 +26,7 @@ class Bench:
         self._rules = len(plans.plans)
 
     def react(self, seconds: float, x: float, *engaged: int, y: float = 0.0) -> list[str]:
-        """The orders, if these rules are engaged: a pose is told as its x."""
+        """The orders, if these rules are engaged: a pose is reported as its x."""
         which = [rule in engaged for rule in range(self._rules)]
         orders = self.reactor.react(ns(seconds), which, [], [x, y, 0.0])
         return [_words(order) for order in orders]

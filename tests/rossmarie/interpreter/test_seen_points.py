@@ -163,13 +163,13 @@ class Engines:
         found = next(each for each in MACHINE.rules if each.name == rule)
         return float(self.interpreter._memory.signals[found.signals[0]])
 
-    def truth(self, rule: str) -> ir.TruthValue | None:
+    def proposition(self, rule: str) -> ir.TruthValue | None:
         found = next(each for each in MACHINE.rules if each.name == rule)
-        return self.interpreter._memory.truths[found.condition]
+        return self.interpreter._memory.truth_values[found.condition]
 
-    def truths(self, prefix: str) -> set[ir.TruthValue | None]:
+    def propositions(self, prefix: str) -> set[ir.TruthValue | None]:
         names = [each.name or "" for each in MACHINE.rules]
-        return {self.truth(name) for name in names if name.startswith(prefix)}
+        return {self.proposition(name) for name in names if name.startswith(prefix)}
 
 
 @pytest.fixture(scope="module")
@@ -299,30 +299,30 @@ def test_s82_points_that_are_seen_from_another_frame_lie_in_its_zones(engines: E
     half = math.pi / 2
     base = Placed("odom", "base", (5.0, 0.0, 0.0), turn_of(0.0, 0.0, math.pi))
     laser = Placed("base", "laser", (0.5, 0.0, 0.2), turn_of(0.0, 0.0, half))
-    for distance, angle, truth in (
+    for distance, angle, proposition in (
         (2.5, -half, T),
         (2.5, half, F),
         (1.4, -half, T),
         (0.4, -half, F),
     ):
         engines.hear(Heard((base, laser), scan(beam(distance, angle), beam(distance, angle))))
-        assert engines.truth("scan_in") is truth
+        assert engines.proposition("scan_in") is proposition
     # A point that is not seen through the frames would be in the zone where it is not.
     engines.hear(Heard((base, laser), scan(beam(1.0, 0.0), beam(1.0, 0.0))))
-    assert engines.truth("scan_in") is F
+    assert engines.proposition("scan_in") is F
 
 
 @needs_c
-def test_s77_elements_of_another_frame_are_lost(engines: Engines) -> None:
+def test_s77_elements_of_another_frame_are_stale(engines: Engines) -> None:
     beams = [beam(1.0, 0.0)]
     engines.hear(Heard((BASE, LASER), scan(*beams), ("base", 0.0)))
-    assert L not in engines.truths("scan")
+    assert L not in engines.propositions("scan")
     for frame in ("camera", "base", "", "laser2"):
         engines.hear(Heard(lists=scan(*beams, frame=frame)))
-        assert engines.truths("scan") == {L}
-        assert engines.truth("beside") is L
+        assert engines.propositions("scan") == {L}
+        assert engines.proposition("beside") is L
         engines.hear(Heard(lists=scan(*beams)))
-        assert L not in engines.truths("scan")
+        assert L not in engines.propositions("scan")
 
 
 @needs_c
@@ -331,7 +331,7 @@ def test_s77_the_header_of_each_element_counts_where_the_message_has_none(
 ) -> None:
     def hear(*markers: Element) -> set[ir.TruthValue | None]:
         engines.hear(Heard((BASE,), {"/marks": ("", markers)}))
-        return {engines.truth("marks_y"), engines.truth("marks_in")}
+        return {engines.proposition("marks_y"), engines.proposition("marks_in")}
 
     inside, outside = (1.0, 1.0, 0.0), (9.0, 1.0, 0.0)
     assert hear(marker(inside)) == {T}
@@ -342,20 +342,20 @@ def test_s77_the_header_of_each_element_counts_where_the_message_has_none(
 
 
 @needs_c
-def test_s78_without_the_frames_on_the_way_elements_are_lost(engines: Engines) -> None:
+def test_s78_without_the_frames_on_the_way_elements_are_stale(engines: Engines) -> None:
     lists = scan(beam(1.0, 0.0))
     engines.hear(Heard((BASE,), lists))  # the laser has come before, and stays
-    assert L not in engines.truths("scan_")
+    assert L not in engines.propositions("scan_")
     engines.advance(999_999_999)
-    assert L not in engines.truths("scan_")
+    assert L not in engines.propositions("scan_")
     engines.advance(1)
-    assert engines.truths("scan_") == {L}
+    assert engines.propositions("scan_") == {L}
     engines.hear(Heard(lists=lists))
-    assert engines.truths("scan_") == {L}
+    assert engines.propositions("scan_") == {L}
     engines.hear(Heard((BASE,)))  # elements are looked at when they come
-    assert engines.truths("scan_") == {L}
+    assert engines.propositions("scan_") == {L}
     engines.hear(Heard((BASE,), lists))
-    assert L not in engines.truths("scan_")
+    assert L not in engines.propositions("scan_")
 
 
 @needs_c
@@ -371,12 +371,12 @@ def test_s78_without_the_frames_on_the_way_elements_are_lost(engines: Engines) -
     ],
     ids=str,
 )
-def test_s78_by_a_frame_that_lies_elements_are_lost(engines: Engines, base: Placed) -> None:
+def test_s78_by_a_frame_that_lies_elements_are_stale(engines: Engines, base: Placed) -> None:
     engines.hear(
         Heard((base, LASER), {**scan(beam(1.0, 0.0)), "/marks": ("", [marker((1, 2, 3))])})
     )
     for rule in ("scan_x", "scan_near", "scan_in", "marks_in"):
-        assert engines.truth(rule) is L, rule
+        assert engines.proposition(rule) is L, rule
 
 
 @needs_c
@@ -394,5 +394,5 @@ def test_s78_a_turn_of_any_length_is_the_same_turn(engines: Engines) -> None:
 @needs_c
 def test_s78_what_is_too_close_stays_unknown(engines: Engines) -> None:
     engines.hear(Heard((BASE, LASER), scan(beam(1.0, 0.0), beam(NAN, 1.0))))
-    assert engines.truth("scan_x") is L
-    assert engines.truth("scan_in") is L
+    assert engines.proposition("scan_x") is L
+    assert engines.proposition("scan_in") is L

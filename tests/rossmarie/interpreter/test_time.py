@@ -20,7 +20,7 @@ from rossmarie.ir import (
     TruthValue,
     Verdict,
 )
-from support.bench import Bench, told
+from support.bench import Bench, reported
 from support.depth import examples
 from support.drafts import SECOND, Draft
 from support.machines import Case, Step, cases, exactly, take
@@ -31,7 +31,7 @@ F, T, U, L = TruthValue
 def test_s11_messages_of_one_update_are_seen_together() -> None:
     draft = Draft()
     x, y = draft.read(), draft.read()
-    draft.rule(draft.truth(Compare(Comparison.GREATER, x, y)))
+    draft.rule(draft.proposition(Compare(Comparison.GREATER, x, y)))
     bench = Bench(draft)
     assert bench.send(0, c0=1.0, c1=2.0) == []
     assert bench.send(1, c0=3.0, c1=4.0) == []  # one by one, 3 > 2 would show
@@ -55,20 +55,20 @@ def test_s12_guarded_rules_are_active_until_their_input_arrives(first: str) -> N
     bench = Bench(draft)
     step = {"update": lambda: bench.send(0, c2=0.0), "advance": lambda: bench.advance(0)}
     events = step.get(first, lambda: bench.reset(0))()
-    assert told(events) == [(0, 0.0, Change.ACTIVATED_LOST)]
-    assert told(bench.send(0.5, c0=-1.0)) == [(0, 0.5, Change.CLEARED)]
+    assert reported(events) == [(0, 0.0, Change.ACTIVATED_STALE)]
+    assert reported(bench.send(0.5, c0=-1.0)) == [(0, 0.5, Change.CLEARED)]
 
 
 def test_s13_wakes_before_an_event_are_run_at_their_own_instants() -> None:
     draft = Draft()
     positive = draft.above(draft.read(), 0.0)
-    early = draft.truth(Held(positive, 2 * SECOND))
-    late = draft.truth(Held(early, SECOND))
-    for truth in (early, late):
-        draft.rule(truth)
+    early = draft.proposition(Held(positive, 2 * SECOND))
+    late = draft.proposition(Held(early, SECOND))
+    for proposition in (early, late):
+        draft.rule(proposition)
     bench = Bench(draft)
     assert bench.send(0, c0=1.0) == []
-    assert told(bench.send(10, c0=-1.0)) == [
+    assert reported(bench.send(10, c0=-1.0)) == [
         (0, 2.0, Change.ACTIVATED),
         (1, 3.0, Change.ACTIVATED),
         (0, 10.0, Change.CLEARED),
@@ -79,7 +79,7 @@ def test_s13_wakes_before_an_event_are_run_at_their_own_instants() -> None:
 def test_s14_an_update_and_a_wake_at_one_instant_are_one_evaluation() -> None:
     draft = Draft()
     positive = draft.above(draft.read(), 0.0)
-    draft.rule(draft.truth(Held(positive, 2 * SECOND)))
+    draft.rule(draft.proposition(Held(positive, 2 * SECOND)))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     assert bench.send(2, c0=-1.0) == []
@@ -88,20 +88,20 @@ def test_s14_an_update_and_a_wake_at_one_instant_are_one_evaluation() -> None:
 def test_s14_advance_includes_its_instant() -> None:
     draft = Draft()
     positive = draft.above(draft.read(), 0.0)
-    draft.rule(draft.truth(Held(positive, 2 * SECOND)))
+    draft.rule(draft.proposition(Held(positive, 2 * SECOND)))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     assert bench.monitor.advance(2 * SECOND - 1) == []
-    assert told(bench.advance(2)) == [(0, 2.0, Change.ACTIVATED)]
+    assert reported(bench.advance(2)) == [(0, 2.0, Change.ACTIVATED)]
 
 
 def test_s15_the_next_wake_is_the_earliest_timer() -> None:
     draft = Draft()
     x = draft.read(timeout_ns=9 * SECOND)
     positive = draft.above(x, 0.0)
-    draft.truth(Held(positive, 3 * SECOND))
-    draft.truth(AgeReaches(0, 5 * SECOND))
-    draft.truth(Oscillates(x, 1, 7 * SECOND, 0.0))
+    draft.proposition(Held(positive, 3 * SECOND))
+    draft.proposition(AgeReaches(0, 5 * SECOND))
+    draft.proposition(Oscillates(x, 1, 7 * SECOND, 0.0))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     bench.send(0, c0=2.0)
@@ -150,7 +150,7 @@ def test_s16_updates_at_one_instant_are_evaluated_one_by_one() -> None:
     draft.rule(draft.above(draft.read(), 0.0))
     bench = Bench(draft)
     events = [event for x in (1.0, -1.0, 1.0) for event in bench.send(4, c0=x)]
-    assert told(events) == [
+    assert reported(events) == [
         (0, 4.0, Change.ACTIVATED),
         (0, 4.0, Change.CLEARED),
         (0, 4.0, Change.ACTIVATED),
@@ -160,7 +160,7 @@ def test_s16_updates_at_one_instant_are_evaluated_one_by_one() -> None:
 def test_s17_a_jump_is_reported_and_restarts_durations() -> None:
     draft = Draft()
     positive = draft.above(draft.read(), 0.0)
-    draft.rule(draft.truth(Held(positive, 2 * SECOND)))
+    draft.rule(draft.proposition(Held(positive, 2 * SECOND)))
     bench = Bench(draft)
     bench.send(10, c0=1.0)
     bench.advance(13)
@@ -171,19 +171,19 @@ def test_s17_a_jump_is_reported_and_restarts_durations() -> None:
     assert isinstance(cleared, Verdict)
     assert cleared.since_ns == (6 * SECOND, 6 * SECOND)
     bench.send(7, c0=1.0)
-    assert told(bench.advance(20)) == [(0, 9.0, Change.ACTIVATED)]
+    assert reported(bench.advance(20)) == [(0, 9.0, Change.ACTIVATED)]
 
 
 def test_s17_inputs_keep_their_ages() -> None:
     draft = Draft()
     x = draft.read(timeout_ns=SECOND)
-    old = draft.truth(AgeReaches(0, SECOND // 2))
+    old = draft.proposition(AgeReaches(0, SECOND // 2))
     bench = Bench(draft)
     bench.send(10, c0=1.0)
     bench.advance(10.75)
-    assert bench.truth(old) is T
+    assert bench.proposition(old) is T
     bench.advance(3)
-    assert bench.truth(old) is T
+    assert bench.proposition(old) is T
     assert bench.signal(x) == 1.0
     assert bench.wake() == 3.25
 
@@ -194,35 +194,35 @@ def test_s17_repeated_jumps_do_not_keep_a_silent_input_alive() -> None:
     bench = Bench(draft)
     bench.send(0, c0=-1.0)
     events = [event for at in (0.75, 0.5, 1.25) for event in bench.advance(at)]
-    assert told(events) == [(0, 0.75, Change.ACTIVATED_LOST)]
+    assert reported(events) == [(0, 0.75, Change.ACTIVATED_STALE)]
 
 
 def test_s17_expired_inputs_stay_expired() -> None:
     draft = Draft()
     x = draft.read(timeout_ns=SECOND)
-    older = draft.truth(AgeReaches(0, 12 * SECOND))
+    older = draft.proposition(AgeReaches(0, 12 * SECOND))
     draft.rule(draft.above(x, 0.0))
     bench = Bench(draft)
     bench.send(10, c0=1.0)
     bench.advance(20)
-    assert bench.truth(older) is F
+    assert bench.proposition(older) is F
     bench.advance(4)
     assert math.isnan(bench.signal(x))
     assert bench.wake() == 6.0
     bench.advance(6)
-    assert bench.truth(older) is T
+    assert bench.proposition(older) is T
 
 
 def test_s17_ages_do_not_overflow_however_often_time_jumps() -> None:
     draft = Draft()
     x = draft.read()
-    old = draft.truth(AgeReaches(0, SECOND))
+    old = draft.proposition(AgeReaches(0, SECOND))
     bench = Bench(draft)
     bench.send(0, c0=1.0)
     for _ in range(8):
         bench.monitor.advance(2**62 - 1)
         bench.monitor.advance(-(2**61) + 1)
-    assert bench.truth(old) is T
+    assert bench.proposition(old) is T
     assert bench.signal(x) == 1.0
 
 
@@ -233,28 +233,32 @@ def test_s17_samples_are_forgotten() -> None:
         draft.signal(Sampled(Sampling.RATE, x)),
         draft.signal(Sampled(Sampling.PREVIOUS, x)),
     )
-    shaking = draft.truth(Oscillates(x, 1, 100 * SECOND, 0.0))
+    shaking = draft.proposition(Oscillates(x, 1, 100 * SECOND, 0.0))
     bench = Bench(draft)
     for second, value in enumerate((1.0, 2.0, 1.0)):
         bench.send(second, c0=value)
-    assert (bench.signal(rate), bench.signal(previous), bench.truth(shaking)) == (-1.0, 2.0, T)
+    assert (bench.signal(rate), bench.signal(previous), bench.proposition(shaking)) == (
+        -1.0,
+        2.0,
+        T,
+    )
     bench.send(0, c0=3.0)
     assert math.isnan(bench.signal(rate))
     assert math.isnan(bench.signal(previous))
-    assert bench.truth(shaking) is U
+    assert bench.proposition(shaking) is U
 
 
 def test_s17_after_a_jump_the_next_message_is_the_first_sample() -> None:
     draft = Draft()
-    shaking = draft.truth(Oscillates(draft.read(), 1, 100 * SECOND, 0.0))
+    shaking = draft.proposition(Oscillates(draft.read(), 1, 100 * SECOND, 0.0))
     bench = Bench(draft)
     bench.send(10, c0=5.0)
     bench.advance(0)
     bench.send(1, c0=1.0)  # would be on its way down from 5
     bench.send(2, c0=2.0)
-    assert bench.truth(shaking) is U
+    assert bench.proposition(shaking) is U
     bench.send(3, c0=1.0)
-    assert bench.truth(shaking) is T
+    assert bench.proposition(shaking) is T
 
 
 def test_s17_rules_keep_their_state_until_evaluated() -> None:
@@ -262,7 +266,7 @@ def test_s17_rules_keep_their_state_until_evaluated() -> None:
     draft.rule(draft.above(draft.read(), 0.0))
     bench = Bench(draft)
     bench.send(10, c0=1.0)
-    assert told(bench.advance(5)) == []
+    assert reported(bench.advance(5)) == []
     assert bench.monitor.active == (True,)
 
 

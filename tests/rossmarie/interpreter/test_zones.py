@@ -78,7 +78,7 @@ def test_s81_the_distance_from_the_nearest_shape(
     assert watched(f"distance(pose, {zone}) < {max(metres - 1e-9, 0)} m").at(x, y) is F
 
 
-def test_s81_another_frame_is_lost() -> None:
+def test_s81_another_frame_is_stale() -> None:
     for condition in ("pose in all", "pose not in all", "distance(pose, all) < 1 m"):
         zone = watched(condition)
         assert zone.at(1.0, 1.0, "odom") is L
@@ -116,12 +116,16 @@ class Seen:
         }
         self._monitor.update(self._at_ns, {channel: ChannelValues(slots, arrays)})
         names = [rule.name or "" for rule in self.machine.rules]
-        truths = [self._monitor._memory.truths[rule.condition] for rule in self.machine.rules]
-        return {name for name, truth in zip(names, truths, strict=True) if truth is T}
+        propositions = [
+            self._monitor._memory.truth_values[rule.condition] for rule in self.machine.rules
+        ]
+        return {
+            name for name, proposition in zip(names, propositions, strict=True) if proposition is T
+        }
 
-    def lost(self) -> set[str]:
+    def stale(self) -> set[str]:
         rules = self.machine.rules
-        memory = self._monitor._memory.truths
+        memory = self._monitor._memory.truth_values
         return {rule.name or "" for rule in rules if memory[rule.condition] is L}
 
 
@@ -134,12 +138,12 @@ def test_s82_elements_lie_in_a_zone() -> None:
     assert seen.by("/points", (5.0, 0.0), (0.5, 0.5)) == set()
 
 
-def test_s82_a_list_in_another_frame_is_lost() -> None:
+def test_s82_a_list_in_another_frame_is_stale() -> None:
     seen = Seen()
     seen.by("/points", (5.0, 0.0), (0.5, 0.5))
     seen.by("/poses", (5.0, 0.0))
-    assert seen.lost() == set()
+    assert seen.stale() == set()
     seen.by("/poses", (5.0, 0.0), frame="odom")
-    assert seen.lost() == {"near", "far"}
+    assert seen.stale() == {"near", "far"}
     seen.by("/points", (5.0, 0.0), frame="odom")
-    assert seen.lost() == {"near", "far", "many"}
+    assert seen.stale() == {"near", "far", "many"}

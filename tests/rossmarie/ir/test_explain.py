@@ -130,14 +130,14 @@ def test_ages_show_no_value() -> None:
 
 def test_conditions_lend_their_name_to_their_parts() -> None:
     story = Story("""
-        entity robot { far : x > 1 m and y > 1 m; lost : far or on; }
-        rule it: if robot.lost and not on then { stop; };
+        entity robot { far : x > 1 m and y > 1 m; stale : far or on; }
+        rule it: if robot.stale and not on then { stop; };
     """)
     story.send(1, x=2.0, y=3.0, on=0.0)
     assert [cause.name for cause in story.last().causes] == ["robot.far", "robot.far", None]
 
 
-def test_a_duration_around_several_conditions_is_told_as_a_whole() -> None:
+def test_a_duration_around_several_conditions_is_reported_as_a_whole() -> None:
     story = Story("rule it: if (x > 1 m and (y > 1 m or on)) for 2 sec then { stop; };")
     story.send(1, x=2.0, y=3.0, on=0.0)
     story.advance(9)
@@ -155,18 +155,18 @@ def test_what_cleared_it() -> None:
     assert explanation.lines() == ("x = 0.5 m, > 1 m, false since 2.000 s",)
 
 
-def test_a_lost_input_is_blamed_alone() -> None:
+def test_a_stale_input_is_blamed_alone() -> None:
     story = Story("rule it: if x > 1 m for 5 sec and y > 1 m then { stop; };")
     story.send(1, y=2.0)
     explanation = story.last()
-    assert explanation.change is Change.ACTIVATED_LOST
+    assert explanation.change is Change.ACTIVATED_STALE
     assert explanation.lines() == ("input x (/x) has never been received",)
     story.send(2, x=0.0)
     story.advance(30)
-    assert story.verdicts[-1].change is Change.ACTIVATED_LOST
+    assert story.verdicts[-1].change is Change.ACTIVATED_STALE
     # At 11 s the message of y reaches its timeout; x, which is not true, decides until 12 s.
     assert story.last().at_ns == 12 * SECOND
-    assert [lost.line() for lost in story.last().lost_inputs] == [
+    assert [stale.line() for stale in story.last().stale_inputs] == [
         "input x (/x) is older than its timeout",
         "input y (/y) is older than its timeout",
     ]
@@ -176,21 +176,21 @@ def test_an_input_that_sends_no_number() -> None:
     assert lines_of_rule("x > 1 m", x=math.nan)[0] == "input x (/x) has no usable value"
 
 
-def test_an_input_that_was_lost_is_blamed_as_long_as_it_counts() -> None:
+def test_an_input_that_was_stale_is_blamed_as_long_as_it_counts() -> None:
     story = Story("rule it: if count(edges of x > 1 m within 5 sec) > 1 and on then { stop; };")
     story.send(1, x=math.nan, on=0.0)
     story.send(2, x=2.0)
     story.send(3, on=1.0)
-    assert story.last().lines() == ("input x (/x) was lost earlier",)
+    assert story.last().lines() == ("input x (/x) was stale earlier",)
 
 
 def test_inputs_that_arrive_are_not_blamed() -> None:
     story = Story("rule it: if x + y > 1 m then { stop; };")
     story.send(1, x=2.0)
-    assert [lost.name for lost in story.last().lost_inputs] == ["y"]
+    assert [stale.name for stale in story.last().stale_inputs] == ["y"]
 
 
-def test_equal_causes_are_told_once() -> None:
+def test_equal_causes_are_reported_once() -> None:
     story = Story("rule it: if x > 1 m and (x > 1 m or on) then { stop; };")
     story.send(1, x=2.0)
     assert len(story.last().causes) == 1
@@ -211,21 +211,23 @@ def test_causes_decide(case: Case) -> None:
 def assert_causes_decide(machine: ir.Machine, verdict: Verdict) -> None:
     rule = machine.rules[verdict.rule]
     explanation = explain(machine, verdict)
-    told = dict(zip(rule.terms, verdict.truths, strict=True))
-    causes = {cause.truth: cause.value for cause in explanation.causes}
+    reported = dict(zip(rule.terms, verdict.truth_values, strict=True))
+    causes = {cause.proposition: cause.value for cause in explanation.causes}
     assert explanation.line() == explain(machine, verdict).line()
     outcome = value_from(machine, rule.condition, causes)
-    assert outcome is value_from(machine, rule.condition, told)
-    if verdict.change is Change.ACTIVATED_LOST:
-        assert explanation.lost_inputs
-        assert set(causes.values()) == {TruthValue.LOST}
+    assert outcome is value_from(machine, rule.condition, reported)
+    if verdict.change is Change.ACTIVATED_STALE:
+        assert explanation.stale_inputs
+        assert set(causes.values()) == {TruthValue.STALE}
 
 
-def value_from(machine: ir.Machine, truth: int, known: dict[int, TruthValue]) -> TruthValue | None:
-    """The value of a truth where only some are known; None if these do not decide it."""
-    if truth in known:
-        return known[truth]
-    match machine.truths[truth].node:
+def value_from(
+    machine: ir.Machine, proposition: int, known: dict[int, TruthValue]
+) -> TruthValue | None:
+    """The value of a proposition where only some are known; None if these do not decide it."""
+    if proposition in known:
+        return known[proposition]
+    match machine.propositions[proposition].node:
         case ir.Literal(value=value):
             return TruthValue(value)
         case ir.Not(operand=operand):
@@ -242,18 +244,18 @@ def junction(node: ir.And | ir.Or, values: list[TruthValue | None]) -> TruthValu
     if strong in values:
         return strong
     decided = [value for value in values if value is not None]
-    if TruthValue.LOST in decided or len(decided) == len(values):
+    if TruthValue.STALE in decided or len(decided) == len(values):
         return max(decided)
     return None
 
 
-def test_what_looks_back_in_time_is_told_as_it_was_written() -> None:
+def test_what_looks_back_in_time_is_reported_as_it_was_written() -> None:
     story = Story("rule it: if not after on, x > 3 m within 2 sec then { stop; };")
     story.send(1, on=1.0, x=1.0)
     story.send(2, on=0.0)
     story.advance(3.5)
-    told = "on = false, x = 1 m, not after on, x > 3 m within 2 sec, true since 3.000 s"
-    assert story.last().lines() == (told,)
+    reported = "on = false, x = 1 m, not after on, x > 3 m within 2 sec, true since 3.000 s"
+    assert story.last().lines() == (reported,)
     story = Story(
         "entity e { near : x < 3 m; } rule it: if once e.near within 2 sec then { stop; };"
     )
@@ -271,7 +273,7 @@ def test_a_verdict_has_no_parts_of_definitions() -> None:
         "rule it: if not after estop, battery > 3 V within 2 sec "
         "or (once estop within 1 sec) and (estop since battery > 9 V) then { stop; };"
     )
-    assert [machine.truths[term].text for term in machine.rules[0].terms] == [
+    assert [machine.propositions[term].text for term in machine.rules[0].terms] == [
         "estop",
         "battery > 3 V",
         "after estop, battery > 3 V within 2 sec",

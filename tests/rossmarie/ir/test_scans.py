@@ -211,6 +211,6 @@ def test_s73_each_beam_is_of_one_kind(seed: int) -> None:
     assert len(points[0]) + len(invalid[0]) + nothing == len(scan.ranges)
 
 
-def test_a_scan_is_told_by_its_fields() -> None:
+def test_a_scan_is_reported_by_its_fields() -> None:
     assert is_scan(truthful())
     assert not is_scan({"ranges": []})

@@ -41,10 +41,10 @@ def test_numbers_keep_every_bit() -> None:
 
 def test_spans_keep_their_sources() -> None:
     draft = Draft()
-    draft.truth(ir.Literal(True))
+    draft.proposition(ir.Literal(True))
     again = ir.machine_from_json(ir.machine_to_json(draft.machine()))
-    assert str(again.truths[0].span) == "draft.ross:1:1"
-    assert again.truths[0].span.text == "draft"
+    assert str(again.propositions[0].span) == "draft.ross:1:1"
+    assert again.propositions[0].span.text == "draft"
 
 
 def test_what_is_sent_keeps_its_kind() -> None:
@@ -78,14 +78,14 @@ def test_other_versions_are_refused() -> None:
     [
         (("machine", "rules"), 3),
         (("machine", "rules"), [{}]),
-        (("machine", "truths", 0, "node", "class"), "Rate"),
-        (("machine", "truths", 0, "node", "class"), "Nothing"),
-        (("machine", "truths", 0, "node", "comparison"), "=>"),
-        (("machine", "truths", 0, "node", "left"), 0.5),
-        (("machine", "truths", 0, "node", "left"), True),
-        (("machine", "truths", 0, "name"), 1),
-        (("machine", "truths", 0, "span"), [7, 0, 1]),
-        (("machine", "truths", 0, "span"), "here"),
+        (("machine", "propositions", 0, "node", "class"), "Rate"),
+        (("machine", "propositions", 0, "node", "class"), "Nothing"),
+        (("machine", "propositions", 0, "node", "comparison"), "=>"),
+        (("machine", "propositions", 0, "node", "left"), 0.5),
+        (("machine", "propositions", 0, "node", "left"), True),
+        (("machine", "propositions", 0, "name"), 1),
+        (("machine", "propositions", 0, "span"), [7, 0, 1]),
+        (("machine", "propositions", 0, "span"), "here"),
         (("machine", "signals", 1, "node", "value"), "1"),
         (("machine", "texts"), {}),
         (("machine", "rules", 0, "priority"), 1),

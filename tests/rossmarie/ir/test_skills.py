@@ -1,4 +1,4 @@
-"""Answers of the skills that run to questions, and messages that answer nothing."""
+"""Answers of the skills that run to queries, and messages that answer nothing."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rossmarie.ir import Doing, Quantity, SkillStep
 from rossmarie.ir.path import path_text, path_words
 from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, SkillProperty, answer
 from support.drafts import Draft
-from support.skill_contexts import DIGEST, crowd, random_context, random_question
+from support.skill_contexts import DIGEST, crowd, random_context, random_query
 
 FRAGILE = Doing(DIGEST, ("Push", "PushGently"), (("Object", ("skiros.Fragile", "skiros.Glass")),))
 PUSH = Doing(DIGEST, ("Push", "PushGently"))
@@ -131,7 +131,7 @@ def test_what_is_not_as_defined_is_not_known(name: str, wrong: object) -> None:
 
 
 @pytest.mark.parametrize("known", [None, 1, "True"])
-def test_what_is_ahead_is_not_known_by_anything_else_than_a_truth(known: object) -> None:
+def test_what_is_ahead_is_not_known_by_anything_else_than_a_proposition(known: object) -> None:
     message = SimpleNamespace(digest=DIGEST, running=[], ahead=[], is_ahead_known=known)
     assert math.isnan(answer(replace(PUSH, is_ahead=True), message))
     assert answer(PUSH, message) == 0.0
@@ -150,13 +150,13 @@ def test_a_skill_ahead_fits_by_what_is_known_of_it() -> None:
 @given(st.integers(0, 2**64))
 def test_the_order_of_skills_and_arguments_says_nothing(seed: int) -> None:
     random = Random(seed)
-    question, given = random_question(random), random_context(random)
+    query, given = random_query(random), random_context(random)
     turned = tuple(replace(each, arguments=each.arguments[::-1]) for each in given.running[::-1])
-    there, back = answer(question, given), answer(question, replace(given, running=turned))
+    there, back = answer(query, given), answer(query, replace(given, running=turned))
     assert there == back or (math.isnan(there) and math.isnan(back))
 
 
-def test_a_question_is_shown_as_it_is_written() -> None:
+def test_a_query_is_shown_as_it_is_written() -> None:
     shown = "doing Push or PushGently(Object: skiros.Fragile or skiros.Glass)"
     assert path_words((FRAGILE,)) == str(FRAGILE) == shown
     assert path_text((FRAGILE,)) == f".{shown}"
@@ -179,7 +179,7 @@ def asking(path: ir.Path, kind: ir.Kind) -> ir.Machine:
 
 
 @pytest.mark.parametrize("step", [FRAGILE, PUSH, WEIGHT, DEPTH])
-def test_a_question_is_kept_as_json(step: SkillStep) -> None:
+def test_a_query_is_kept_as_json(step: SkillStep) -> None:
     machine = asking((step,), FLAG if isinstance(step, Doing) else REAL)
     ir.verify(machine)
     assert ir.machine_from_json(ir.machine_to_json(machine)).slots == machine.slots
@@ -194,13 +194,13 @@ BACKWARDS = (("b", ("x",)), ("a", ("x",)))
     [
         ((PUSH,), REAL, "an answer of the kind real"),
         ((DEPTH,), FLAG, "a quantity of the kind flag"),
-        ((replace(DEPTH, is_truth=True),), REAL, "a quantity of the kind real"),
-        (("data", PUSH), FLAG, "a question to skills inside a message"),
+        ((replace(DEPTH, is_boolean=True),), REAL, "a quantity of the kind real"),
+        (("data", PUSH), FLAG, "a query to skills inside a message"),
         ((replace(PUSH, skills=()),), FLAG, NOT_SORTED),
         ((replace(WEIGHT, skills=("b", "a")),), REAL, NOT_SORTED),
         ((replace(PUSH, arguments=BACKWARDS),), FLAG, "unsorted parameters"),
     ],
 )
-def test_a_question_that_cannot_be_is_refused(path: ir.Path, kind: ir.Kind, said: str) -> None:
+def test_a_query_that_cannot_be_is_refused(path: ir.Path, kind: ir.Kind, said: str) -> None:
     with pytest.raises(ir.MalformedMachine, match=f"slot 0: {said}"):
         ir.verify(asking(path, kind))

@@ -15,10 +15,10 @@ def test_dump() -> None:
     x = draft.read(timeout_ns=SECOND // 4)
     element = draft.elements()
     least = draft.signal(ir.Fold(ir.Folding.MINIMUM, element), text="min(ranges)", unit="m")
-    near = draft.truth(
+    near = draft.proposition(
         ir.Compare(ir.Comparison.LESS, least, x), name="scan.near", text="min(ranges) < x"
     )
-    draft.rule(draft.truth(ir.Held(near, 3 * SECOND // 2)), latched=True)
+    draft.rule(draft.proposition(ir.Held(near, 3 * SECOND // 2)), latched=True)
     expected = (
         "machine scanner",
         "",
@@ -39,7 +39,7 @@ def test_dump() -> None:
         "",
         "t0 = s2 < s0                                 "
         "| scan.near: min(ranges) < x | draft.ross:1:1",
-        "t1 = t0 for 1.5 s                            | truth_1 | draft.ross:1:1",
+        "t1 = t0 for 1.5 s                            | proposition_1 | draft.ross:1:1",
         "",
         "rule rule_1 = if t1, latched                 | clears by contract | draft.ross:1:1",
         "  actions stop",
@@ -89,6 +89,6 @@ def test_every_task_has_its_line(machine: ir.Machine) -> None:
 @given(machines())
 def test_every_part_has_its_line(machine: ir.Machine) -> None:
     lines = ir.dump_text(machine).splitlines()
-    for letter, parts in (("s", machine.signals), ("t", machine.truths)):
+    for letter, parts in (("s", machine.signals), ("t", machine.propositions)):
         numbered = [line for line in lines if line.startswith(letter) and line[1].isdigit()]
         assert len(numbered) == len(parts)

@@ -51,7 +51,7 @@ def signal_after(*nodes: ir.SignalNode) -> str:
             ir.Sampled(ir.Sampling.PREVIOUS, -1),
             "signal 2 (Sampled): operand -1 does not stand before its user",
         ),
-        (ir.Count(0), "signal 2 (Count): there is no truth 0"),
+        (ir.Count(0), "signal 2 (Count): there is no proposition 0"),
         (ir.Apply(ir.Function.ADD, (0,)), "signal 2 (Apply): add of 1 operands"),
         (ir.Apply(ir.Function.NORM, ()), "signal 2 (Apply): norm of 0 operands"),
         (ir.Apply(ir.Function.ROLL, (0, 0, 0)), "signal 2 (Apply): roll of 3 operands"),
@@ -78,47 +78,47 @@ def test_beside_elements_stand_numbers_of_slots_and_constants() -> None:
 @pytest.mark.parametrize(
     ("node", "said"),
     [
-        (ir.Not(1), "truth 1 (Not): operand 1 does not stand before its user"),
-        (ir.Flag(2), "truth 1 (Flag): there is no signal 2"),
-        (ir.And((0,)), "truth 1 (And): 1 operands"),
-        (ir.Or(()), "truth 1 (Or): 0 operands"),
-        (ir.Held(0, 0), "truth 1 (Held): a duration of 0 ns"),
-        (ir.Held(0, 2**61), f"truth 1 (Held): a duration of {2**61} ns"),
-        (ir.AgeReaches(2, 1), "truth 1 (AgeReaches): there is no input 2"),
-        (ir.AgeReaches(0, 0), "truth 1 (AgeReaches): a duration of 0 ns"),
-        (ir.Recurs(1, 1, 1), "truth 1 (Recurs): operand 1 does not stand before its user"),
-        (ir.Recurs(0, 0, 1), "truth 1 (Recurs): 0 edges"),
-        (ir.Recurs(0, 1, 0), "truth 1 (Recurs): a duration of 0 ns"),
-        (ir.Oscillates(0, 0, 1, 0.0), "truth 1 (Oscillates): 0 turning points"),
-        (ir.Oscillates(0, 1, -1, 0.0), "truth 1 (Oscillates): a duration of -1 ns"),
-        (ir.Oscillates(0, 1, 1, -1.0), "truth 1 (Oscillates): a swing of -1.0"),
-        (ir.Oscillates(0, 1, 1, math.inf), "truth 1 (Oscillates): inf is not finite"),
-        (ir.Oscillates(1, 1, 1, 0.0), "truth 1 (Oscillates): operand 1 is elementwise"),
-        (ir.Quantified(ir.Quantifier.ANY, 0), "truth 1 (Quantified): quantifies no elements"),
-        (ir.Flag(0), "truth 1 (Flag): tests a real"),
+        (ir.Not(1), "proposition 1 (Not): operand 1 does not stand before its user"),
+        (ir.Flag(2), "proposition 1 (Flag): there is no signal 2"),
+        (ir.And((0,)), "proposition 1 (And): 1 operands"),
+        (ir.Or(()), "proposition 1 (Or): 0 operands"),
+        (ir.Held(0, 0), "proposition 1 (Held): a duration of 0 ns"),
+        (ir.Held(0, 2**61), f"proposition 1 (Held): a duration of {2**61} ns"),
+        (ir.AgeReaches(2, 1), "proposition 1 (AgeReaches): there is no input 2"),
+        (ir.AgeReaches(0, 0), "proposition 1 (AgeReaches): a duration of 0 ns"),
+        (ir.Recurs(1, 1, 1), "proposition 1 (Recurs): operand 1 does not stand before its user"),
+        (ir.Recurs(0, 0, 1), "proposition 1 (Recurs): 0 edges"),
+        (ir.Recurs(0, 1, 0), "proposition 1 (Recurs): a duration of 0 ns"),
+        (ir.Oscillates(0, 0, 1, 0.0), "proposition 1 (Oscillates): 0 turning points"),
+        (ir.Oscillates(0, 1, -1, 0.0), "proposition 1 (Oscillates): a duration of -1 ns"),
+        (ir.Oscillates(0, 1, 1, -1.0), "proposition 1 (Oscillates): a swing of -1.0"),
+        (ir.Oscillates(0, 1, 1, math.inf), "proposition 1 (Oscillates): inf is not finite"),
+        (ir.Oscillates(1, 1, 1, 0.0), "proposition 1 (Oscillates): operand 1 is elementwise"),
+        (ir.Quantified(ir.Quantifier.ANY, 0), "proposition 1 (Quantified): quantifies no elements"),
+        (ir.Flag(0), "proposition 1 (Flag): tests a real"),
     ],
 )
-def test_truths(node: ir.TruthNode, said: str) -> None:
+def test_propositions(node: ir.PropositionNode, said: str) -> None:
     draft = Draft()
     x = draft.read()
     draft.elements()
-    draft.truth(ir.Compare(ir.Comparison.LESS, x, x))
-    draft.truth(node)
+    draft.proposition(ir.Compare(ir.Comparison.LESS, x, x))
+    draft.proposition(node)
     assert refused(draft) == said
 
 
-def test_elementwise_truths_stay_below_folds() -> None:
+def test_elementwise_propositions_stay_below_folds() -> None:
     draft = Draft()
     element = draft.elements()
     on_elements = draft.above(element, 0.0)
-    draft.truth(ir.Held(on_elements, 1))
-    assert refused(draft) == "truth 1 (Held): operand 0 is elementwise"
-    draft.truths[-1] = dataclasses.replace(draft.truths[-1], node=ir.Literal(True))
-    draft.truth(ir.And((on_elements, 1)))
+    draft.proposition(ir.Held(on_elements, 1))
+    assert refused(draft) == "proposition 1 (Held): operand 0 is elementwise"
+    draft.propositions[-1] = dataclasses.replace(draft.propositions[-1], node=ir.Literal(True))
+    draft.proposition(ir.And((on_elements, 1)))
     ir.verify(draft.machine())
-    draft.truth(ir.AgeReaches(0, 1))
-    draft.truth(ir.And((on_elements, 3)))
-    assert refused(draft) == "truth 4 (And): operand 3 is not elementwise"
+    draft.proposition(ir.AgeReaches(0, 1))
+    draft.proposition(ir.And((on_elements, 3)))
+    assert refused(draft) == "proposition 4 (And): operand 3 is not elementwise"
 
 
 def test_elements_of_two_arrays_do_not_meet() -> None:
@@ -134,8 +134,8 @@ def test_what_is_counted_stands_before_the_count() -> None:
     draft.signal(ir.Count(counted))
     ir.verify(draft.machine())
     draft.signals[1], draft.signals[2] = draft.signals[2], draft.signals[1]
-    draft.truths[0] = dataclasses.replace(
-        draft.truths[0], node=ir.Compare(ir.Comparison.GREATER, element, 2)
+    draft.propositions[0] = dataclasses.replace(
+        draft.propositions[0], node=ir.Compare(ir.Comparison.GREATER, element, 2)
     )
     assert refused(draft) == "signal 1 (Count): operand 2 does not stand before its user"
 
@@ -144,12 +144,12 @@ def test_texts_are_compared_with_literals_only() -> None:
     draft = Draft(texts=("docked",))
     one, other = (draft.read(kind=ir.Kind.TEXT) for _ in range(2))
     literal = draft.constant(0.0)
-    draft.truth(ir.Compare(ir.Comparison.EQUAL, one, literal))
+    draft.proposition(ir.Compare(ir.Comparison.EQUAL, one, literal))
     ir.verify(draft.machine())
     for comparison, right in ((ir.Comparison.LESS, literal), (ir.Comparison.EQUAL, other)):
-        draft.truth(ir.Compare(comparison, one, right))
-        assert refused(draft) == "truth 1 (Compare): operand 0 is a text"
-        draft.truths.pop()
+        draft.proposition(ir.Compare(comparison, one, right))
+        assert refused(draft) == "proposition 1 (Compare): operand 0 is a text"
+        draft.propositions.pop()
 
 
 def test_flags_are_no_numbers() -> None:
@@ -177,9 +177,9 @@ def test_inputs() -> None:
 @pytest.mark.parametrize(
     ("change", "said"),
     [
-        ({"condition": 9}, "there is no truth 9"),
-        ({"release": -1}, "there is no truth -1"),
-        ({"condition": 0}, "truth 0 is elementwise"),
+        ({"condition": 9}, "there is no proposition 9"),
+        ({"release": -1}, "there is no proposition -1"),
+        ({"condition": 0}, "proposition 0 is elementwise"),
         ({"terms": ()}, "wrong terms"),
         ({"signals": (0,)}, "wrong signals"),
         ({"inputs": ()}, "wrong inputs"),
@@ -187,8 +187,8 @@ def test_inputs() -> None:
 )
 def test_rules(change: dict[str, Any], said: str) -> None:
     draft = Draft()
-    some = draft.truth(ir.Quantified(ir.Quantifier.ANY, draft.above(draft.elements(), 0.0)))
-    draft.rule(draft.truth(ir.Held(some, SECOND)))
+    some = draft.proposition(ir.Quantified(ir.Quantifier.ANY, draft.above(draft.elements(), 0.0)))
+    draft.rule(draft.proposition(ir.Held(some, SECOND)))
     ir.verify(draft.machine())
     draft.rules[0] = dataclasses.replace(draft.rules[0], **change)
     assert refused(draft) == f"rule 0 (rule_1): {said}"
@@ -197,6 +197,6 @@ def test_rules(change: dict[str, Any], said: str) -> None:
 def test_rule_names_are_unique() -> None:
     draft = Draft()
     for _ in range(2):
-        draft.rule(draft.truth(ir.Literal(True)))
+        draft.rule(draft.proposition(ir.Literal(True)))
     draft.rules[1] = dataclasses.replace(draft.rules[1], name="rule_1")
     assert refused(draft) == "rule rule_1: there are 2 of this name"

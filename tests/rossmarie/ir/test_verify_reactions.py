@@ -37,7 +37,10 @@ def test_rules_that_do_nothing_pass() -> None:
 
 @pytest.mark.parametrize(
     ("watches", "said"),
-    [((99,), "watch 0: there is no truth 99"), ((-1,), "watch 0: there is no truth -1")],
+    [
+        ((99,), "watch 0: there is no proposition 99"),
+        ((-1,), "watch 0: there is no proposition -1"),
+    ],
 )
 def test_watches(watches: tuple[int, ...], said: str) -> None:
     assert refused(FOUND, watches) == said
@@ -47,7 +50,7 @@ def test_watches_are_not_elementwise() -> None:
     draft = Draft()
     near = draft.above(draft.elements(), 0.5)
     machine = replace(draft.machine(), watches=(near,))
-    with pytest.raises(ir.MalformedMachine, match="watch 0: truth 0 is elementwise"):
+    with pytest.raises(ir.MalformedMachine, match="watch 0: proposition 0 is elementwise"):
         ir.verify(machine)
 
 

@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rossmarie import ir
-from rossmarie.ir.calls import covering, question_at
+from rossmarie.ir.calls import covering, query_at
 from rossmarie.ir.skills import RunningSkill, SkillArgument, SkillContext, answer
 from rossmarie.lowering import calls
 from rossmarie.skills import Closure, parse_skills, read_text
@@ -21,7 +21,7 @@ from support.rule_skills import DIGEST, FILE, HEAD, content
 SKILLS = parse_skills(read_text(FILE))
 BELOW = Closure({name: each.parents for name, each in SKILLS.classes.items()})
 
-QUESTIONS = (
+QUERIES = (
     "doing Move",
     "doing Drive(Target: Shelf)",
     "doing Push",
@@ -52,32 +52,32 @@ def contexts(draw: st.DrawFn) -> SkillContext:
     return SkillContext.of(DIGEST, found)
 
 
-def machine_asking(questions: list[str]) -> ir.Machine:
-    return machine_of(HEAD + f"rule it: if {' or '.join(questions)} then {{ stop; }};")
+def machine_asking(queries: list[str]) -> ir.Machine:
+    return machine_of(HEAD + f"rule it: if {' or '.join(queries)} then {{ stop; }};")
 
 
 def steps_of(machine: ir.Machine) -> list[ir.Doing]:
-    found = (question_at(slot.path) for slot in machine.slots)
+    found = (query_at(slot.path) for slot in machine.slots)
     return [step for step in found if step is not None]
 
 
 @settings(max_examples=examples(2))
-@given(st.lists(st.sampled_from(QUESTIONS), min_size=1, unique=True), contexts())
+@given(st.lists(st.sampled_from(QUERIES), min_size=1, unique=True), contexts())
 def test_what_skills_answer_is_what_some_calls_answer(
-    questions: list[str], context: SkillContext
+    queries: list[str], context: SkillContext
 ) -> None:
-    machine = machine_asking(questions)
+    machine = machine_asking(queries)
     wanted = {step: answer(step, context) == 1.0 for step in steps_of(machine)}
     chosen = covering(machine.calls, wanted)
     assert chosen is not None
-    told = SkillContext.of(DIGEST, [call.running for call in chosen])
-    assert {step: answer(step, told) == 1.0 for step in wanted} == wanted
+    reported = SkillContext.of(DIGEST, [call.running for call in chosen])
+    assert {step: answer(step, reported) == 1.0 for step in wanted} == wanted
 
 
 @settings(max_examples=examples(1))
-@given(st.lists(st.sampled_from(QUESTIONS), min_size=1, unique=True))
-def test_no_two_calls_answer_the_same(questions: list[str]) -> None:
-    machine = machine_asking(questions)
+@given(st.lists(st.sampled_from(QUERIES), min_size=1, unique=True))
+def test_no_two_calls_answer_the_same(queries: list[str]) -> None:
+    machine = machine_asking(queries)
     answers = [tuple(call.answers(step) for step in steps_of(machine)) for call in machine.calls]
     assert len(set(answers)) == len(answers)
     assert all(map(any, answers))
@@ -100,9 +100,9 @@ def test_a_thing_may_be_of_several_classes(tmp_path: Path) -> None:
     chest = {**found["classes"][0], "name": "toys.Chest"}
     found["classes"].append({**chest, "parents": ["skiros.Product", "toys.Box"]})
     (tmp_path / "skills.json").write_text(json.dumps(found), encoding="utf-8")
-    questions = ["doing Push(Object: toys.Box)", "doing Push(Object: Chest)"]
+    queries = ["doing Push(Object: toys.Box)", "doing Push(Object: Chest)"]
     head = HEAD.replace(str(FILE), str(tmp_path / "skills.json"))
-    machine = machine_of(f"{head} rule it: if {' or '.join(questions)} then {{ stop; }};")
+    machine = machine_of(f"{head} rule it: if {' or '.join(queries)} then {{ stop; }};")
     box, chest_step = steps_of(machine)
     (call,) = covering(machine.calls, {box: True, chest_step: False}) or ()
     assert call.types == (("Object", "skiros.Product"), ("Object", "toys.Box"))

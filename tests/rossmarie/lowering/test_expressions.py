@@ -11,8 +11,8 @@ from support.compiled import (
     constant,
     machine_of_condition,
     machine_of_rules,
+    proposition_node,
     signal_node,
-    truth_node,
 )
 
 SECOND = 1_000_000_000
@@ -38,7 +38,7 @@ def test_a_comparison_of_constants_is_a_literal() -> None:
         const limit = 3 V;
         rule it: if limit > 2 V or battery > limit then { stop; };
     """)
-    assert machine.truths[machine.rules[0].condition].node == ir.Literal(True)
+    assert machine.propositions[machine.rules[0].condition].node == ir.Literal(True)
 
 
 def test_what_is_true_goes_without_saying() -> None:
@@ -49,7 +49,7 @@ def test_what_is_true_goes_without_saying() -> None:
     """)
     first, second = machine.rules
     assert first.condition == second.condition
-    assert isinstance(machine.truths[first.condition].node, ir.Compare)
+    assert isinstance(machine.propositions[first.condition].node, ir.Compare)
 
 
 def test_chains_are_flat_and_equal_parts_once() -> None:
@@ -57,7 +57,7 @@ def test_chains_are_flat_and_equal_parts_once() -> None:
         "battery > 1 V and (battery > 2 V and estop) and battery > 1 V and battery < 9 V",
         ir.And,
     )
-    assert [machine.truths[operand].text for operand in node.operands] == [
+    assert [machine.propositions[operand].text for operand in node.operands] == [
         "battery > 1 V",
         "battery > 2 V",
         "estop",
@@ -107,7 +107,7 @@ def test_previous_and_rate() -> None:
     nodes = [signal.node for signal in machine.signals]
     kinds = [node.function for node in nodes if isinstance(node, ir.Sampled)]
     assert (kinds.count(ir.Sampling.PREVIOUS), kinds.count(ir.Sampling.RATE)) == (3, 1)
-    far = truth_node(machine, node.operands[0], ir.Compare)
+    far = proposition_node(machine, node.operands[0], ir.Compare)
     norm = signal_node(machine, far.left, ir.Apply)
     assert norm.function is Function.NORM
     parts = [signal_node(machine, part, ir.Apply) for part in norm.operands]
@@ -118,23 +118,23 @@ def test_elementwise_conditions() -> None:
     machine, node = condition(
         "any(abs(scan.ranges - 2 m) < 0.5 m) or count(scan.ranges < 1 m) > 3", ir.Or
     )
-    some = truth_node(machine, node.operands[0], ir.Quantified)
-    many = truth_node(machine, node.operands[1], ir.Compare)
+    some = proposition_node(machine, node.operands[0], ir.Quantified)
+    many = proposition_node(machine, node.operands[1], ir.Compare)
     assert some.quantifier is ir.Quantifier.ANY
     arrays = ir.element_arrays(machine)
     count = signal_node(machine, many.left, ir.Count)
-    assert (arrays.truths[some.element], arrays.truths[count.element]) == (0, 0)
+    assert (arrays.propositions[some.element], arrays.propositions[count.element]) == (0, 0)
 
 
-def ends_of(machine: ir.Machine, truth: int) -> list[float]:
+def ends_of(machine: ir.Machine, proposition: int) -> list[float]:
     """The low and the high end of a range."""
-    node = truth_node(machine, truth, ir.Between)
+    node = proposition_node(machine, proposition, ir.Between)
     return [constant(machine, node.low), constant(machine, node.high)]
 
 
 def test_interval() -> None:
     machine, node = condition("battery not in [10, 14] V", ir.Not)
-    assert machine.truths[node.operand].text == "battery in [10, 14] V"
+    assert machine.propositions[node.operand].text == "battery in [10, 14] V"
     assert ends_of(machine, node.operand) == [10.0, 14.0]
 
 
@@ -142,7 +142,7 @@ def test_box() -> None:
     machine, node = condition("odom.pose.pose.position in [-80, 10, 65, -20, 50, 130] cm", ir.And)
     ends = [ends_of(machine, operand) for operand in node.operands]
     assert ends == [[-0.8, 0.1], [-0.2, 0.65], [0.5, 1.3]]
-    side = machine.truths[node.operands[1]]
+    side = machine.propositions[node.operands[1]]
     assert side.text == "odom.pose.pose.position.y in [-20, 65] cm"
 
 
@@ -158,9 +158,11 @@ def test_box() -> None:
 )
 def test_age(text: str, negated: bool, age_ns: int, inner: str) -> None:
     machine = machine_of_condition(text)
-    node = machine.truths[machine.rules[0].condition].node
+    node = machine.propositions[machine.rules[0].condition].node
     assert isinstance(node, ir.Not) == negated
-    reached = machine.truths[node.operand] if isinstance(node, ir.Not) else machine.truths[0]
+    reached = (
+        machine.propositions[node.operand] if isinstance(node, ir.Not) else machine.propositions[0]
+    )
     assert reached.node == ir.AgeReaches(0, age_ns)
     assert reached.text == inner
 
@@ -188,49 +190,49 @@ def test_oscillates() -> None:
         ("{} != 0", [ir.Recurs(0, 1, SECOND)]),
     ],
 )
-def test_edges(comparison: str, nodes: list[ir.TruthNode]) -> None:
+def test_edges(comparison: str, nodes: list[ir.PropositionNode]) -> None:
     machine = machine_of_condition(comparison.format("count(edges of estop within 1 sec)"))
-    found = [each.node for each in machine.truths if not isinstance(each.node, ir.Literal)]
+    found = [each.node for each in machine.propositions if not isinstance(each.node, ir.Literal)]
     assert found == [ir.Flag(0), *nodes]
 
 
 def test_what_is_never_true_has_no_edges() -> None:
     machine = machine_of_condition("estop or count(edges of 1 > 2 within 1 sec) > 0")
-    assert not any(isinstance(truth.node, ir.Recurs) for truth in machine.truths)
+    assert not any(isinstance(proposition.node, ir.Recurs) for proposition in machine.propositions)
 
 
 def test_changed_is_a_comparison_with_the_sample_before() -> None:
     machine = machine_of_condition("changed(battery)")
-    changed = machine.truths[machine.rules[0].condition]
+    changed = machine.propositions[machine.rules[0].condition]
     assert changed.text == "changed(battery)"
     assert changed.node == ir.Compare(ir.Comparison.NOT_EQUAL, 0, 1)
     assert machine.signals[1].node == ir.Sampled(ir.Sampling.PREVIOUS, 0)
     machine = machine_of_condition("changed(imu.angular_velocity)")
-    node = machine.truths[machine.rules[0].condition].node
+    node = machine.propositions[machine.rules[0].condition].node
     assert isinstance(node, ir.Or)
-    texts = [machine.truths[each].text for each in node.operands]
+    texts = [machine.propositions[each].text for each in node.operands]
     assert texts == [f"changed(imu.angular_velocity.{axis})" for axis in "xyz"]
 
 
 def test_words_stand_on_one_line_without_comments() -> None:
     machine = machine_of_condition('battery // the main one\n   > 3 V and mode == "a  // b"')
-    assert machine.truths[-2].text == 'battery > 3 V and mode == "a  // b"'
+    assert machine.propositions[-2].text == 'battery > 3 V and mode == "a  // b"'
 
 
 def test_a_backslash_is_no_escape_in_a_text() -> None:
     condition = r"""mode == "C:\" or mode == "b // \""""
     machine = machine_of_condition(f"{condition}  // a comment\n")
-    assert machine.truths[machine.rules[0].condition].text == condition
+    assert machine.propositions[machine.rules[0].condition].text == condition
 
 
-def test_truths_of_constants_are_folded() -> None:
+def test_propositions_of_constants_are_folded() -> None:
     rules = """
         const docked = "docked"
         const guarded = not (1 < 2 and docked != "away")
         if guarded or estop then { stop; };
     """
     machine = machine_of_rules(rules)
-    assert machine.truths[machine.rules[0].condition].node == ir.Flag(0)
+    assert machine.propositions[machine.rules[0].condition].node == ir.Flag(0)
 
 
 def test_constants_stay_apart_by_unit_and_sign_of_zero() -> None:

@@ -14,14 +14,14 @@ from support.compiled import (
     machine_of,
     machine_of_condition,
     machine_of_rules,
-    truth_node,
+    proposition_node,
 )
 
 SECOND = 1_000_000_000
 
 
 def names_of(machine: ir.Machine) -> list[str | None]:
-    return [truth.name for truth in machine.truths]
+    return [proposition.name for proposition in machine.propositions]
 
 
 # --- inputs ----------------------------------------------------------------------------------
@@ -97,14 +97,14 @@ def test_arrays() -> None:
 
 def test_texts_and_flags() -> None:
     machine, node = condition('"docked" != mode and not estop', ir.And)
-    text = truth_node(machine, node.operands[0], ir.Compare)
-    negation = truth_node(machine, node.operands[1], ir.Not)
+    text = proposition_node(machine, node.operands[0], ir.Compare)
+    negation = proposition_node(machine, node.operands[1], ir.Not)
     assert machine.texts == ("docked",)
     assert [slot.kind for slot in machine.slots] == [ir.Kind.TEXT, ir.Kind.FLAG]
     assert text.comparison is Comparison.NOT_EQUAL
     assert machine.signals[text.left].node == ir.Read(0)
     assert constant(machine, text.right) == 0.0
-    assert isinstance(machine.truths[negation.operand].node, ir.Flag)
+    assert isinstance(machine.propositions[negation.operand].node, ir.Flag)
 
 
 # --- conditions ------------------------------------------------------------------------------
@@ -122,7 +122,7 @@ def test_conditions_keep_their_names() -> None:
     """.replace("low and estop for 2 sec", "(low and estop) for 2 sec")
     )
     assert [name for name in names_of(machine) if name] == ["power.low", "power.bad"]
-    assert [machine.truths[term].text for term in machine.rules[0].terms] == [
+    assert [machine.propositions[term].text for term in machine.rules[0].terms] == [
         "battery < 11 V",
         "estop",
         "(low and estop) for 2 sec",
@@ -182,7 +182,7 @@ def test_rules_have_names_by_position() -> None:
 def test_contracts(contract: str, text: str) -> None:
     machine = machine_of_rules(f"if battery > 1 V then {{ stop; }} {contract};")
     (rule,) = machine.rules
-    release = None if rule.release is None else machine.truths[rule.release].node
+    release = None if rule.release is None else machine.propositions[rule.release].node
     match contract:
         case "":
             assert release == ir.Literal(True)
@@ -191,7 +191,7 @@ def test_contracts(contract: str, text: str) -> None:
         case "clear for 2.0 sec":
             assert isinstance(release, ir.Held)
             assert release.duration_ns == 2 * SECOND
-            assert machine.truths[release.operand].node == ir.Not(rule.condition)
+            assert machine.propositions[release.operand].node == ir.Not(rule.condition)
         case _:
             assert release is None
     assert rule.contract == text

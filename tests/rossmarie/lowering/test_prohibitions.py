@@ -88,13 +88,13 @@ def without(rules: str) -> tuple[str, ...]:
         for task in machine_of(rules).reactions.tasks
         if isinstance(task.effect, reactions.SendGoal) and task.effect.server == "/recovery"
     ]
-    (told,) = set(found)
-    assert isinstance(told, tuple)
-    return tuple(map(str, told))
+    (reported,) = set(found)
+    assert isinstance(reported, tuple)
+    return tuple(map(str, reported))
 
 
 @pytest.mark.parametrize(
-    ("condition", "told"),
+    ("condition", "reported"),
     [
         ("doing Drive(Target: Corridor)", IN_CORRIDOR),
         ("(doing Drive(Target: Corridor))", IN_CORRIDOR),
@@ -117,16 +117,16 @@ def without(rules: str) -> tuple[str, ...]:
         ("force > 5 N", ()),
     ],
 )
-def test_s68_a_question_that_alone_makes_a_condition_true(
-    tmp_path: Path, condition: str, told: tuple[str, ...]
+def test_s68_a_query_that_alone_makes_a_condition_true(
+    tmp_path: Path, condition: str, reported: tuple[str, ...]
 ) -> None:
     zone = "entity zone { here : doing Drive(Target: Corridor); }"
     rules = f"{head(tmp_path)}{zone}\nrule it: if {condition} then {{ halt; }};"
-    assert without(rules) == told
+    assert without(rules) == reported
 
 
 @pytest.mark.parametrize(
-    ("rule", "is_told"),
+    ("rule", "is_reported"),
     [
         ("if IT then { halt; } clear for 1 sec", True),
         ("if IT then { stand; }", True),
@@ -146,11 +146,11 @@ def test_s68_a_question_that_alone_makes_a_condition_true(
     ],
 )
 def test_s68_what_is_taken_away_at_once_and_for_as_long(
-    tmp_path: Path, rule: str, is_told: bool
+    tmp_path: Path, rule: str, is_reported: bool
 ) -> None:
     rule = rule.replace("IT", "doing Drive(Target: Corridor)")
     found = without(f"{head(tmp_path)}rule it: {rule};")
-    assert found == (IN_CORRIDOR if is_told else ())
+    assert found == (IN_CORRIDOR if is_reported else ())
 
 
 @pytest.mark.parametrize("action", ["away", "home"])
@@ -175,7 +175,7 @@ DRIVE, PUSH = step("Drive", Target="A", Speed="0.3"), step("Push", Object="A")
 
 
 @pytest.mark.parametrize(
-    ("trees", "told"),
+    ("trees", "reported"),
     [
         ([control("serial", PUSH, DRIVE)], ("Outer",)),
         ([control("selector", DRIVE, control("retry", DRIVE))], ("Outer",)),
@@ -187,11 +187,11 @@ DRIVE, PUSH = step("Drive", Target="A", Speed="0.3"), step("Push", Object="A")
     ],
 )
 def test_s68_a_compound_needs_what_its_skills_need(
-    tmp_path: Path, trees: list[dict[str, Any]], told: tuple[str, ...]
+    tmp_path: Path, trees: list[dict[str, Any]], reported: tuple[str, ...]
 ) -> None:
     """Whichever way it takes: each tree is one."""
     rules = head(tmp_path, compound("Outer", *trees))
-    assert without(f"{rules}rule it: if doing Outer then {{ halt; }};") == told
+    assert without(f"{rules}rule it: if doing Outer then {{ halt; }};") == reported
 
 
 # --- what it means -------------------------------------------------------------------------------
@@ -227,8 +227,8 @@ def test_s68_such_a_rule_is_active_whenever_the_skill_runs(
 ) -> None:
     """Whatever else runs, and whatever was before."""
     rules = f"{head(tmp_path_factory.mktemp('rules'))}rule it: if {condition} then {{ halt; }};"
-    told = without(rules)
-    if not told:
+    reported = without(rules)
+    if not reported:
         return
     robot = Robot("", machine_of(rules))
     for at in range(data.draw(st.integers(1, 4))):
@@ -238,8 +238,8 @@ def test_s68_such_a_rule_is_active_whenever_the_skill_runs(
         robot.tell(at / 2, *others, *drives, force=data.draw(st.sampled_from([0.0, 9.0])))
         stopped = {CORRIDOR: [CORRIDOR], SCHOOL: [SCHOOL, CORRIDOR], CHARGER: [CHARGER]}
         names = {"Drive", *(f"Drive(Target={each})" for each in stopped.get(kind or "", []))}
-        if drives and names.intersection(told):
-            assert "it" in robot.active(), (condition, told)
+        if drives and names.intersection(reported):
+            assert "it" in robot.active(), (condition, reported)
 
 
 # --- compounds -----------------------------------------------------------------------------------
@@ -320,28 +320,28 @@ def test_s68_a_compound_that_cannot_do_without(
     tmp_path_factory: pytest.TempPathFactory,
     inner: list[dict[str, Any]],
     outer: list[dict[str, Any]],
-    questions: list[str],
+    queries: list[str],
 ) -> None:
-    """For all things: what is told is what no outcome of the other skills makes succeed."""
+    """For all things: what is reported is what no outcome of the other skills makes succeed."""
     ways = {"Inner": inner, "Outer": outer}
     rules = head(tmp_path_factory.mktemp("rules"), *(compound(name, *ways[name]) for name in ways))
-    for number, each in enumerate(questions):
+    for number, each in enumerate(queries):
         rules += f"rule it_{number}: if doing {each} then {{ halt; }};\n"
-    told = without(rules)
+    reported = without(rules)
     always = Stopped({ALWAYS})
     stopped = Stopped(
-        {kind for each in questions for kind in STOPPED.get(each, ())},
-        {each for each in questions if each in ways and not can_succeed(each, ways, {}, always)},
+        {kind for each in queries for kind in STOPPED.get(each, ())},
+        {each for each in queries if each in ways and not can_succeed(each, ways, {}, always)},
     )
     for skill, (one, other) in itertools.product(ways, itertools.product(KINDS, KINDS)):
         things = {"A": one, "B": other}
         can = can_succeed(skill, ways, things, stopped)
-        assert is_told(skill, things, told) is not can, (skill, one, other, told)
+        assert is_reported(skill, things, reported) is not can, (skill, one, other, reported)
 
 
-def is_told(skill: str, things: Mapping[str, str], told: Sequence[str]) -> bool:
+def is_reported(skill: str, things: Mapping[str, str], reported: Sequence[str]) -> bool:
     above = {CORRIDOR: {CORRIDOR}, SCHOOL: {SCHOOL, CORRIDOR}, CHARGER: {CHARGER}}
-    for each in told:
+    for each in reported:
         name, _, limits = each.partition("(")
         pairs = [pair.split("=") for pair in limits.strip(")").split(", ") if pair]
         if name == skill and all(kind in above[things[it]] for it, kind in pairs):

@@ -148,7 +148,7 @@ def test_a_confirmation_is_watched_once() -> None:
         "cancel /b confirm by speed < 0.1 m/s else stop; }\nif speed > 1 m/s then { halt; };"
     )
     (watched,) = machine.watches
-    assert machine.truths[watched].text == "speed < 0.1 m/s"
+    assert machine.propositions[watched].text == "speed < 0.1 m/s"
     effects = [task.effect for task in machine.reactions.tasks][:2]
     assert [isinstance(one, reactions.CancelGoal) and one.confirmation for one in effects] == [0, 0]
 
@@ -167,7 +167,7 @@ def test_poses_are_read_once_and_remembered_once_for_each_way_to_remember_them()
         reactions.Memory((0, 1, 2), 9, 0.01, 1_000_000_000),
     )
     (watched,) = machine.watches
-    assert machine.truths[watched].text == "all of tip is known"
+    assert machine.propositions[watched].text == "all of tip is known"
     effects = [task.effect for task in machine.reactions.tasks]
     found = [
         (each.memory, each.period_ns, each.numbers[0])

@@ -16,7 +16,7 @@ CONTACT = "rule contact: if force > 5 N then { stop; }"
 
 
 def doing(rules: str, skill: str = "") -> list[ir.Doing]:
-    """The questions of rules, in the order of the machine."""
+    """The queries of rules, in the order of the machine."""
     steps = (slot.path[0] for slot in machine_of(HEAD + rules).slots)
     return [step for step in steps if isinstance(step, ir.Doing) and skill in step.written]
 
@@ -24,7 +24,7 @@ def doing(rules: str, skill: str = "") -> list[ir.Doing]:
 # --- S58 ---------------------------------------------------------------------------------------
 
 
-def test_s58_a_question_asks_for_all_that_is_derived() -> None:
+def test_s58_a_query_asks_for_all_that_is_derived() -> None:
     rule = "rule it: if doing Move and doing Push(Object: Fragile) then { stop; };"
     move, push = doing(rule)
     assert (move.skills, move.arguments) == (("Drive", "Move"), ())
@@ -33,7 +33,7 @@ def test_s58_a_question_asks_for_all_that_is_derived() -> None:
     assert str(push) == "doing Push(Object: Fragile)"
 
 
-def test_s58_the_flag_is_one_truth_of_all_skills_that_run() -> None:
+def test_s58_the_flag_is_one_boolean_of_all_skills_that_run() -> None:
     robot = Robot("rule it: if doing Push(Object: Fragile) then { stop; };")
     robot.tell(0, PUSH, running("Drive"))
     assert robot.active() == set()
@@ -69,7 +69,7 @@ def test_s58_a_number_is_that_of_the_one_skill_that_runs() -> None:
     ("number", "active"),
     [(1.0, {"it"}), (0.0, {"no"}), (-0.0, {"no"}), (0.25, {"it", "no"}), (-1.0, {"it", "no"})],
 )
-def test_s58_a_truth_of_a_skill_is_0_or_1(number: float, active: set[str]) -> None:
+def test_s58_a_boolean_of_a_skill_is_0_or_1(number: float, active: set[str]) -> None:
     robot = Robot("""
     input gently = doing Push.Gently;
     rule it: if gently then { stop; };
@@ -82,7 +82,7 @@ def test_s58_a_truth_of_a_skill_is_0_or_1(number: float, active: set[str]) -> No
 # --- S67 ---------------------------------------------------------------------------------------
 
 
-def test_s67_a_question_about_what_can_start_next() -> None:
+def test_s67_a_query_about_what_can_start_next() -> None:
     robot = Robot("rule it: if ahead Push(Object: Fragile) then { stop; };")
     robot.tell(0, FRAGILE, ahead("Drive"), ahead("Push", Object="skiros.Box"))
     assert robot.active() == set()
@@ -99,7 +99,7 @@ def test_s67_a_value_that_nobody_knows_fits_every_class() -> None:
 
 
 def test_s67_nobody_knows_what_is_ahead() -> None:
-    """It is lost for as long as that, and what runs is known."""
+    """It is stale for as long as that, and what runs is known."""
     robot = Robot("""
     rule next: if ahead Push then { stop; };
     rule now: if doing Push then { stop; };
@@ -115,7 +115,7 @@ def test_s67_nobody_knows_what_is_ahead() -> None:
 # --- S59 ---------------------------------------------------------------------------------------
 
 
-def test_s59_the_context_is_lost_after_five_periods() -> None:
+def test_s59_the_context_is_stale_after_five_periods() -> None:
     head = HEAD.replace(" timeout 1 sec", "")
     machine = machine_of(head + "rule it: if doing Push then { stop; };")
     assert [(used.name, used.timeout_ns) for used in machine.inputs] == [
@@ -123,7 +123,7 @@ def test_s59_the_context_is_lost_after_five_periods() -> None:
     ]
 
 
-def test_s59_what_rules_ask_is_lost_when_the_context_is_late() -> None:
+def test_s59_what_rules_ask_is_stale_when_the_context_is_late() -> None:
     robot = Robot("rule it: if doing Push then { stop; };")
     robot.tell(0)
     robot.wait(0.999)

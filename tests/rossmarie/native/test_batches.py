@@ -1,4 +1,4 @@
-"""Batches for the native monitor: what does not fit, and what is lost."""
+"""Batches for the native monitor: what does not fit, and what is stale."""
 
 from __future__ import annotations
 
@@ -76,13 +76,13 @@ def test_an_instant_out_of_range_is_refused() -> None:
         load().take(late, [0])
 
 
-def test_lost_events_are_told() -> None:
+def test_lost_events_are_reported() -> None:
     files = generate_loadable(MACHINE)
     start = "#include <stdlib.h>\n"
     assert start in files["host.c"]
     starved = files["host.c"].replace(start, f"{start}#define realloc(old, size) NULL\n")
     monitor = load_native(MACHINE, {**files, "host.c": starved})
-    with pytest.raises(MemoryError, match="lost"):
+    with pytest.raises(MemoryError, match="stale"):
         monitor.take(batch(), [0])
 
 

@@ -65,7 +65,7 @@ def test_leaves_nothing_but_the_library(cache: Path) -> None:
     assert kept.read_bytes().endswith(made)
 
 
-def test_what_the_compiler_says_is_told(cache: Path) -> None:
+def test_what_the_compiler_says_is_reported(cache: Path) -> None:
     with pytest.raises(BuildError, match="expected"):
         build({"main.c": "int number(void) { return }\n"}, "main.c")
     assert list(cache.iterdir()) == []

@@ -277,24 +277,24 @@ def without_memory() -> NativeMonitor:
     return load_native(machine, {**files, "host.c": starved})
 
 
-def test_lost_events_are_told_even_if_none_is_left() -> None:
+def test_lost_events_are_reported_even_if_none_is_left() -> None:
     creeping = {0: ChannelValues({0: 0.15, 1: 0.0})}
-    with pytest.raises(MemoryError, match="lost"):
+    with pytest.raises(MemoryError, match="stale"):
         without_memory().update(0, creeping)
     with pytest.raises(MemoryError):
         without_memory().run(TIMES, columns())
 
 
-def test_lost_events_of_fast_calls_are_told(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_lost_events_of_fast_calls_are_reported(monkeypatch: pytest.MonkeyPatch) -> None:
     monitor = without_memory()
     with pytest.raises(MemoryError):
         monitor.update_call(0)(0, 0.15, False)
-    with pytest.raises(MemoryError, match="lost"):
+    with pytest.raises(MemoryError, match="stale"):
         monitor.take_events()
     monkeypatch.setattr(native_monitor, "_HEADERS", Path("/nowhere"))
     monitor = without_memory()
     monitor.update_call(0)(0, 0.15, False)
-    with pytest.raises(MemoryError, match="lost"):
+    with pytest.raises(MemoryError, match="stale"):
         monitor.take_events()
 
 

@@ -27,12 +27,12 @@ from support.depth import examples
 from support.recordings import ROS1, ROS2, START_NS, Reading, battery, scan, write_ros1
 
 TOPICS = ("/a", "/b", "/c")
-Told = list[object]
+Reported = list[object]
 """Topic, stamp and content of each message, and at last what went wrong, if anything did."""
 
 
-def told(messages: Iterable[tuple[str, int, bytes]]) -> Told:
-    found: Told = []
+def reported(messages: Iterable[tuple[str, int, bytes]]) -> Reported:
+    found: Reported = []
     try:
         found.extend(messages)
     except READER_FAILURES as error:
@@ -46,7 +46,7 @@ class _NotOpenError(Exception):
     """A file that the salvage would read."""
 
 
-def by_rosbags(path: Path, topics: tuple[str, ...]) -> Told:
+def by_rosbags(path: Path, topics: tuple[str, ...]) -> Reported:
     """The messages that rosbags itself gives, within our limits."""
 
     def messages() -> Iterator[tuple[str, int, bytes]]:
@@ -57,7 +57,7 @@ def by_rosbags(path: Path, topics: tuple[str, ...]) -> Told:
             for opened, at_ns, content in reader.messages(chosen) if chosen else ():
                 yield asked[opened.id], at_ns, content
 
-    return told(messages())
+    return reported(messages())
 
 
 def _opened(opening: Callable[[], Any]) -> Any:
@@ -75,7 +75,7 @@ def _reader(path: Path, allowance: Allowance) -> Any:
         return open_bag_reader(path, allowance)
 
 
-def in_batches(path: Path, topics: tuple[str, ...]) -> Told:
+def in_batches(path: Path, topics: tuple[str, ...]) -> Reported:
     def messages() -> Iterator[tuple[str, int, bytes]]:
         allowance = Allowance(path.stat().st_size)
         kind = IntactBag if path.suffix == ".bag" else IntactStorage
@@ -84,7 +84,7 @@ def in_batches(path: Path, topics: tuple[str, ...]) -> Told:
                 for connection, at_ns, content in unpacked(batch):
                     yield connection.topic, at_ns, content
 
-    return told(messages())
+    return reported(messages())
 
 
 @st.composite

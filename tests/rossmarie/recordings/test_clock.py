@@ -38,7 +38,7 @@ def at_seconds(ros: Typestore, *seconds: float) -> list[Reading]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_clock_that_was_set_back_is_told(tmp_path: Path, kind: str) -> None:
+def test_a_clock_that_was_set_back_is_reported(tmp_path: Path, kind: str) -> None:
     stored = at_seconds(store_of(kind), 0, 5, 10, 0.5, 5.5, 3.5)
     updates, found = replay(write_kind(tmp_path, kind, stored))
     assert codes(found) == ["ROSS618"]
@@ -46,7 +46,7 @@ def test_a_clock_that_was_set_back_is_told(tmp_path: Path, kind: str) -> None:
     assert [update.at_ns for update in updates] == sorted(update.at_ns for update in updates)
 
 
-def test_a_clock_that_was_set_back_is_told_of_compressed_files(tmp_path: Path) -> None:
+def test_a_clock_that_was_set_back_is_reported_of_compressed_files(tmp_path: Path) -> None:
     stored = at_seconds(ROS2, 0, 5, 2)
     folder = write_ros2(tmp_path / "drive", stored, StoragePlugin.SQLITE3, CompressionMode.FILE)
     assert codes(replay(folder)[1]) == ["ROSS618"]
@@ -70,7 +70,7 @@ def test_a_clock_that_was_set_back_between_chunks(tmp_path: Path) -> None:
     assert found[0].title == "the stamps go back once, by up to 99.0 s"
 
 
-def test_a_clock_that_was_set_back_is_told_of_damaged_files(tmp_path: Path) -> None:
+def test_a_clock_that_was_set_back_is_reported_of_damaged_files(tmp_path: Path) -> None:
     content = bytes(ROS2.serialize_cdr(battery(ROS2, 1.0)[1], "std_msgs/msg/Float32"))
     stamps = [START_NS + second * SECOND_NS for second in (0, 5, 2)]
     path = write_mcap(
@@ -83,7 +83,7 @@ def test_a_clock_that_was_set_back_is_told_of_damaged_files(tmp_path: Path) -> N
     assert "ROSS618" in codes(replay(path)[1])
 
 
-def test_a_clock_that_was_set_back_is_told_of_csv(tmp_path: Path) -> None:
+def test_a_clock_that_was_set_back_is_reported_of_csv(tmp_path: Path) -> None:
     path = tmp_path / "drive.csv"
     path.write_text("time,battery\n0,1\n5,2\n4.75,3\n4.75,4\n6,5\n5.9999,6\n")
     updates, found = replay(path)
@@ -93,14 +93,14 @@ def test_a_clock_that_was_set_back_is_told_of_csv(tmp_path: Path) -> None:
     assert [update.at_ns / SECOND_NS for update in updates] == [0, 5, 4.75, 4.75, 6, 5.9999]
 
 
-def test_a_small_setback_of_csv_is_told_in_milliseconds(tmp_path: Path) -> None:
+def test_a_small_setback_of_csv_is_reported_in_milliseconds(tmp_path: Path) -> None:
     path = tmp_path / "drive.csv"
     path.write_text("time,battery\n0,1\n1.002,2\n1,3\n2,4\n")
     assert replay(path)[1][0].title == "the stamps go back once, by up to 2 ms"
 
 
 @pytest.mark.parametrize("kind", ["mcap", "compressed mcap"])
-def test_a_clock_that_was_set_back_is_told_without_message_indexes(
+def test_a_clock_that_was_set_back_is_reported_without_message_indexes(
     tmp_path: Path, kind: str
 ) -> None:
     path = write_kind(tmp_path, kind, at_seconds(ROS2, 0, 5, 2))

@@ -77,7 +77,7 @@ def test_a_field_that_clouds_lack_is_named_and_so_are_those_that_they_have(tmp_p
     assert "its points have no field `intensity`; they have x, y, z" in str(note)
 
 
-def test_a_cloud_of_too_many_points_is_lost(tmp_path: Path) -> None:
+def test_a_cloud_of_too_many_points_is_stale(tmp_path: Path) -> None:
     clouds = [plain_cloud([{"x": 1.0}] * count) for count in (2, 3)]
     path = write_kind(tmp_path, "bag", recorded(ROS1, clouds))
     columns, found = columns_in(path, reads("x", most=2))

@@ -95,7 +95,7 @@ def test_flags_and_texts(tmp_path: Path) -> None:
         [slot(0, "data", kind=Kind.FLAG), slot(1, "data", kind=Kind.TEXT)],
         texts=["docked", "driving"],
     )
-    text = "time,blocked,mode\n0,true,driving\n1,False,docked\n2,1,lost\n3,0,docked\n"
+    text = "time,blocked,mode\n0,true,driving\n1,False,docked\n2,1,stale\n3,0,docked\n"
     updates, found = replay(write(tmp_path, text), rules)
     assert found == ()
     assert [update.channels[0].slots[0] for update in updates] == [1.0, 0.0, 1.0, 0.0]

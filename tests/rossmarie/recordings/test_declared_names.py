@@ -62,7 +62,7 @@ def test_another_length_leaves_all_elements_unknown(tmp_path: Path, kind: str) -
 
 
 @pytest.mark.parametrize("kind", ["bag", "mcap"])
-def test_a_length_that_never_fits_is_told_once(tmp_path: Path, kind: str) -> None:
+def test_a_length_that_never_fits_is_reported_once(tmp_path: Path, kind: str) -> None:
     ros = ROS1 if kind == "bag" else ROS2
     path = write_kind(tmp_path, kind, recorded(ros, [[1.0, 2.0], [1.0], [1.0, 2.0]]))
     _, found = replay(path, READS)
@@ -81,7 +81,7 @@ def test_a_table_has_the_array_in_the_order_of_its_elements(tmp_path: Path) -> N
     np.testing.assert_array_equal(read(path), FOUND[:3])
 
 
-def test_a_table_whose_array_never_fits_is_told(tmp_path: Path) -> None:
+def test_a_table_whose_array_never_fits_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "arm.csv"
     path.write_text("time,speed[0],speed[1]\n0,1,2\n1,3,\n")
     updates, found = replay(path, READS)

@@ -86,7 +86,7 @@ def test_each_message_is_read_by_its_own_names(tmp_path: Path, kind: str) -> Non
 
 
 @pytest.mark.parametrize("kind", ["bag", "mcap"])
-def test_a_name_that_never_comes_is_told_with_those_that_do(tmp_path: Path, kind: str) -> None:
+def test_a_name_that_never_comes_is_reported_with_those_that_do(tmp_path: Path, kind: str) -> None:
     path = write_kind(tmp_path, kind, recorded(ROS1 if kind == "bag" else ROS2))
     misspelt = machine(
         [("/joint_states", "sensor_msgs/JointState")],

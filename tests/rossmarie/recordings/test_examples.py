@@ -94,8 +94,8 @@ def test_demo_shows_what_its_rules_say(demo: Path) -> None:
         "report_braking": [48.9],
         "position_unknown": [63.5],
     }
-    lost = {name for name, changes in found.items() if starts(changes, Change.ACTIVATED_LOST)}
-    assert lost == {"slow_on_bump", "slow_on_slope", "calm_down"}
+    stale = {name for name, changes in found.items() if starts(changes, Change.ACTIVATED_STALE)}
+    assert stale == {"slow_on_bump", "slow_on_slope", "calm_down"}
     assert Change.CLEARED not in [change for _, change in found["emergency_stop"]]
     assert "boxed_in" not in found
 
@@ -143,7 +143,7 @@ def test_husky_rules_are_active_now_and_then() -> None:
         "turn_gently": 5,
         "stop_without_position": 2,
     }
-    assert starts(found["limit_speed"], Change.ACTIVATED_LOST) == [179.9, 194.5]
+    assert starts(found["limit_speed"], Change.ACTIVATED_STALE) == [179.9, 194.5]
 
 
 def test_help_on_the_demo_writes_nothing(tmp_path: Path) -> None:

@@ -55,7 +55,7 @@ def at(parent: str, child: str, x: float) -> Placed:
     return Placed(parent, child, (x, 0.0, 0.0), TURN)
 
 
-def told(updates: Sequence[Update]) -> list[tuple[int, dict[int, list[float]]]]:
+def reported(updates: Sequence[Update]) -> list[tuple[int, dict[int, list[float]]]]:
     """When transforms came, and the numbers of each channel."""
     return [
         (
@@ -83,7 +83,7 @@ def test_a_message_is_for_the_frames_that_it_has(tmp_path: Path, kind: str) -> N
     ]
     updates, findings = replay(write_kind(tmp_path, kind, found), reading(BASE, HEAD))
     assert codes(findings) == []
-    assert told(updates) == [
+    assert reported(updates) == [
         (0, {0: [1.0, 0.6]}),
         (1, {0: [3.0, 0.6], 1: [2.0, 0.6]}),
         (3, {0: [UNKNOWN, UNKNOWN]}),
@@ -108,7 +108,7 @@ def test_s79_a_frame_in_another_parent_is_not_known(tmp_path: Path) -> None:
     ]
     updates, findings = replay(write_kind(tmp_path, "mcap", found), reading(static))
     assert codes(findings) == []
-    assert told(updates) == [
+    assert reported(updates) == [
         (0, {0: [1.0, 0.6]}),
         (1, {0: [UNKNOWN, UNKNOWN]}),
         (2, {0: [5.0, 0.6]}),
@@ -116,7 +116,7 @@ def test_s79_a_frame_in_another_parent_is_not_known(tmp_path: Path) -> None:
     ]
 
 
-def test_a_frame_that_never_came_is_told(tmp_path: Path) -> None:
+def test_a_frame_that_never_came_is_reported(tmp_path: Path) -> None:
     found: list[Reading] = [("/tf", START_NS, *transforms(ROS2, 0, at("odom", "base", 1.0)))]
     path = write_kind(tmp_path, "mcap", found)
     _, findings = replay(path, reading(BASE, HEAD))
@@ -124,7 +124,7 @@ def test_a_frame_that_never_came_is_told(tmp_path: Path) -> None:
     assert findings[0].title == "no message on `/tf` has an element `head in base`"
 
 
-def test_transforms_of_another_type_are_told(tmp_path: Path) -> None:
+def test_transforms_of_another_type_are_reported(tmp_path: Path) -> None:
     path = write_kind(tmp_path, "mcap", [("/tf", START_NS, *battery(ROS2, 1.0))])
     with pytest.raises(RecordingError) as raised:
         replay(path, reading(BASE))
@@ -136,10 +136,10 @@ def test_other_topics_may_hold_the_transforms(tmp_path: Path) -> None:
     path = write_kind(tmp_path, "mcap", found)
     updates, findings = replay(path, reading(BASE), {"/tf": "/robot/tf"})
     assert codes(findings) == []
-    assert told(updates) == [(0, {0: [1.0, 0.6]})]
+    assert reported(updates) == [(0, {0: [1.0, 0.6]})]
 
 
-def test_a_message_that_is_cut_off_is_told(tmp_path: Path) -> None:
+def test_a_message_that_is_cut_off_is_reported(tmp_path: Path) -> None:
     name, message = transforms(ROS2, 0, at("odom", "base", 1.0))
     whole = bytes(ROS2.serialize_cdr(message, name))
     found: list[Reading] = [
@@ -149,5 +149,5 @@ def test_a_message_that_is_cut_off_is_told(tmp_path: Path) -> None:
     path = tmp_path / "drive"
     write_ros2(path, found, StoragePlugin.SQLITE3)
     updates, findings = replay(path, reading(BASE))
-    assert len(told(updates)) == 1
+    assert len(reported(updates)) == 1
     assert codes(findings) == ["ROSS605"]

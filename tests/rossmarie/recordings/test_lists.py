@@ -78,7 +78,7 @@ def columns_of(path: Path, of: Machine) -> list[tuple[list[float], ...] | None]:
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_each_list_is_read_and_a_long_one_is_lost(tmp_path: Path, kind: str) -> None:
+def test_each_list_is_read_and_a_long_one_is_stale(tmp_path: Path, kind: str) -> None:
     path = write_kind(tmp_path, kind, recorded(ROS1 if kind == "bag" else ROS2))
     assert columns_of(path, READS) == FOUND
 

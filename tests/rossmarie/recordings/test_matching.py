@@ -66,7 +66,7 @@ def test_missing_topic_with_a_likely_one(tmp_path: Path, topic: str) -> None:
     assert f"--topic-map {topic}=/scan" in (found[0].help or "")
 
 
-def test_every_input_of_a_missing_topic_is_told(tmp_path: Path) -> None:
+def test_every_input_of_a_missing_topic_is_reported(tmp_path: Path) -> None:
     rules = machine(
         [("/battery", "std_msgs/Float32"), ("/odom", "nav_msgs/Odometry")],
         [("battery", 0), ("speed", 1), ("scan", 1)],

@@ -19,7 +19,7 @@ def sizes_of(text: str, **parts: str) -> Sizes:
 
 
 @pytest.mark.parametrize(
-    ("text", "parts", "told"),
+    ("text", "parts", "reported"),
     [
         ("string[1001] a", {}, "1001 elements"),
         ("Part[1001] a", {"Part": "int8 b"}, "1001 elements"),
@@ -28,8 +28,8 @@ def sizes_of(text: str, **parts: str) -> Sizes:
         ("Part[1000] a", {"Part": "Small[1000] b", "Small": "int8 c"}, "more than 100000 fields"),
     ],
 )
-def test_types_beyond_a_limit_are_refused(text: str, parts: dict[str, str], told: str) -> None:
-    with pytest.raises(TypesysError, match=told):
+def test_types_beyond_a_limit_are_refused(text: str, parts: dict[str, str], reported: str) -> None:
+    with pytest.raises(TypesysError, match=reported):
         sizes_of(text, **parts).check(ROOT)
 
 

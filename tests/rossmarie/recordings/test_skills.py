@@ -29,7 +29,7 @@ from support.recordings import (
     write_mcap,
     write_ros2,
 )
-from support.skill_contexts import DIGEST, message, random_context, random_question
+from support.skill_contexts import DIGEST, message, random_context, random_query
 
 TOPIC = "/skill_context"
 TYPE = "skill_context_msgs/SkillContext"
@@ -39,10 +39,10 @@ PUSH = Doing(
 DEPTH = Quantity(DIGEST, ("Push",), "Depth", written="Push.Depth")
 
 
-def asking(*questions: SkillStep) -> Machine:
+def asking(*queries: SkillStep) -> Machine:
     slots = [
         Slot(0, (each,), Kind.FLAG if isinstance(each, Doing) else Kind.REAL, 1.0, 0.0, "")
-        for each in questions
+        for each in queries
     ]
     return machine([(TOPIC, TYPE)], [("mode", 0)], slots)
 
@@ -54,10 +54,10 @@ def recorded(ros: Typestore, contexts: Sequence[SkillContext]) -> list[Reading]:
     ]
 
 
-def answers(path: Path, questions: Sequence[SkillStep]) -> list[list[float]]:
-    updates, found = replay(path, asking(*questions))
+def answers(path: Path, queries: Sequence[SkillStep]) -> list[list[float]]:
+    updates, found = replay(path, asking(*queries))
     assert codes(found) == []
-    return [[update.channels[0].slots[index] for index in range(len(questions))]
+    return [[update.channels[0].slots[index] for index in range(len(queries))]
             for update in updates]  # fmt: skip
 
 
@@ -65,10 +65,10 @@ def answers(path: Path, questions: Sequence[SkillStep]) -> list[list[float]]:
 def test_recordings_answer_as_messages_do(tmp_path: Path, kind: str) -> None:
     random = Random(61)
     contexts = [random_context(random) for _ in range(40)]
-    questions = [random_question(random) for _ in range(20)]
+    queries = [random_query(random) for _ in range(20)]
     path = write_kind(tmp_path, kind, recorded(store_of(kind), contexts))
-    expected = [[answer(each, context) for each in questions] for context in contexts]
-    np.testing.assert_array_equal(answers(path, questions), expected)
+    expected = [[answer(each, context) for each in queries] for context in contexts]
+    np.testing.assert_array_equal(answers(path, queries), expected)
 
 
 def test_a_recording_without_definitions_is_read(tmp_path: Path) -> None:
@@ -80,7 +80,7 @@ def test_a_recording_without_definitions_is_read(tmp_path: Path) -> None:
     np.testing.assert_array_equal(answers(folder, [PUSH, DEPTH]), expected)
 
 
-def test_another_definition_of_the_message_is_told(tmp_path: Path) -> None:
+def test_another_definition_of_the_message_is_reported(tmp_path: Path) -> None:
     schema = ("skill_context_msgs/msg/SkillContext", "ros2msg", "string digest\nstring[] running\n")
     path = write_mcap(
         tmp_path / "odd.mcap", "ros2", schema, (TOPIC, "cdr"), [(START_NS, bytes(16))]
@@ -91,7 +91,7 @@ def test_another_definition_of_the_message_is_told(tmp_path: Path) -> None:
     assert all(math.isnan(each.channels[0].slots[0]) for each in updates)
 
 
-def test_another_export_is_told_once(tmp_path: Path) -> None:
+def test_another_export_is_reported_once(tmp_path: Path) -> None:
     contexts = [SkillContext(digest) for digest in ("5b1fb2a09c3e7d41", "", "5b1fb2a09c3e7d41")]
     path = write_kind(tmp_path, "mcap", recorded(ROS2, contexts))
     updates, found = replay(path, asking(PUSH, DEPTH))
@@ -105,7 +105,7 @@ def test_another_export_is_told_once(tmp_path: Path) -> None:
     assert codes(replay(path, asking(PUSH, DEPTH))[1]) == []
 
 
-def test_a_table_has_a_column_for_each_question(tmp_path: Path) -> None:
+def test_a_table_has_a_column_for_each_query(tmp_path: Path) -> None:
     path = tmp_path / "skills.csv"
     path.write_text(
         "time,mode.doing Push(Object: Fragile),/skill_context.Push.Depth\n0,true,\n1,false,0.5\n"

@@ -135,7 +135,7 @@ def _damaged(draw: st.DrawFn, content: bytes) -> bytes:
 
 @settings(max_examples=examples(4))
 @given(damaged())
-def test_damaged_messages_are_told_as_before(case: tuple[Described, str, list[bytes]]) -> None:
+def test_damaged_messages_are_reported_as_before(case: tuple[Described, str, list[bytes]]) -> None:
     of, form, contents = case
     connection = connection_of(of, form)
     assert all_at_once(of, connection, contents) == one_by_one(of, connection, contents)

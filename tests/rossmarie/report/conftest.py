@@ -1,4 +1,4 @@
-"""A drive of 80 s, replayed: 6 rules, 5 signals, a lost sensor, and a rule that stays active."""
+"""A drive of 80 s, replayed: 6 rules, 5 signals, a stale sensor, and a rule that stays active."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ def _sampled(
 
 
 def drive_machine() -> ir.Machine:
-    """Tilt, jolts, speed while tilted, turning, distance, and a sensor that must not be lost."""
+    """Tilt, jolts, speed while tilted, turning, distance, and a sensor that must not be stale."""
     draft = _Drive()
     topics = ("/imu/data", "/odom", "/scan", "/fix")
     types = (
@@ -102,7 +102,7 @@ class _Drive(Draft):
     def compare(
         self, signal: int, how: Comparison, limit: float, name: str | None, text: str
     ) -> int:
-        return self.truth(ir.Compare(how, signal, self.constant(limit)), name, text)
+        return self.proposition(ir.Compare(how, signal, self.constant(limit)), name, text)
 
     def named_rule(
         self,
@@ -148,9 +148,9 @@ def _add_signals(draft: _Drive) -> _Signals:
 
 def _add_steep(draft: _Drive, pitch: int) -> int:
     low, high = draft.constant(-10 / DEGREES), draft.constant(10 / DEGREES)
-    level = draft.truth(ir.Between(pitch, low, high), None, "orientation.pitch() in tilt")
-    tilted = draft.truth(ir.Not(level), None, "orientation.pitch() not in tilt")
-    return draft.truth(
+    level = draft.proposition(ir.Between(pitch, low, high), None, "orientation.pitch() in tilt")
+    tilted = draft.proposition(ir.Not(level), None, "orientation.pitch() not in tilt")
+    return draft.proposition(
         ir.Held(tilted, 2 * SECOND), "imu.steep", "orientation.pitch() not in tilt for 2 s"
     )
 
@@ -164,9 +164,9 @@ def _add_rules(draft: _Drive, of: _Signals) -> None:
     spin = draft.compare(of.turn, above, 0.8, "imu.spinning", "turning.z > 0.8 rad/s")
     near = draft.compare(of.nearest, below, 0.6, "scan.near", "min(ranges) < 0.6 m")
     far = draft.compare(of.nearest, above, 1.5, "scan.clear", "min(ranges) > 1.5 m")
-    calm = draft.truth(ir.Held(draft.truth(ir.Not(bump)), SECOND))
-    both = draft.truth(ir.And((steep, moving)), None, "imu.steep and drive.moving")
-    wild = draft.truth(ir.And((bump, fast)), None, "imu.bump and drive.fast")
+    calm = draft.proposition(ir.Held(draft.proposition(ir.Not(bump)), SECOND))
+    both = draft.proposition(ir.And((steep, moving)), None, "imu.steep and drive.moving")
+    wild = draft.proposition(ir.And((bump, fast)), None, "imu.bump and drive.fast")
     draft.named_rule(
         "slow_on_slope",
         both,

@@ -57,7 +57,7 @@ def test_lanes_and_plots_are_drawn(drive: Replay, tmp_path: Path) -> None:
     assert len(re.findall(r'class="row lane"', rows)) == len(drive.machine.rules)
     assert len(re.findall(r'class="row plot"', rows)) == len(drive.plots)
     assert len(re.findall(r'<rect class="span active', rows)) == 9
-    assert len(re.findall(r'<rect class="span lost', rows)) == 5
+    assert len(re.findall(r'<rect class="span stale', rows)) == 5
     lines = re.findall(r'<path class="line" d="M[^"]{200,}"', rows)
     assert len(lines) == len(drive.plots)
     assert "NaN" not in rows
@@ -98,8 +98,8 @@ def test_pointing_at_a_span_shows_what_its_rule_would_do(tmp_path: Path) -> None
         assert text in card
 
 
-def test_a_lost_input_is_named(drive: Replay, tmp_path: Path) -> None:
-    script = 'pointAt(lanes[1].querySelector(".span.lost"));'
+def test_a_stale_input_is_named(drive: Replay, tmp_path: Path) -> None:
+    script = 'pointAt(lanes[1].querySelector(".span.stale"));'
     card = element(opened(render_timeline(drive), tmp_path, script), "card")
     assert re.search(r"acceleration \(/imu/data\) is older than its timeout", card)
 

@@ -32,7 +32,7 @@ def test_a_verdict_says_which_rule_is_not_applied_and_why() -> None:
     assert ended.startswith("contact_doing_Push cleared: doing Push(Object: Fragile), false since")
 
 
-def test_a_skill_that_permits_nothing_is_told_without_a_permission() -> None:
+def test_a_skill_that_permits_nothing_is_reported_without_a_permission() -> None:
     robot = Robot(RULES)
     (event,) = [
         event
@@ -44,16 +44,16 @@ def test_a_skill_that_permits_nothing_is_told_without_a_permission() -> None:
     assert line.startswith(start)
 
 
-def test_an_exemption_that_lacks_the_context_is_not_told_as_one() -> None:
+def test_an_exemption_that_lacks_the_context_is_not_reported_as_one() -> None:
     robot = Robot("""
     input push = topic /push : std_msgs/Float32 in N timeout 1 sec;
     rule contact: if push > 5 N then { stop; } unless doing Push then { slow; };
     """)
     events = (*robot.wait(0), *robot.wait(2))
     lines = {ir.event_line(robot.machine, event) for event in events}
-    lost = "activated: input push (/push) has never been received"
+    stale = "activated: input push (/push) has never been received"
     context = "; input skill_context (/skill_context) has never been received"
-    assert lines == {f"contact {lost}{context}", f"contact_doing_Push {lost}"}
+    assert lines == {f"contact {stale}{context}", f"contact_doing_Push {stale}"}
 
 
 def test_the_safety_file_lists_exemptions_with_their_permissions(tmp_path: Path) -> None:

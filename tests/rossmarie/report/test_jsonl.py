@@ -34,14 +34,14 @@ def test_events_have_the_same_lines_without_a_recording() -> None:
 
 
 def small() -> Replay:
-    """A level that is lost, back, too high, and still too high after the clock fell back."""
+    """A level that is stale, back, too high, and still too high after the clock fell back."""
     draft = Draft()
     used = draft.input(draft.channel(), SECOND)
     draft.inputs[used] = replace(draft.inputs[used], name="level")
     signal = draft.signal(ir.Read(draft.slot(used)), "level", "cm", 100.0)
     limit = draft.signal(ir.Constant(0.5), "50 cm", "cm", 100.0)
     node = ir.Compare(ir.Comparison.GREATER, signal, limit)
-    draft.rule(draft.truth(node, "tank.full", "level > 50 cm"))
+    draft.rule(draft.proposition(node, "tank.full", "level > 50 cm"))
     machine = draft.machine()
     monitor = Interpreter(machine)
     events = [
@@ -70,11 +70,11 @@ def test_seconds_go_on_over_a_jump() -> None:
     assert found[-1]["cause"]["conditions"][0]["since_s"] == 3.0
 
 
-def test_unknown_is_null_and_says_which_input_is_lost() -> None:
-    lost = lines(small())[1]
-    assert lost["change"] == "activated_lost"
-    assert lost["cause"]["conditions"][0]["values"][0]["value"] is None
-    assert lost["cause"]["lost_inputs"] == [
+def test_unknown_is_null_and_says_which_input_is_stale() -> None:
+    stale = lines(small())[1]
+    assert stale["change"] == "activated_stale"
+    assert stale["cause"]["conditions"][0]["values"][0]["value"] is None
+    assert stale["cause"]["stale_inputs"] == [
         {"name": "level", "topic": "/topic_0", "state": "unusable"}
     ]
 

@@ -36,22 +36,22 @@ def test_a_comparison_with_a_constant_is_a_limit(
 ) -> None:
     draft = Draft()
     signal = draft.read()
-    condition = draft.truth(ir.Compare(comparison, signal, draft.constant(3.0)), "a.b")
+    condition = draft.proposition(ir.Compare(comparison, signal, draft.constant(3.0)), "a.b")
     draft.rule(condition)
     assert limits_of(draft) == [Threshold((3.0,), region, "a.b", ("rule_1",), False)]
 
 
 def test_the_constant_may_stand_on_the_left() -> None:
     draft = Draft()
-    draft.rule(draft.truth(ir.Compare(Comparison.LESS, draft.constant(3.0), draft.read())))
+    draft.rule(draft.proposition(ir.Compare(Comparison.LESS, draft.constant(3.0), draft.read())))
     assert limits_of(draft)[0].regions == ((3.0, INFINITY),)
 
 
 def test_a_negation_turns_the_regions_over() -> None:
     draft = Draft()
     low, high = draft.constant(-1.0), draft.constant(2.0)
-    inside = draft.truth(ir.Between(draft.read(), low, high))
-    held = draft.truth(ir.Held(draft.truth(ir.Not(inside)), SECOND), "imu.steep")
+    inside = draft.proposition(ir.Between(draft.read(), low, high))
+    held = draft.proposition(ir.Held(draft.proposition(ir.Not(inside)), SECOND), "imu.steep")
     draft.rule(held)
     (limit,) = limits_of(draft)
     assert limit.limits == (-1.0, 2.0)
@@ -82,7 +82,7 @@ def test_rules_share_a_limit() -> None:
 def test_a_limit_of_its_own_for_clearing_is_drawn() -> None:
     draft = Draft()
     signal = draft.read()
-    draft.rule(draft.above(signal, 5.0), draft.truth(ir.Not(draft.above(signal, 4.0))))
+    draft.rule(draft.above(signal, 5.0), draft.proposition(ir.Not(draft.above(signal, 4.0))))
     activating, releasing = limits_of(draft)
     assert (activating.limits, activating.releases) == ((5.0,), False)
     assert (releasing.limits, releasing.releases) == ((4.0,), True)
@@ -92,24 +92,24 @@ def test_a_limit_of_its_own_for_clearing_is_drawn() -> None:
 def test_a_release_that_repeats_the_condition_is_not_drawn_twice() -> None:
     draft = Draft()
     condition = draft.above(draft.read(), 5.0)
-    draft.rule(condition, draft.truth(ir.Held(draft.truth(ir.Not(condition)), SECOND)))
+    draft.rule(condition, draft.proposition(ir.Held(draft.proposition(ir.Not(condition)), SECOND)))
     assert [limit.releases for limit in limits_of(draft)] == [False]
 
 
 def test_only_numbers_with_one_value_are_plotted() -> None:
     draft = Draft(texts=("docked",))
     text = draft.read(kind=ir.Kind.TEXT)
-    equal = draft.truth(ir.Compare(Comparison.EQUAL, text, draft.constant(0.0)))
-    near = draft.truth(
+    equal = draft.proposition(ir.Compare(Comparison.EQUAL, text, draft.constant(0.0)))
+    near = draft.proposition(
         ir.Quantified(ir.Quantifier.ANY, draft.above(draft.elements(), 1.0)), "scan.near"
     )
-    flag = draft.truth(ir.Flag(draft.read(kind=ir.Kind.FLAG)))
-    draft.rule(draft.truth(ir.And((equal, near, flag))))
+    flag = draft.proposition(ir.Flag(draft.read(kind=ir.Kind.FLAG)))
+    draft.rule(draft.proposition(ir.And((equal, near, flag))))
     machine = draft.machine()
     assert [machine.signals[plan.signal].node for plan in plan_plots(machine)] == [ir.Read(1)]
 
 
 def test_two_signals_compared_have_a_plot_each_and_no_limit() -> None:
     draft = Draft()
-    draft.rule(draft.truth(ir.Compare(Comparison.LESS, draft.read(), draft.read())))
+    draft.rule(draft.proposition(ir.Compare(Comparison.LESS, draft.read(), draft.read())))
     assert [plan.thresholds for plan in plan_plots(draft.machine())] == [(), ()]

@@ -13,7 +13,7 @@ from rossmarie.report import Rehearsed, rehearse
 from rossmarie.report.rehearsal import TaskSummary, summarize_tasks
 from support.docking import docking
 from support.drafts import SECOND
-from support.plans import Plans, call, cancel, log, publish, send, told
+from support.plans import Plans, call, cancel, log, publish, reported, send
 from support.reacting import reacting_machines
 
 
@@ -31,7 +31,7 @@ def off(at_s: int, rule: int) -> Verdict:
 
 def orders(plans: Plans, *events: Event, watches: int = 0) -> list[str]:
     rehearsed = rehearse(plans.machine(watches=watches), events)
-    return told([each.order for each in rehearsed])
+    return reported([each.order for each in rehearsed])
 
 
 def lamps() -> Plans:
@@ -55,8 +55,8 @@ def test_a_rule_that_changes_twice_at_one_instant_is_seen_twice() -> None:
     assert orders(lamps(), on(1, 0), off(1, 0), on(1, 0)) == ["start 0", "stop 0", "start 0"]
 
 
-def test_what_is_lost_counts_as_active() -> None:
-    assert orders(lamps(), verdict(1, 0, Change.ACTIVATED_LOST)) == ["start 0"]
+def test_what_is_stale_counts_as_active() -> None:
+    assert orders(lamps(), verdict(1, 0, Change.ACTIVATED_STALE)) == ["start 0"]
 
 
 def test_what_is_awaited_succeeds_at_once() -> None:
@@ -154,7 +154,7 @@ def test_what_waits_too_long_fails_between_two_events() -> None:
     plans.rule([plans.task(cancel(), otherwise=[plans.task(log())])])  # 2, then 1
     events = [on(1, 0), on(1, 1), off(9, 1)]
     found = rehearse(plans.machine(), events)
-    assert told([each.order for each in found]) == [
+    assert reported([each.order for each in found]) == [
         "start 0", "overruled 2 by 0", "failed 2", "start 1",
     ]  # fmt: skip
     assert [(each.after, each.later_ns) for each in found[2:]] == [(1, 2 * SECOND)] * 2

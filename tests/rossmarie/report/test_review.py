@@ -17,8 +17,9 @@ CODE = {
         "enum {\n"
         "    INPUT_X, /* a<b>.ross:1 /x */\n"
         "};\n"
-        "    {1.0, TRUTH_X_1, TRUE, 0}, /* a<b>.ross:3 x > 1 */\n"
-        "    case TRUTH_X_1_FOR_2: return held(m, 0, TRUTH_X_1, t_ns); /* a<b>.ross:3 */\n"
+        "    {1.0, PROPOSITION_X_1, TRUE, 0}, /* a<b>.ross:3 x > 1 */\n"
+        "    case PROPOSITION_X_1_FOR_2: return held(m, 0, PROPOSITION_X_1, t_ns);"
+        " /* a<b>.ross:3 */\n"
         "    INPUT_Y, /* b.ross:2 /y */\n"
         "    INPUT_Z, /* a<b>.ross:31 /z */\n"
     )
@@ -30,8 +31,12 @@ def test_each_line_has_the_generated_lines_that_name_it() -> None:
     assert first.made == (Made("a_monitor.c", 3, "INPUT_X,"),)
     assert second.made == ()
     assert third.made == (
-        Made("a_monitor.c", 5, "{1.0, TRUTH_X_1, TRUE, 0},"),
-        Made("a_monitor.c", 6, "case TRUTH_X_1_FOR_2: return held(m, 0, TRUTH_X_1, t_ns);"),
+        Made("a_monitor.c", 5, "{1.0, PROPOSITION_X_1, TRUE, 0},"),
+        Made(
+            "a_monitor.c",
+            6,
+            "case PROPOSITION_X_1_FOR_2: return held(m, 0, PROPOSITION_X_1, t_ns);",
+        ),
     )
 
 

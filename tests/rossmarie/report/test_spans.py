@@ -52,13 +52,13 @@ def test_every_verdict_begins_or_ends_exactly_one_span(
 
 
 @given(cases())
-def test_a_span_is_lost_as_its_activation_says(case: tuple[ir.Machine, list[Step]]) -> None:
+def test_a_span_is_stale_as_its_activation_says(case: tuple[ir.Machine, list[Step]]) -> None:
     replay, _ = run(*case)
     for span in (span for row in active_spans(replay) for span in row):
         event = replay.events[span.opened]
         assert isinstance(event, Verdict)
         assert event.rule == span.rule
-        assert span.lost == (event.change is Change.ACTIVATED_LOST)
+        assert span.stale == (event.change is Change.ACTIVATED_STALE)
 
 
 @given(cases())
@@ -68,7 +68,7 @@ def test_summaries_add_up(case: tuple[ir.Machine, list[Step]]) -> None:
         summarize(replay), active_spans(replay), active, strict=True
     ):
         assert summary.activations == len(spans)
-        assert summary.lost_activations == len([span for span in spans if span.lost])
+        assert summary.stale_activations == len([span for span in spans if span.stale])
         assert summary.total_ns == sum(span.end_ns - span.start_ns for span in spans)
         assert summary.longest_ns <= summary.total_ns <= replay.duration_ns
         assert summary.active_at_end == is_active
@@ -114,7 +114,7 @@ def jumping() -> Replay:
             verdict,
             at_ns=3 * SECOND,
             change=Change.CLEARED,
-            truths=(ir.TruthValue.FALSE,),
+            truth_values=(ir.TruthValue.FALSE,),
             since_ns=(3 * SECOND,),
             values=(0.0,),
         ),
@@ -128,7 +128,7 @@ def test_a_span_goes_on_across_a_jump() -> None:
     assert jumping().duration_ns == 10 * SECOND
 
 
-def test_the_first_cause_is_told_on_the_axis(drive: Replay) -> None:
+def test_the_first_cause_is_reported_on_the_axis(drive: Replay) -> None:
     bump = summarize(drive)[1]
     assert bump.rule == "slow_on_bump"
     assert "acceleration.z = 14.7958 m/s^2" in bump.first_cause

@@ -82,7 +82,9 @@ def test_hostile_names_stay_text(drive: Replay) -> None:
             replace(rule, name=HOSTILE, documentation=HOSTILE, actions=(HOSTILE,)),
             *drive.machine.rules[1:],
         ),
-        truths=tuple(replace(truth, text=HOSTILE) for truth in drive.machine.truths),
+        propositions=tuple(
+            replace(proposition, text=HOSTILE) for proposition in drive.machine.propositions
+        ),
     )
     plots = tuple(replace(plot, text=HOSTILE, unit=HOSTILE) for plot in drive.plots)
     hostile = replace(

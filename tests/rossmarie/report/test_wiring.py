@@ -119,7 +119,7 @@ rule it: if on then { stop; };
     ],
     ids=["no rules", "no bodies", "no commands"],
 )
-def test_a_reader_is_told_what_is_missing(rules: str, remark: str) -> None:
+def test_a_reader_is_reported_what_is_missing(rules: str, remark: str) -> None:
     found = wiring_of(machine_of(rules))
     assert (found.commands, found.outputs) == ((), ())
     assert [each.topic for each in found.inputs] == (["/on"] if "rule it" in rules else [])

@@ -46,11 +46,11 @@ const isIn = (inner, outer) => inner.left >= outer.left && inner.right <= outer.
   && inner.top >= outer.top && inner.bottom <= outer.bottom;
 const meets = (one, other) => one.left < other.right && other.left < one.right
   && one.top < other.bottom && other.top < one.bottom;
-const lost = texts.filter((element) => {
+const stale = texts.filter((element) => {
   const text = element.getBoundingClientRect();
   return !isIn(text, picture) || boxes.some((box) => meets(text, box) && !isIn(text, box));
 });
-document.body.dataset.lost = lost.map((element) => element.textContent).join("|");
+document.body.dataset.stale = stale.map((element) => element.textContent).join("|");
 document.body.dataset.count = texts.length;
 """
 
@@ -61,5 +61,5 @@ def test_every_text_has_room(name: str, tmp_path: Path) -> None:
     page = tmp_path / "wiring.html"
     page.write_text(f"<body>{picture}<script>{SCRIPT}</script></body>", encoding="utf-8")
     document = document_of(page)
-    assert re.findall(r'data-lost="([^"]*)"', document) == [""]
+    assert re.findall(r'data-stale="([^"]*)"', document) == [""]
     assert re.findall(r'data-count="([^"]*)"', document) == [str(picture.count("<text"))]

@@ -8,12 +8,12 @@ from random import Random
 
 from rossmarie.ir.skills import answer
 from support.parts import GXX, needs
-from support.skill_contexts import random_context, random_question
+from support.skill_contexts import random_context, random_query
 from support.skill_node import bits, of_node
 from support.skill_tales import any_context
 from support.skill_worlds import asked_of, random_world
 
-QUESTIONS = 40
+QUERIES = 40
 CONTEXTS = 600
 WORLDS = 14
 CONTEXTS_OF_EACH = 60
@@ -22,10 +22,10 @@ CONTEXTS_OF_EACH = 60
 @needs(GXX)
 def test_a_node_answers_as_python_does(tmp_path: Path) -> None:
     random = Random(60)
-    questions = [random_question(random) for _ in range(QUESTIONS)]
+    queries = [random_query(random) for _ in range(QUERIES)]
     contexts = [random_context(random) for _ in range(CONTEXTS)]
-    expected = [[answer(each, context) for each in questions] for context in contexts]
-    assert bits(of_node(tmp_path, questions, contexts)) == bits(expected)
+    expected = [[answer(each, context) for each in queries] for context in contexts]
+    assert bits(of_node(tmp_path, queries, contexts)) == bits(expected)
     flat = [each for row in expected for each in row]
     assert {0.0, 1.0, 0.1} <= set(flat)
     assert any(map(math.isnan, flat))
@@ -40,7 +40,7 @@ def test_a_node_answers_as_the_semantics_say(tmp_path: Path) -> None:
     contexts = [any_context(random, each, worlds) for each in worlds * CONTEXTS_OF_EACH]
     steps = [step for each in asked for step in each.steps()]
     expected = [
-        [each.world.answer(one, context) for each in asked for one in each.questions]
+        [each.world.answer(one, context) for each in asked for one in each.queries]
         for context in contexts
     ]
     assert bits(of_node(tmp_path, steps, contexts)) == bits(expected)

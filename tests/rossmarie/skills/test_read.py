@@ -112,7 +112,7 @@ def twice(key: str) -> Change:
     [
         (put("format", value="other"), "`format` is `other`, and none of ezskiros/skills"),
         (put("version", value=2), "`version` is 2, and this program reads version 1"),
-        (put("version", value=True), "`version` is a truth, not a whole number"),
+        (put("version", value=True), "`version` is a boolean, not a whole number"),
         (put("digest", value="5B" * 32), "`digest` is not 64 hexadecimal digits"),
         (
             put("skills", 2, "parameters", 1, "default", value=2),
@@ -164,7 +164,7 @@ def twice(key: str) -> Change:
         ),
         (
             put("skills", 2, "parameters", 0, "is_output", value=0),
-            "`skills[2].parameters[0].is_output` is a number, not a truth",
+            "`skills[2].parameters[0].is_output` is a number, not a boolean",
         ),
         (
             put("skills", 0, "name", value="Push"),
@@ -220,7 +220,7 @@ def twice(key: str) -> Change:
         ),
     ],
 )
-def test_what_is_wrong_is_told_by_its_place(change: Change, problem: str) -> None:
+def test_what_is_wrong_is_reported_by_its_place(change: Change, problem: str) -> None:
     assert problem_of(change) == problem
 
 

@@ -1,5 +1,5 @@
 """`since`, `once` and `after` in C and in Python against the interpreter, over long traces of few
-values: inputs that are lost beside inputs that are just unknown, jumps, and many messages at once.
+values: inputs that are stale beside inputs that are just unknown, jumps, and many messages at once.
 """
 
 from __future__ import annotations
@@ -31,20 +31,22 @@ def machine() -> ir.Machine:
     a, b = (draft.above(draft.read(timeout_ns=4 * TICK), 0.0) for _ in "ab")
     c, d = (draft.above(draft.read(), 0.0) for _ in "cd")
     shown = draft.above(draft.read(), 0.0)
-    plain = [draft.truth(Since(*pair)) for pair in ((a, b), (a, c), (c, a), (c, d), (d, d))]
-    missing = draft.truth(Not(d))
-    pending = draft.truth(Since(missing, draft.truth(And((a, missing)))))
-    kept = draft.truth(Not(draft.truth(Held(pending, 3 * TICK))))
+    plain = [draft.proposition(Since(*pair)) for pair in ((a, b), (a, c), (c, a), (c, d), (d, d))]
+    missing = draft.proposition(Not(d))
+    pending = draft.proposition(Since(missing, draft.proposition(And((a, missing)))))
+    kept = draft.proposition(Not(draft.proposition(Held(pending, 3 * TICK))))
     seen = [
-        draft.truth(Not(draft.truth(Held(draft.truth(Not(each)), 3 * TICK, initially=True))))
+        draft.proposition(
+            Not(draft.proposition(Held(draft.proposition(Not(each)), 3 * TICK, initially=True)))
+        )
         for each in (a, c, plain[3])
     ]
-    lasting = draft.truth(Held(plain[3], 2 * TICK))
-    nested = draft.truth(Since(seen[1], lasting))
-    told = [*plain, kept, *seen, lasting, nested]
-    sides = draft.truth(Or((*told, *(draft.truth(Not(each)) for each in told))))
-    draft.rule(draft.truth(And((shown, sides))))
-    for each in told:
+    lasting = draft.proposition(Held(plain[3], 2 * TICK))
+    nested = draft.proposition(Since(seen[1], lasting))
+    reported = [*plain, kept, *seen, lasting, nested]
+    sides = draft.proposition(Or((*reported, *(draft.proposition(Not(each)) for each in reported))))
+    draft.rule(draft.proposition(And((shown, sides))))
+    for each in reported:
         draft.rule(each)
     return draft.machine()
 

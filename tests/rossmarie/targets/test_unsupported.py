@@ -27,7 +27,7 @@ def test_an_ordinary_machine_is_supported() -> None:
 def test_more_conditions_than_indexes(monkeypatch: pytest.MonkeyPatch) -> None:
     draft = Draft()
     condition = draft.above(draft.read(), 1.0)
-    draft.truths += [draft.truths[condition]] * 10
+    draft.propositions += [draft.propositions[condition]] * 10
     draft.rule(condition)
     monkeypatch.setattr(unsupported_by_c99, "MOST_INDEXES", 12)
     (found,) = TARGET.unsupported(draft.machine())
@@ -61,7 +61,7 @@ def test_more_evaluations_in_one_call_than_any_target_may_need(
     draft = Draft()
     condition = draft.above(draft.read(1), 1.0)
     for duration_ns in (1, 2):
-        draft.rule(draft.truth(ir.Held(condition, duration_ns), text=f"for {duration_ns}"))
+        draft.rule(draft.proposition(ir.Held(condition, duration_ns), text=f"for {duration_ns}"))
     machine = draft.machine()
     monkeypatch.setattr(ir, "MOST_EVALUATIONS", 4)
     assert list(unsupported(machine)) == []

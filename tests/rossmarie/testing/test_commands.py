@@ -67,7 +67,7 @@ def test_what_is_limited_is_as_expected(tmp_path: Path, expectation: str) -> Non
         ),
     ],
 )
-def test_what_is_let_through_is_told(tmp_path: Path, expectation: str, found: str) -> None:
+def test_what_is_let_through_is_reported(tmp_path: Path, expectation: str, found: str) -> None:
     assert failures(tmp_path, expectation) == [found]
 
 

@@ -27,7 +27,7 @@ def reached(folder: Path, rules: str, body: str) -> set[str]:
 
 
 def shown(machine: ir.Machine, subject: int, aspect: str) -> str:
-    return "" if subject < 0 or aspect == "lost" else machine.truths[subject].text
+    return "" if subject < 0 or aspect == "stale" else machine.propositions[subject].text
 
 
 RULE = "rule r: if speed > 1 m/s and not ok then { slow; };"
@@ -63,10 +63,10 @@ def test_deadlines(tmp_path: Path) -> None:
     assert "ok for 1 sec at the time" in reached(tmp_path, rule, in_time)
 
 
-def test_a_lost_input_counts_if_the_rule_is_unknown_for_it(tmp_path: Path) -> None:
+def test_a_stale_input_counts_if_the_rule_is_unknown_for_it(tmp_path: Path) -> None:
     both = "every 0.1 s from 0 s to 1 s speed; every 0.1 s from 0 s to 5 s ok = "
-    assert "speed lost" in reached(tmp_path, RULE, f"{both} false;")
-    assert "speed lost" not in reached(tmp_path, RULE, f"{both} true;")
+    assert "speed stale" in reached(tmp_path, RULE, f"{both} false;")
+    assert "speed stale" not in reached(tmp_path, RULE, f"{both} true;")
 
 
 def test_what_nothing_can_show_is_said_to_be_so(tmp_path: Path) -> None:
@@ -112,7 +112,7 @@ def test_generated_tests_cover_what_looks_back_in_time(condition: str) -> None:
 def test_what_looks_back_in_time_is_covered_as_it_was_written() -> None:
     machine = machine_of_condition("not after estop, battery > 3 V within 2 sec")
     subjects = {goal.subject for goal in goals(machine) if goal.subject >= 0}
-    assert {machine.truths[subject].text for subject in subjects} == {
+    assert {machine.propositions[subject].text for subject in subjects} == {
         "after estop, battery > 3 V within 2 sec",
         "estop",
         "battery > 3 V",

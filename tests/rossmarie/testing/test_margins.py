@@ -98,7 +98,7 @@ def test_a_named_constant_is_one_threshold(tmp_path: Path) -> None:
     ]
 
 
-def test_the_time_of_what_looks_back_is_told_as_it_was_written() -> None:
+def test_the_time_of_what_looks_back_is_reported_as_it_was_written() -> None:
     machine = machine_of_condition("once estop within 2 sec or (estop for 1 sec)")
     assert [each.text for each in thresholds(machine)] == [
         "the time of once estop within 2 sec",

@@ -65,7 +65,7 @@ def test_points_are_set_by_the_readings_beside_them(tmp_path: Path) -> None:
     assert "hits.ranges[-0.5 deg .. 0.5 deg] = " in text
 
 
-def test_what_is_left_out_is_told(tmp_path: Path) -> None:
+def test_what_is_left_out_is_reported(tmp_path: Path) -> None:
     path = tmp_path / "rules.ross"
     zone = "zone far in base_link { box [20, 21, 20, 21] m; }"  # at 45 deg, where none is tried
     path.write_text(f"{HEAD}{zone}\nrule r: if any(p in scan.points: p in far) then {{ stop; }};\n")

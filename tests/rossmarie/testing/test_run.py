@@ -69,7 +69,7 @@ def test_a_rule_that_never_became_active(tmp_path: Path) -> None:
     ]
 
 
-def test_an_input_that_falls_silent_is_lost(tmp_path: Path) -> None:
+def test_an_input_that_falls_silent_is_stale(tmp_path: Path) -> None:
     text = """test "a" {
         every 0.1 s from 0 s to 1 s speed = 0 m/s;
         expect fast inactive from 0 s until 1.5 s;
@@ -204,11 +204,11 @@ def test_tests_are_chosen_by_name(tmp_path: Path) -> None:
         run_test_file(path, ["b", "c"])
 
 
-TOLD = 'test "a" { at 0 s speed = 2 m/s; expect fast active at 0 s; }'
+REPORTED = 'test "a" { at 0 s speed = 2 m/s; expect fast active at 0 s; }'
 
 
-def test_engines_that_differ_are_told_apart(tmp_path: Path) -> None:
-    found = compiled(tmp_path, FAST + TOLD)
+def test_engines_that_differ_are_distinguished(tmp_path: Path) -> None:
+    found = compiled(tmp_path, FAST + REPORTED)
     (script,) = found.tests
     verdicts = run(Interpreter(found.machine), found.machine, script)
     assert list(differences(found.machine, script, verdicts, list(verdicts))) == []
@@ -221,7 +221,7 @@ def test_c_that_differs_fails_a_test(tmp_path: Path, monkeypatch: pytest.MonkeyP
     other = compiled(tmp_path, FAST.replace("> 1 m/s", "> 3 m/s")).machine
     native = load_native(other, c99.generate_loadable(other))
     monkeypatch.setattr("rossmarie.driver.testing._native", lambda _: native)
-    (ran,) = run_text(tmp_path, FAST + TOLD).ran
+    (ran,) = run_text(tmp_path, FAST + REPORTED).ran
     assert [finding.code for finding in ran.found] == ["ROSS761"]
 
 

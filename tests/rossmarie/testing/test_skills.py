@@ -94,7 +94,7 @@ def test_generated_tests_say_which_skills_run_and_pass(tmp_path: Path) -> None:
         ("doing Move and not doing Drive", False),
     ],
 )
-def test_questions_know_what_skills_can_answer(
+def test_queries_know_what_skills_can_answer(
     tmp_path: Path, condition: str, is_never: bool
 ) -> None:
     path = tmp_path / "rules.ross"

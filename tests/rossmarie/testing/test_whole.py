@@ -93,7 +93,7 @@ def test_a_step_beyond_the_range_of_a_double_is_no_step(tmp_path: Path) -> None:
 def test_of_a_silence_that_is_longer_than_a_test_may_be_only_the_beginning_is_tested(
     tmp_path: Path,
 ) -> None:
-    """A mode that is told when it changes has the longest timeout that there is."""
+    """A mode that is reported when it changes has the longest timeout that there is."""
     path = tmp_path / "rules.ross"
     path.write_text(
         "action stop;\n"

@@ -31,7 +31,7 @@ UNSTATED = Quantity(None)
 FORCE = quantity("N")
 FORCES = Vector(FORCE)
 LENGTHS = Array(quantity("m"))
-TRUTHS = Array(Boolean())
+TRUTH_VALUES = Array(Boolean())
 EVERY_TYPE: list[Type] = [
     Boolean(),
     Text(),
@@ -43,7 +43,7 @@ EVERY_TYPE: list[Type] = [
     Vector(UNSTATED),
     Quaternion(),
     LENGTHS,
-    TRUTHS,
+    TRUTH_VALUES,
     Interval(FORCE),
     Box(quantity("m")),
     Message("a/B", {}),
@@ -74,11 +74,11 @@ EVERY_TYPE: list[Type] = [
         ("==", (Text(), Text()), Boolean()),
         ("!=", (Boolean(), Boolean()), Boolean()),
         ("==", (FORCE, FORCE), Boolean()),
-        ("<", (LENGTHS, quantity("mm")), TRUTHS),
-        ("in", (LENGTHS, Interval(quantity("m"))), TRUTHS),
+        ("<", (LENGTHS, quantity("mm")), TRUTH_VALUES),
+        ("in", (LENGTHS, Interval(quantity("m"))), TRUTH_VALUES),
         ("-", (LENGTHS, quantity("m")), LENGTHS),
-        ("and", (TRUTHS, TRUTHS), TRUTHS),
-        ("not", (TRUTHS,), TRUTHS),
+        ("and", (TRUTH_VALUES, TRUTH_VALUES), TRUTH_VALUES),
+        ("not", (TRUTH_VALUES,), TRUTH_VALUES),
         ("abs", (LENGTHS,), LENGTHS),
         ("in", (quantity("deg"), Interval(quantity("rad"))), Boolean()),
         ("in", (Vector(quantity("m")), Box(quantity("mm"))), Boolean()),
@@ -89,8 +89,8 @@ EVERY_TYPE: list[Type] = [
         ("min", (LENGTHS,), quantity("m")),
         ("max", (FORCE, FORCE, quantity("mN")), FORCE),
         ("max", (NUMBER, UNSTATED), UNSTATED),
-        ("any", (TRUTHS,), Boolean()),
-        ("count", (TRUTHS,), NUMBER),
+        ("any", (TRUTH_VALUES,), Boolean()),
+        ("count", (TRUTH_VALUES,), NUMBER),
         ("pitch", (Quaternion(),), quantity("rad")),
         ("rate", (quantity("m/s"),), quantity("m/s^2")),
         ("rate", (UNSTATED,), UNSTATED),

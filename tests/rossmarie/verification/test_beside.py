@@ -57,13 +57,13 @@ def test_they_are_what_they_mean(prover: Prover, machine: ir.Machine, part: str)
             (("        VALUE_ANY_RANGES_ABS_SPEED_1_SEC,\n};", "        VALUE_SPEED,\n};"), "tick",
              "is forgotten with what stands beside elements"),
             (("const double BESIDE_4 = ", "const double BESIDE_4 = 1.0 + "), "numbers_scan",
-             "is what it means"),
+             "has its defined value"),
             (("    prepare(m, arrived);\n    if (v->has_scan)\n", "    if (v->has_scan)\n"),
-             "step_numbers_odom", "is what it means"),
+             "step_numbers_odom", "has its defined value"),
         ]),
     ],
 )  # fmt: skip
-def test_a_seeded_fault_is_refuted(
+def test_a_mutant_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     reasons = {each for one in asked(prover, machine, change, [part]) for each in one.reasons}

@@ -1,7 +1,7 @@
 """The proofs share nothing with the generator that decides a meaning.
 
 A fault is put into a source file that the generator reads; then rules are compiled, the C and the
-questions are written, all by the damaged copy. The C is wrong, so at least one question about it is
+queries are written, all by the damaged copy. The C is wrong, so at least one query about it is
 refuted.
 """
 
@@ -47,15 +47,15 @@ rule both: if speed > 2 m/s and belt > 2 m/s then {{ stop; }};
 WRITE = """\
 import pickle, sys
 from pathlib import Path
-from rossmarie.driver.verifying import questions_of
-questions = questions_of(Path(sys.argv[1]))
-sys.stdout.buffer.write(pickle.dumps((questions.files, questions.programs)))
+from rossmarie.driver.verifying import queries_of
+queries = queries_of(Path(sys.argv[1]))
+sys.stdout.buffer.write(pickle.dumps((queries.files, queries.programs)))
 """
 
 
 @dataclass(frozen=True)
 class Fault:
-    """A change of a source file, and the question that refutes what comes of it."""
+    """A change of a source file, and the query that refutes what comes of it."""
 
     file: str
     old: str
@@ -66,7 +66,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Asked:
-    """The input of a prover: the generated files, and the programs with the questions."""
+    """The input of a prover: the generated files, and the programs with the queries."""
 
     files: Mapping[str, str]
     programs: tuple[Harness, ...]
@@ -86,7 +86,7 @@ def damaged(fault: Fault, folder: Path) -> Path:
 
 
 def written(sources: Path, folder: Path, text: str) -> Asked:
-    """The files and questions that these sources make of rules."""
+    """The files and queries that these sources make of rules."""
     rules = folder / "small.ross"
     rules.write_text(text)
     search = os.pathsep.join([str(sources), os.environ.get("PYTHONPATH", "")])
@@ -100,7 +100,7 @@ def written(sources: Path, folder: Path, text: str) -> Asked:
 
 
 def verdicts(prover: Prover, asked: Asked, check: str) -> Iterator[Verdict]:
-    """The outcomes of the questions whose names begin so."""
+    """The outcomes of the queries whose names begin so."""
     with prover.workshop() as folder:
         write_texts(folder, asked.files)
         for program in asked.programs:
@@ -122,7 +122,7 @@ QUICK = (
     ),
 )
 _OPERANDS = "case ir.Apply(operands=operands):\n            return operands"
-_OF_TRUTHS = (
+_OF_TRUTH_VALUES = (
     "case ir.And(operands=operands) | ir.Or(operands=operands):\n            return operands"
 )
 _TERMS = "return tuple(_terms(machine, condition))"
@@ -131,7 +131,7 @@ _OF_READ = "slots=frozenset({slot}),\n                inputs=frozenset({used}),"
 FAULTS = (
     Fault(SUPPORT, _COMPARED, f"{_COMPARED}[:1]", "numbers_belt", TWO_TOPICS),
     Fault(SUPPORT, _OPERANDS, f"{_OPERANDS}[:1]", "numbers_belt"),
-    Fault(SUPPORT, _OF_TRUTHS, f"{_OF_TRUTHS}[:1]", "visit"),
+    Fault(SUPPORT, _OF_TRUTH_VALUES, f"{_OF_TRUTH_VALUES}[:1]", "visit"),
     Fault("ir/terms.py", _TERMS, f"{_TERMS}[:1]", "visit"),
     Fault(SUPPORT, _OF_READ, _OF_READ.replace("{used}", "{0}"), "tick"),
     Fault("targets/c99/layout.py", _OF_SLOT, "inputs=frozenset({0}),", "tick"),

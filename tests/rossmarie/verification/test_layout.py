@@ -63,13 +63,13 @@ def test_what_rests_on_what_is_what_all_targets_go_by(machine: ir.Machine) -> No
         wanted = ir.supports(each)
         for index, expected in enumerate(wanted.signals):
             assert_same(supports.support(each, (index,), ()), expected)
-        for index, expected in enumerate(wanted.truths):
+        for index, expected in enumerate(wanted.propositions):
             assert_same(supports.support(each, (), (index,)), expected)
         arrays = ir.element_arrays(each)
-        assert supports.elements(each) == supports.Elements(arrays.signals, arrays.truths)
+        assert supports.elements(each) == supports.Elements(arrays.signals, arrays.propositions)
         for rule in each.rules:
-            told = supports.told(each, rule.condition)
-            assert (told.terms, told.signals, told.inputs) == (
+            reported = supports.reported(each, rule.condition)
+            assert (reported.terms, reported.signals, reported.inputs) == (
                 rule.terms, rule.signals, rule.inputs,
             )  # fmt: skip
 
@@ -97,9 +97,9 @@ def _without_last_leaf(places: Places) -> Places:
 
 
 def _two_in_one_node(places: Places) -> Places:
-    first, second, *_ = places.node_of_truth
-    nodes = {**places.node_of_truth, second: places.node_of_truth[first]}
-    return replace(places, node_of_truth=nodes)
+    first, second, *_ = places.node_of_proposition
+    nodes = {**places.node_of_proposition, second: places.node_of_proposition[first]}
+    return replace(places, node_of_proposition=nodes)
 
 
 def _without_last_signal(places: Places) -> Places:
@@ -115,7 +115,7 @@ def _two_in_one_value(places: Places) -> Places:
     ("damage", "message"),
     [
         (_without_last_leaf, "leaves of guards are misplaced"),
-        (_two_in_one_node, "places of truths are misplaced"),
+        (_two_in_one_node, "places of propositions are misplaced"),
         (_without_last_signal, "a number has no place"),
         (_two_in_one_value, "a place stands for no number"),
         (lambda places: replace(places, held=()), "durations are misplaced"),

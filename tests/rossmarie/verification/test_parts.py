@@ -36,11 +36,11 @@ rule waits: if not ready or mode == "manual" then { stop; };
 
 OVER_TIME = """\
 input ready = topic /ready : std_msgs/Bool .data timeout 1 sec;
-input told = topic /told : std_msgs/Bool .data;
+input reported = topic /reported : std_msgs/Bool .data;
 action stop;
-rule ever: if ready since told then { stop; };
-rule recent: if once told within 2 sec then { stop; };
-rule late: if not after told, ready within 2 sec then { stop; };
+rule ever: if ready since reported then { stop; };
+rule recent: if once reported within 2 sec then { stop; };
+rule late: if not after reported, ready within 2 sec then { stop; };
 """
 
 PREVIOUS = """\
@@ -108,7 +108,7 @@ def test_flags_and_texts_are_what_they_mean(
 
 def test_a_fault_about_a_flag_is_refuted(prover: Prover, flagged: ir.Machine) -> None:
     change = ("{0.5, ", "{1.5, ")
-    assert outcomes(prover, flagged, change, "inside_0") == {"`ready` is what it means"}
+    assert outcomes(prover, flagged, change, "inside_0") == {"`ready` has its defined value"}
 
 
 @pytest.mark.parametrize(
@@ -126,8 +126,8 @@ def test_what_looks_back_is_what_it_means(
     [
         (("(unsigned char)UNKNOWN : held_initially[k];", "(unsigned char)UNKNOWN : FALSE;"),
          "restart", "`held_before` is as it has to be"),
-        (("either(m->truth[begun], m->since_before[k]);", "m->since_before[k];"), "visit_3",
-         "what `ready since told` was"),
+        (("either(m->truth_value[begun], m->since_before[k]);", "m->since_before[k];"), "visit_3",
+         "what `ready since reported` was"),
         (("        m->held_due_ns[k] = NEVER;\n",
           "        m->held_due_ns[k] = NEVER;\n        m->since_before[0] = FALSE;\n"),
          "restart", "`since_before` is as it has to be"),
@@ -156,7 +156,7 @@ def test_marks_of_more_than_64_nodes(
     rules = [f"rule r{n}: if speed > {n} m/s then {{ stop; }};" for n in range(1, 41)]
     machine = compiled("\n".join([WIDE, *rules]), tmp_path_factory)
     assert outcomes(prover, machine, NO_CHANGE, "visit_70") == set()
-    judged = "    if (node >= TRUTHS)\n        return judge"
+    judged = "    if (node >= TRUTH_VALUES)\n        return judge"
     change = (judged, f"    m->pending = false;\n{judged}")
     wrong = {"it is left to `evaluate` to say that all is done", "what is marked can be evaluated"}
     assert outcomes(prover, machine, change, "visit_70") == wrong
@@ -174,7 +174,7 @@ def test_evaluation_is_what_the_rules_mean(prover: Prover, machine: ir.Machine) 
         "init",
         "latch",
         "numbers",
-        *deep(["advance", "catch_up", "handed", "inside", "questions", "reset", "restart",
+        *deep(["advance", "catch_up", "handed", "inside", "queries", "reset", "restart",
                "resting", "set_wake", "step", "tick", "update_tilt", "waiting"]),
     ],
 )  # fmt: skip
@@ -189,8 +189,8 @@ def test_numbers_and_timers_are_what_they_mean(
     [
         ("#define LATEST (INT64_C(1) << 62)", "#define LATEST (INT64_C(1) << 61)"),
         (
-            "enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };",
-            "enum { FALSE, TRUE, LOST, UNKNOWN, UNSET };",
+            "enum { FALSE, TRUE, UNKNOWN, STALE, UNSET };",
+            "enum { FALSE, TRUE, STALE, UNKNOWN, UNSET };",
         ),
     ],
 )
@@ -220,13 +220,13 @@ FAULTS = (
      "`stamp_ns` is as it has to be"),
     (("            look(m, channel, t_ns);", "            ;"),
      "update_tilt_late_between", "the guard of `abs(tilt)`"),
-    (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` is what it means"),
-    (("condition == LOST", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
+    (("t_ns >= due_ns", "t_ns > due_ns"), "visit", "for 2 sec` has its defined value"),
+    (("condition == STALE", "condition == UNKNOWN"), "visit", "is active as S35 to S37 say"),
     (("return TRUE;\n    return a == TRUE", "return FALSE;\n    return a == TRUE"), "visit",
-     "is what it means"),
-    (("fabs(m->", "-(m->"), "numbers", "`abs(tilt)` is what it means"),
-    (("fabs(m->", "-(m->"), "step_numbers_tilt", "`abs(tilt)` is what it means"),
-    (("m->value[lost_values[i]] = NAN;", "m->value[lost_values[input]] = NAN;"), "tick",
+     "has its defined value"),
+    (("fabs(m->", "-(m->"), "numbers", "`abs(tilt)` has its defined value"),
+    (("fabs(m->", "-(m->"), "step_numbers_tilt", "`abs(tilt)` has its defined value"),
+    (("m->value[stale_values[i]] = NAN;", "m->value[stale_values[input]] = NAN;"), "tick",
      "`abs(tilt)` is forgotten with what it is computed from"),
     (("wake_ns < LATEST ? wake_ns : LATEST", "wake_ns"), "set_wake",
      "nothing beyond the range passes for calm"),
@@ -260,7 +260,7 @@ FAULTS = (
      "`state` is as it has to be"),
     (("(age_ns < LONGEST ? age_ns : LONGEST)", "age_ns / 2"), "restart",
      "`stamp_ns` is as it has to be"),
-    (("            m->truth[rule_condition[i]] == FALSE)\n", "            true)\n"), "reset",
+    (("            m->truth_value[rule_condition[i]] == FALSE)\n", "            true)\n"), "reset",
      "rule gone is active as S38 says"),
     (("        events += visit(", "        (void)visit("), "evaluate", "changes are counted"),
     (("        events += evaluate(m, wake_ns);", "        (void)evaluate(m, wake_ns);"),
@@ -294,7 +294,7 @@ FAULTS = (
 
 
 @pytest.mark.parametrize(("change", "part", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
-def test_a_seeded_fault_is_refuted(
+def test_a_mutant_is_refuted(
     prover: Prover, machine: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, machine, change, part))
@@ -330,20 +330,20 @@ def test_what_counts_and_elements_are_what_they_mean(
         (("    m->recent_next[k] = ", "    (void)"), "visit_7", "`recent_next` is as it has to be"),
         (("operand == TRUE && before == FALSE", "operand == TRUE && before != TRUE"), "visit_7",
          "is as it has to be"),
-        (("    m->edge_before[k] = operand;", ""), "visit_7", "is what it means"),
+        (("    m->edge_before[k] = operand;", ""), "visit_7", "has its defined value"),
         (("        m->edge_before[k] = m->started ? UNKNOWN : FALSE;", "        ;"), "restart",
          "`edge_before` is as it has to be"),
         (("recent_due(m, k) <= t_ns", "recent_due(m, k) < t_ns"), "tick",
-         "edges of turning > 1 within 2 sec) > 1` is what it means"),
+         "edges of turning > 1 within 2 sec) > 1` has its defined value"),
         (("        forget_turns(m, k);\n        return", "        return"), "tick",
          "`recent_count` is as it has to be"),
         (("unknowns != 0 || count == 0", "count == 0"), "numbers_scan",
-         "`any(ranges < 0.5 m)` is what it means"),
+         "`any(ranges < 0.5 m)` has its defined value"),
         (("{ return m->value[guard_value[g]]; }", "{ return (void)m, (void)g, NAN; }"), "cross_2",
          "the guard of `min(ranges)`"),
     ],
 )  # fmt: skip
-def test_a_seeded_fault_in_them_is_refuted(
+def test_a_mutant_in_them_is_refuted(
     prover: Prover, counting: ir.Machine, change: tuple[str, str], part: str, expected: str
 ) -> None:
     assert any(expected in wrong for wrong in outcomes(prover, counting, change, part))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rossmarie.driver.verifying import Questions, questions_of
+from rossmarie.driver.verifying import Queries, queries_of
 from rossmarie.verification.prover import Prover, Verdict
 from support.depth import deep
 from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
@@ -12,10 +12,10 @@ from support.small_rules import RETRACED
 
 
 @pytest.fixture(scope="module")
-def questions(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+def queries(tmp_path_factory: pytest.TempPathFactory) -> Queries:
     path = tmp_path_factory.mktemp("rules") / "small.ross"
     path.write_text(RETRACED)
-    return questions_of(path)
+    return queries_of(path)
 
 
 @pytest.fixture(scope="module")
@@ -30,10 +30,8 @@ def prover() -> Prover:
             "poses_begin", "poses_set_back", "poses_retraced", "set_clock", "next_wake", "init",
             "settle", "react", "start"])],
 )  # fmt: skip
-def test_memories_of_poses_are_what_they_mean(
-    prover: Prover, questions: Questions, name: str
-) -> None:
-    found = proofs_of_reactor(prover, questions, *NO_CHANGE, f"reactor_{name}")
+def test_memories_of_poses_are_what_they_mean(prover: Prover, queries: Queries, name: str) -> None:
+    found = proofs_of_reactor(prover, queries, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
@@ -69,8 +67,8 @@ FAULTS = (
 
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
-def test_a_seeded_fault_is_refuted(
-    prover: Prover, questions: Questions, old: str, new: str, name: str, expected: str
+def test_a_mutant_is_refuted(
+    prover: Prover, queries: Queries, old: str, new: str, name: str, expected: str
 ) -> None:
-    found = proofs_of_reactor(prover, questions, old, new, f"reactor_poses_{name}")
+    found = proofs_of_reactor(prover, queries, old, new, f"reactor_poses_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes

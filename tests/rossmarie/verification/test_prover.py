@@ -1,4 +1,4 @@
-"""What is made of the answers of CBMC, here a script that answers as it is told."""
+"""What is made of the answers of CBMC, here a script that answers as it is reported."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
 from rossmarie.verification.prover import Outcome, Prover, Verdict
 
-CLAIMS = ("check_it.assertion.1", "check_it.overflow.1")
+OBLIGATIONS = ("check_it.assertion.1", "check_it.overflow.1")
 SUCCESS = [{"cProverStatus": "success"}]
 FAILURE = [{"cProverStatus": "failure"}]
 ERROR = [{"cProverStatus": "error"}]
@@ -69,9 +69,9 @@ def test_that_loops_end_is_shown_as_well(tmp_path: Path, monkeypatch: pytest.Mon
     assert outcome.verdict is Verdict.UNDECIDED
 
 
-def test_a_single_claim_is_left_to_z3(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_single_obligation_is_left_to_z3(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     answers = {"whole": ERROR, "own": ERROR, "single": ERROR, "smt": SUCCESS}
-    outcome = answered(tmp_path, monkeypatch, CLAIMS[:1], **answers)
+    outcome = answered(tmp_path, monkeypatch, OBLIGATIONS[:1], **answers)
     assert outcome.reasons == ("no answer within 10 s: check_it.assertion.1",)  # that loops end
 
 
@@ -83,7 +83,7 @@ def test_what_does_not_hold_is_listed(tmp_path: Path, monkeypatch: pytest.Monkey
 def answered(
     folder: Path,
     monkeypatch: pytest.MonkeyPatch,
-    claims: Sequence[str] = CLAIMS,
+    obligations: Sequence[str] = OBLIGATIONS,
     **answers: Sequence[object],
 ) -> Outcome:
     """What comes of one check if CBMC gives these answers."""
@@ -92,7 +92,7 @@ def answered(
     texts = {name: json.dumps(answer) for name, answer in answers.items()}
     for name in ("goto-cc", "goto-instrument"):
         (programs / name).write_text("#!/bin/sh\n")
-    listed = json.dumps([{"properties": [{"name": name} for name in claims]}])
+    listed = json.dumps([{"properties": [{"name": name} for name in obligations]}])
     (programs / "cbmc").write_text(CBMC.format(listed=listed, **texts))
     for script in programs.iterdir():
         script.chmod(0o755)

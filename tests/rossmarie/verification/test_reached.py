@@ -11,7 +11,7 @@ from typing import NamedTuple
 import pytest
 
 from dslkit.writing import write_texts
-from rossmarie.driver.verifying import questions_of
+from rossmarie.driver.verifying import queries_of
 from rossmarie.verification.prover import Prover, _unwound
 from support.provers import real_prover
 from support.small_rules import BOUNDED, LATE, OVERRULED, TILTED
@@ -68,13 +68,13 @@ def looked_at(prover: Prover, folder: Path, rules: str, part: str) -> tuple[set[
     """
     path = folder / "small.ross"
     path.write_text(rules)
-    questions = questions_of(path)
+    queries = queries_of(path)
     name = f"small_{part}.c"
-    (program,) = (each for each in questions.programs if f'#include "{name}"' in each.text)
-    found = {Line(function, "") for function in _FUNCTION.findall(questions.files[name])}
+    (program,) = (each for each in queries.programs if f'#include "{name}"' in each.text)
+    found = {Line(function, "") for function in _FUNCTION.findall(queries.files[name])}
     reached: set[Line] = set()
     with prover.workshop() as workshop:
-        write_texts(workshop, questions.texts())
+        write_texts(workshop, queries.texts())
         prover.compile(workshop, program)
         for check in program.checks:
             command = ["cbmc", prover._compile(program, check, workshop), "--json-ui"]

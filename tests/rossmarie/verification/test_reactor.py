@@ -1,10 +1,10 @@
-"""The generated reactor, proved by CBMC against what the reactions mean, and seeded faults."""
+"""The generated reactor, proved by CBMC against what the reactions mean, and mutants."""
 
 from __future__ import annotations
 
 import pytest
 
-from rossmarie.driver.verifying import Questions, questions_of
+from rossmarie.driver.verifying import Queries, queries_of
 from rossmarie.verification.prover import Prover, Verdict
 from support.depth import deep
 from support.provers import NO_CHANGE, proofs_of_reactor, real_prover, refuted
@@ -13,38 +13,38 @@ from support.small_rules import AT_ONCE, BOUNDED, LATE, OVERRULED
 
 
 @pytest.fixture(scope="module")
-def questions(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+def queries(tmp_path_factory: pytest.TempPathFactory) -> Queries:
     path = tmp_path_factory.mktemp("rules") / "small.ross"
     path.write_text(BOUNDED)
-    return questions_of(path)
+    return queries_of(path)
 
 
 @pytest.fixture(scope="module")
-def waiting(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+def waiting(tmp_path_factory: pytest.TempPathFactory) -> Queries:
     """About rules of which some wait for what others have."""
     path = tmp_path_factory.mktemp("waiting") / "small.ross"
     path.write_text(OVERRULED)
-    return questions_of(path)
+    return queries_of(path)
 
 
 @pytest.fixture(scope="module")
-def late(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+def late(tmp_path_factory: pytest.TempPathFactory) -> Queries:
     """The same, so few that faults of what takes long to prove are found soon."""
     path = tmp_path_factory.mktemp("late") / "small.ross"
     path.write_text(LATE)
-    return questions_of(path)
+    return queries_of(path)
 
 
 @pytest.fixture(scope="module")
-def failing(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+def failing(tmp_path_factory: pytest.TempPathFactory) -> Queries:
     """About rules of which some fail at once, as another has what they need."""
     path = tmp_path_factory.mktemp("failing") / "small.ross"
     path.write_text(AT_ONCE)
-    return questions_of(path)
+    return queries_of(path)
 
 
 @pytest.fixture(scope="module")
-def exempted(tmp_path_factory: pytest.TempPathFactory) -> Questions:
+def exempted(tmp_path_factory: pytest.TempPathFactory) -> Queries:
     """About rules with scopes and exemptions, one of which does nothing."""
     path = tmp_path_factory.mktemp("exempted") / "small.ross"
     path.write_text(f'''
@@ -55,7 +55,7 @@ def exempted(tmp_path_factory: pytest.TempPathFactory) -> Questions:
             unless doing Push(Object: Fragile) then if force > 20 N then {{ stop; }};
         rule near: if force > 3 N while doing Drive then {{ stop; }};
     ''')
-    return questions_of(path)
+    return queries_of(path)
 
 
 @pytest.fixture(scope="module")
@@ -70,17 +70,15 @@ def prover() -> Prover:
             "release", "engaged", "next_wake", "stage_over", "decide", "give_orders", "start",
             "append_started", "escalate", "pass_on", "settle", "react", "report"])],
 )  # fmt: skip
-def test_the_reactor_is_what_reactions_mean(
-    prover: Prover, questions: Questions, name: str
-) -> None:
-    found = proofs_of_reactor(prover, questions, *NO_CHANGE, f"reactor_{name}")
+def test_the_reactor_is_what_reactions_mean(prover: Prover, queries: Queries, name: str) -> None:
+    found = proofs_of_reactor(prover, queries, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
 @pytest.mark.parametrize(
     "name", ["next_wake", *deep(["start", "settle", "react", "append_started", "report"])]
 )
-def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Questions, name: str) -> None:
+def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Queries, name: str) -> None:
     found = proofs_of_reactor(prover, exempted, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
@@ -89,14 +87,14 @@ def test_exemptions_are_what_reactions_mean(prover: Prover, exempted: Questions,
     "name",
     ["next_wake", *deep(["set_clock", "stage_over", "start", "escalate", "pass_on", "settle"])],
 )
-def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Questions, name: str) -> None:
+def test_what_waits_is_what_reactions_mean(prover: Prover, waiting: Queries, name: str) -> None:
     found = proofs_of_reactor(prover, waiting, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
 
 
 @pytest.mark.parametrize("name", deep(["start", "escalate", "pass_on"]))
 def test_what_fails_at_once_is_what_reactions_mean(
-    prover: Prover, failing: Questions, name: str
+    prover: Prover, failing: Queries, name: str
 ) -> None:
     found = proofs_of_reactor(prover, failing, *NO_CHANGE, f"reactor_{name}")
     assert [each for each in found.outcomes if each.verdict is not Verdict.PROVED] == []
@@ -210,33 +208,31 @@ FAULTS_OF_WHAT_IS_LATE = (
 
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), deep(FAULTS_OF_WAITING))
-def test_a_seeded_fault_of_waiting_is_refuted(
-    prover: Prover, waiting: Questions, old: str, new: str, name: str, expected: str
+def test_a_mutant_of_waiting_is_refuted(
+    prover: Prover, waiting: Queries, old: str, new: str, name: str, expected: str
 ) -> None:
     found = proofs_of_reactor(prover, waiting, old, new, f"reactor_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes
 
 
 @pytest.mark.deep
-def test_a_seeded_fault_of_what_fails_at_once_is_refuted(
-    prover: Prover, failing: Questions
-) -> None:
+def test_a_mutant_of_what_fails_at_once_is_refuted(prover: Prover, failing: Queries) -> None:
     fault = "if (tasks[task].fails_at_once)"
     found = proofs_of_reactor(prover, failing, fault, "if (false)", "reactor_start_2_0")
     assert any("a task is in a state" in reason for reason in refuted(found)), found.outcomes
 
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), deep(FAULTS_OF_WHAT_IS_LATE))
-def test_a_seeded_fault_of_what_is_late_is_refuted(
-    prover: Prover, late: Questions, old: str, new: str, name: str, expected: str
+def test_a_mutant_of_what_is_late_is_refuted(
+    prover: Prover, late: Queries, old: str, new: str, name: str, expected: str
 ) -> None:
     found = proofs_of_reactor(prover, late, old, new, f"reactor_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes
 
 
 @pytest.mark.parametrize(("old", "new", "name", "expected"), [*QUICK_FAULTS, *deep(FAULTS)])
-def test_a_seeded_fault_is_refuted(
-    prover: Prover, questions: Questions, old: str, new: str, name: str, expected: str
+def test_a_mutant_is_refuted(
+    prover: Prover, queries: Queries, old: str, new: str, name: str, expected: str
 ) -> None:
-    found = proofs_of_reactor(prover, questions, old, new, f"reactor_{name}")
+    found = proofs_of_reactor(prover, queries, old, new, f"reactor_{name}")
     assert any(expected in reason for reason in refuted(found)), found.outcomes

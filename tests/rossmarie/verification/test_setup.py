@@ -108,7 +108,7 @@ def test_without_a_network_it_says_what_debootstrap_says(debian: QuickDebian) ->
     assert debian.left() == ["prover.lock"]
 
 
-def test_what_does_not_run_is_told(debian: QuickDebian) -> None:
+def test_what_does_not_run_is_reported(debian: QuickDebian) -> None:
     debian.write("mkdir -p $folder/lib64 $folder/usr/lib/any-linux-gnu; exit 0")
     done = run()
     assert done.returncode == 1

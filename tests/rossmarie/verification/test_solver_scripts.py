@@ -17,12 +17,12 @@ def prover() -> Prover:
     return real_prover()
 
 
-def verdict(prover: Prover, claim: str, *, is_arithmetic: bool) -> Verdict:
+def verdict(prover: Prover, obligation: str, *, is_arithmetic: bool) -> Verdict:
     check = Check("it", "something about numbers", is_arithmetic=is_arithmetic)
     text = (
         f"{PRELUDE}\nstatic int a[2];\n\nvoid check_it(double x, double y, unsigned n)\n{{\n"
         "    a[n % 2] = 1;\n"  # something that C forbids elsewhere
-        f'    __CPROVER_assert({claim}, "it holds");\n}}\n'
+        f'    __CPROVER_assert({obligation}, "it holds");\n}}\n'
     )
     with prover.workshop() as folder:
         harness = Harness(text, (check,), passes=1)
@@ -39,13 +39,13 @@ def verdict(prover: Prover, claim: str, *, is_arithmetic: bool) -> Verdict:
         "!isnan(x) || (isnan(x - y) && isnan(y - x))",
     ],
 )
-def test_what_is_told_of_differences_is_so(prover: Prover, fact: str) -> None:
+def test_what_is_reported_of_differences_is_so(prover: Prover, fact: str) -> None:
     """A SAT solver looks at every bit."""
     assert verdict(prover, fact, is_arithmetic=False) is Verdict.PROVED
 
 
 @pytest.mark.parametrize(
-    ("claim", "expected"),
+    ("obligation", "expected"),
     [
         ("isnan(x * y / (x + y)) || x * y / (x + y) == x * y / (x + y)", Verdict.PROVED),
         *deep(
@@ -58,6 +58,6 @@ def test_what_is_told_of_differences_is_so(prover: Prover, fact: str) -> None:
     ],
 )
 def test_what_holds_of_some_arithmetic_only_is_decided_by_its_bits(
-    prover: Prover, claim: str, expected: Verdict
+    prover: Prover, obligation: str, expected: Verdict
 ) -> None:
-    assert verdict(prover, claim, is_arithmetic=True) is expected
+    assert verdict(prover, obligation, is_arithmetic=True) is expected

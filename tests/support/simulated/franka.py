@@ -22,7 +22,7 @@ REFLEX = (20.0, 21.5)
 GUIDING = (22.5, 24.5)
 SILENT = (25.5, 26.1)
 LATE = (27.5, 29.0)  # commands that come too late
-NUMB = (29.5, 30.5)  # the same force is told again and again
+NUMB = (29.5, 30.5)  # the same force is reported again and again
 HEAVY = (13.2, 16.2)  # what it carries
 
 JOINTS = tuple(f"fr3_joint{number}" for number in range(1, 8))
@@ -150,7 +150,7 @@ OPENED = (SLIPPED[1], 0.03)
 
 def sensors() -> Sequence[Sensor]:
     """All topics."""
-    told = (
+    reported = (
         ("measured_joint_states", "sensor_msgs/JointState", joints),
         ("current_pose", "geometry_msgs/PoseStamped", lambda t: pose(hand(t))),
         ("external_wrench_in_base_frame", "geometry_msgs/WrenchStamped", wrench),
@@ -173,7 +173,7 @@ def sensors() -> Sequence[Sensor]:
                 "fr3_link0",
                 [SILENT],
             )
-            for topic, kind, read in told
+            for topic, kind, read in reported
         ),
         Sensor(
             "/franka_gripper/joint_states",

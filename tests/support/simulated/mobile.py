@@ -1,4 +1,4 @@
-"""The topics that all bases have: where they are, how fast, and what they are told."""
+"""The topics that all bases have: where they are, how fast, and what they are reported."""
 
 from __future__ import annotations
 

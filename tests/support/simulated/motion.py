@@ -50,15 +50,15 @@ def joint_state(
     order: Sequence[int] = (),
 ) -> dict[str, Any]:
     """The fields of a sensor_msgs/JointState, which may be a field of another message. `order` are
-    the joints in the order in which they are told, if that is another one.
+    the joints in the order in which they are reported, if that is another one.
     """
-    told = list(order or range(len(names)))
+    reported = list(order or range(len(names)))
     positions, velocities = motion.positions(t), motion.velocities(t)
     return {
-        f"{path}name": [names[each] for each in told],
-        f"{path}position": [rounded(positions[each], 12) for each in told],
-        f"{path}velocity": [rounded(velocities[each]) for each in told],
-        f"{path}effort": [rounded(efforts[each], 6) for each in told],
+        f"{path}name": [names[each] for each in reported],
+        f"{path}position": [rounded(positions[each], 12) for each in reported],
+        f"{path}velocity": [rounded(velocities[each]) for each in reported],
+        f"{path}effort": [rounded(efforts[each], 6) for each in reported],
     }
 
 

@@ -23,7 +23,7 @@ REDUCED = (23.0, 25.0)
 HOT = (26.0, 30.0)  # the tool
 NUMB = (38.0, 39.0)  # the force sensor tells the same again and again
 STUTTER = [(8.0 + 0.4 * count, 8.17 + 0.4 * count) for count in range(5)]
-"""Stretches in which no joints are told: the network is busy."""
+"""Stretches in which no joints are reported: the network is busy."""
 
 JOINTS = (
     "shoulder_pan_joint",
@@ -125,7 +125,7 @@ def tool(t: float) -> dict[str, Any]:
 
 
 def sensors() -> Sequence[Sensor]:
-    """All topics. Modes are told when they change."""
+    """All topics. Modes are reported when they change."""
     changes = [0.0, *PROTECTIVE_STOP, *REDUCED]
     status = "/io_and_status_controller"
     return [

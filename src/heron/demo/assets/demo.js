@@ -19,7 +19,7 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
     film.pictures.map((picture) => "data:image/webp;base64," + picture));
   let before = null;
 
-  // A chart as numbers: what is drawn is also what is told at the pointer.
+  // A chart as numbers: what is drawn is also what is reported at the pointer.
   function read(element) {
     const { low, high, digits, unit } = element.dataset;
     const { width, height } = element.querySelector("svg").viewBox.baseVal;
@@ -29,7 +29,7 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
       points: line.getAttribute("points").split(" ").map((point) => point.split(",").map(Number))
         .map(([x, y]) => [x / width * data.duration, toValue(y)]),
     }));
-    return { curves, digits: Number(digits), unit, told: element.querySelector(".values") };
+    return { curves, digits: Number(digits), unit, reported: element.querySelector(".values") };
   }
 
   // Between the two points that an instant lies between; nothing after the end.
@@ -52,8 +52,8 @@ for (const section of document.querySelectorAll("section[data-experiment]")) {
 
   function tell(time) {
     const arms = chosen();
-    for (const { curves, digits, unit, told } of charts) {
-      told.replaceChildren(...curves.filter(({ arm }) => arms.includes(arm)).map(({ arm, points }) => {
+    for (const { curves, digits, unit, reported } of charts) {
+      reported.replaceChildren(...curves.filter(({ arm }) => arms.includes(arm)).map(({ arm, points }) => {
         const value = valueAt(points, time);
         const span = document.createElement("span");
         span.className = arm;

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from heron.evaluation.claim import Claim, Verdict, at_most, between, greater
+from heron.evaluation.expectation import Expectation, Verdict, at_most, between, greater
 from heron.evaluation.learning.trainings import Trainings
 from heron.evaluation.statistics import compare
 from heron.learning.arms import ARM_NAMES, is_guarded
@@ -25,12 +25,12 @@ _U, _G = LearningArm.UNGUARDED, LearningArm.GUARD
 _F, _E = LearningArm.GUARD_FEEDBACK, LearningArm.EXECUTED
 
 
-def expectations_of(found: Trainings) -> list[Claim]:
+def expectations_of(found: Trainings) -> list[Expectation]:
     """All of them that these arms can tell something about."""
-    return [claim for claim in _all(found) if claim is not None]
+    return [expectation for expectation in _all(found) if expectation is not None]
 
 
-def _all(found: Trainings) -> Iterator[Claim | None]:
+def _all(found: Trainings) -> Iterator[Expectation | None]:
     arms = found.arms
     for arm in (arm for arm in arms if is_guarded(arm)):
         yield _none(found, arm, "executed_outside", "commands outside of the rules, executed")
@@ -62,9 +62,9 @@ def _all(found: Trainings) -> Iterator[Claim | None]:
         yield _less_later(found)
 
 
-def _none(found: Trainings, arm: LearningArm, name: str, words: str) -> Claim:
+def _none(found: Trainings, arm: LearningArm, name: str, words: str) -> Expectation:
     values = found.values(arm, name)
-    return Claim(
+    return Expectation(
         f"none {arm.value} {name}",
         f"{words}: none with {ARM_NAMES[arm]}",
         f"{sum(values):g}" if any(values) else "none",
@@ -78,7 +78,7 @@ def _fewer(
     more: tuple[LearningArm, str],
     words: str,
     digits: int,
-) -> Claim | None:
+) -> Expectation | None:
     expected = f"{words}: less with {ARM_NAMES[lesser[0]]} than {ARM_NAMES[more[0]]}"
     return _differ(found, more, lesser, expected, digits)
 
@@ -90,14 +90,14 @@ def _differ(
     expected: str,
     digits: int,
     unknown: float | None = None,
-) -> Claim | None:
+) -> Expectation | None:
     compared = found.compared(more, lesser, unknown)
     if compared is None:
         return None
     key = f"{more[0].value} {more[1]} > {lesser[0].value} {lesser[1]}"
     if found.by_seed(*more, unknown) == found.by_seed(*lesser, unknown):
-        return Claim(key, expected, "they are the same with each seed", Verdict.OPEN)
-    return Claim(
+        return Expectation(key, expected, "they are the same with each seed", Verdict.OPEN)
+    return Expectation(
         key,
         expected,
         f"by {between(compared.difference, digits)}, p = {compared.chance:.2g}",
@@ -105,7 +105,7 @@ def _differ(
     )
 
 
-def _sooner(found: Trainings) -> Claim | None:
+def _sooner(found: Trainings) -> Expectation | None:
     """A training that does not get there counts with its budget."""
     return _differ(
         found, (_U, "steps_to_good"), (_G, "steps_to_good"),
@@ -114,13 +114,13 @@ def _sooner(found: Trainings) -> Claim | None:
     )  # fmt: skip
 
 
-def _as_soon(found: Trainings) -> Claim | None:
+def _as_soon(found: Trainings) -> Expectation | None:
     budget = float(found.budget)
     compared = found.compared((_E, "steps_to_good"), (_G, "steps_to_good"), budget)
     if compared is None:
         return None
     most = _MARGIN * sum(found.by_seed(_G, "steps_to_good", budget).values()) / len(found.of(_G))
-    return Claim(
+    return Expectation(
         "executed as soon",
         "steps until nine of ten episodes are insertions: at most a tenth more by learning from "
         "executed actions than from proposed ones",
@@ -129,11 +129,11 @@ def _as_soon(found: Trainings) -> Claim | None:
     )
 
 
-def _as_good(found: Trainings) -> Claim | None:
+def _as_good(found: Trainings) -> Expectation | None:
     compared = found.compared((_U, "inserted_unguarded"), (_G, "inserted_guard"))
     if compared is None:
         return None
-    return Claim(
+    return Expectation(
         "as good",
         "share of insertions after the training: with guard, and the guard there, at most a tenth "
         "less than unguarded",
@@ -142,10 +142,10 @@ def _as_good(found: Trainings) -> Claim | None:
     )
 
 
-def _less_later(found: Trainings) -> Claim:
+def _less_later(found: Trainings) -> Expectation:
     first, last = found.values(_F, "intervened_early"), found.values(_F, "intervened_late")
     compared = compare(first, last)
-    return Claim(
+    return Expectation(
         "less later",
         "share of steps outside of the rules, proposed, with guard and feedback: less in the last "
         "quarter of a training than in the first",

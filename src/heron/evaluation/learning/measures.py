@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 
 class Measure(NamedTuple):
-    """A column of the rows, how it is called, and how many digits it has; shares are told in
+    """A column of the rows, how it is called, and how many digits it has; shares are reported in
     percent.
     """
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from importlib.resources import files
 
-from heron.evaluation.claim import between
+from heron.evaluation.expectation import between
 from heron.evaluation.learning.expectations import expectations_of
 from heron.evaluation.learning.measures import MEASURES, Measure
 from heron.evaluation.learning.names import ALGORITHM_NAMES, TITLES
 from heron.evaluation.learning.reasons import REASONS
 from heron.evaluation.learning.trainings import Trainings
 from heron.evaluation.statistics import Estimate, median
-from heron.evaluation.summary import Told, summary_of, table_of
+from heron.evaluation.summary import Reported, summary_of, table_of
 from heron.learning.arms import ARM_NAMES
 from heron.variants import LearningArm
 
@@ -20,8 +20,8 @@ from heron.variants import LearningArm
 def page_of(all_trainings: Sequence[Trainings], plots: str) -> str:
     """The whole page. `plots` is the folder of the pictures as seen from the page."""
     head = files("heron.evaluation").joinpath("assets/learning.md").read_text("utf-8")
-    told = [each for found in all_trainings for each in _told(found)]
-    lines = [head, *summary_of(told)]
+    reported = [each for found in all_trainings for each in _reported(found)]
+    lines = [head, *summary_of(reported)]
     for found in all_trainings:
         lines += _section(found, plots)
     return "\n".join(lines)
@@ -36,10 +36,10 @@ def _title(found: Trainings) -> str:
     return f"{TITLES[found.formulation]}, by {ALGORITHM_NAMES[found.algorithm]}"
 
 
-def _told(found: Trainings) -> Iterator[Told]:
-    for claim in expectations_of(found):
-        reason = REASONS.get((found.formulation.value, found.algorithm, claim.key))
-        yield Told(_title(found), claim, reason)
+def _reported(found: Trainings) -> Iterator[Reported]:
+    for expectation in expectations_of(found):
+        reason = REASONS.get((found.formulation.value, found.algorithm, expectation.key))
+        yield Reported(_title(found), expectation, reason)
 
 
 def _section(found: Trainings, plots: str) -> Iterator[str]:

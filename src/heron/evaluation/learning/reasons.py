@@ -1,5 +1,5 @@
 """Reasons for expectations that fail, as far as they are known: by formulation, algorithm and
-claim. The page shows a reason only where its expectation does fail.
+expectation. The page shows a reason only where its expectation does fail.
 """
 
 from __future__ import annotations

@@ -221,7 +221,7 @@ class EffectChecker:
         if is_plain and effect.unit is None:
             return value.boolean if value.boolean is not None else value.text
         name = ".".join(name.text for name in effect.parameter)
-        expected = "a number, because it has a unit" if is_plain else "a number, truth or string"
+        expected = "a number, because it has a unit" if is_plain else "a number, boolean or string"
         found = describe(self._context.type_of(effect.value))
         finding = ValueMismatch(field=name, expected=expected, found=found)
         self._add(finding.at(effect.value.span))

@@ -170,7 +170,7 @@ class FieldNotAssignable(Error, code="ROSS229", name="field-not-assignable"):
         says = "name one of its fields"
 
     class Scalars(Remark):
-        says = "set numbers, truths and strings"
+        says = "set numbers, booleans and strings"
 
     class Part(Remark):
         says = "name one of its parts, such as `{field}.x`"

@@ -107,7 +107,7 @@ def _is_apart(node: ast.Expression, context: Context) -> bool:
 
 
 def _outcomes(parts: list[ast.Expression], context: Context) -> NodeMap[bool]:
-    """The truths among `parts`, each before what is inside it, that constants alone decide."""
+    """The booleans among `parts`, each before what is inside it, that constants alone decide."""
     outcomes: NodeMap[bool] = NodeMap()
     for node in reversed(parts):
         if isinstance(context.type_of(node), Boolean):

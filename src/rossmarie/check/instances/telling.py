@@ -18,7 +18,7 @@ _MOST_IMPORTS = 4
 _STRING = re.compile(r'((?<!\btest )"[^"\n]*")')
 
 
-def told(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic, ...]:
+def reported(found: Iterable[Diagnostic], instances: Instances) -> tuple[Diagnostic, ...]:
     """Findings as their reader knows the names in them; one that several instances have in common
     stands there once.
     """

@@ -104,7 +104,7 @@ class UnknownSource(Error, code="ROSS277", name="unknown-source"):
 
     title = "the frame in which `{field}` arrives is not known"
     label = "there is no way from an unknown frame"
-    note = "the way between frames is worked out beforehand; a message in another frame is lost"
+    note = "the way between frames is worked out beforehand; a message in another frame is stale"
     help = "write the frame that its messages say: `from FRAME in {frame}`"
     field: str
     frame: str

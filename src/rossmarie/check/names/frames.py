@@ -71,7 +71,7 @@ def _has_header(message: Message) -> bool:
     return isinstance(header, Message) and isinstance(header.fields.get(HEADER[1]), Text)
 
 
-def is_told(used: CheckedInput, path: Sequence[object]) -> bool:
+def is_reported(used: CheckedInput, path: Sequence[object]) -> bool:
     """Say whether what an input says of its frame holds for the part at a path: it is the same
     field of the message that would say so.
     """
@@ -87,7 +87,7 @@ def has_frame(type_: Type) -> bool:
             return has_frame(element)
         case Message(fields=fields):
             return any(has_frame(part) for name, part in fields.items() if name != HEADER[0])
-        case _:  # open: numbers, truths and texts alone have no frame
+        case _:  # open: numbers, booleans and texts alone have no frame
             return False
 
 
@@ -110,7 +110,7 @@ def frame_of(node: ast.Expression, context: Context) -> Framed | None:
         case ast.Call(function=function, arguments=arguments) if function.text in _KEEPING:
             frames = (frame_of(each, context) for each in arguments)
             return next((each for each in frames if each is not None), None)
-        case _:  # open: a length, a truth or a literal is in no frame
+        case _:  # open: a length, a boolean or a literal is in no frame
             return None
 
 
@@ -135,7 +135,7 @@ def _of_part(node: ast.Reference | ast.Member | ast.Index, context: Context) -> 
     if not has_frame(context.type_of(node)):
         return None
     used, path = _brought(node, context)
-    if used is None or used.frame is None or not is_told(used, (*used.path, *path)):
+    if used is None or used.frame is None or not is_reported(used, (*used.path, *path)):
         return None
     return Framed(used.frame, used)
 

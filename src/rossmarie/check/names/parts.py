@@ -10,7 +10,7 @@ from rossmarie.types import Array, Entry, List, Message, Type
 
 def part_at(path: Path, type_: Type) -> Part:
     """The part of a message at the end of a path of fields, where there is a `type_`; or at a
-    question to the skills that run.
+    query to the skills that run.
     """
     if path and isinstance(path[-1], str):
         return Part(path[:-1]).field(path[-1], type_)

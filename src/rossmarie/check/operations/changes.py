@@ -16,7 +16,7 @@ from rossmarie.types import Array, Boolean, Quantity, Text, Type, Unknown, Vecto
 
 
 def type_of_changed(node: ast.Call, context: Context) -> Type:
-    """`changed(x)` is one truth."""
+    """`changed(x)` is one boolean."""
     (argument,) = node.arguments
     type_ = context.type_of(argument)
     if report_uncompared(argument, "it is not one side of a comparison", context):

@@ -1,4 +1,4 @@
-"""The values of constant expressions: numbers in SI units, truths and texts."""
+"""The values of constant expressions: numbers in SI units, booleans and texts."""
 
 from __future__ import annotations
 
@@ -53,13 +53,13 @@ def fold(node: ast.Expression, type_: Type, context: Context) -> Value | None:
     if isinstance(node, ast.Parenthesized):
         return context.values.get(node.inner)
     if isinstance(type_, Boolean):
-        truth = _truth(node, context)
-        return None if truth is None else Value(type_, boolean=truth)
+        boolean = _boolean(node, context)
+        return None if boolean is None else Value(type_, boolean=boolean)
     number = _number(node, type_, context) if isinstance(type_, Quantity) else None
     return None if number is None else Value(type_, (number,))
 
 
-def _truth(node: ast.Expression, context: Context) -> bool | None:
+def _boolean(node: ast.Expression, context: Context) -> bool | None:
     values = [context.values.get(operand) for operand in children(node)]
     known = [value for value in values if value is not None]
     if len(known) < len(values):

@@ -1,7 +1,7 @@
 """Expressions over the elements of an array: they may use one array, constants, and numbers of
 other messages.
 
-A truth of its own, or a time that something has to hold, belongs outside.
+A boolean of its own, or a time that something has to hold, belongs outside.
 """
 
 from __future__ import annotations
@@ -58,18 +58,20 @@ def _reason(part: ast.Expression, context: Context) -> str | None:
     return None if unfit is None else unfit[1]
 
 
-def _take_out(truth: ast.Expression, fold: ast.Call, context: Context) -> tuple[Remark, Fix | None]:
+def _take_out(
+    boolean: ast.Expression, fold: ast.Call, context: Context
+) -> tuple[Remark, Fix | None]:
     """`any(ranges < 1 m) or ok` for `any(ranges < 1 m or ok)`."""
     function = fold.function.text
     junction = stripped(fold.arguments[0])
-    text = text_of(truth)
-    help = ElementwiseMixture.OneTruth(text=text, function=function)
+    text = text_of(boolean)
+    help = ElementwiseMixture.OneProposition(text=text, function=function)
     if not isinstance(junction, ast.Binary) or junction.operator not in ast.JUNCTIONS:
         return help, None
-    if function not in QUANTIFIERS or not (truth is junction.left or truth is junction.right):
+    if function not in QUANTIFIERS or not (boolean is junction.left or boolean is junction.right):
         return help, None
     sides = (
-        side.span.text if side is truth else f"{function}({side.span.text})"
+        side.span.text if side is boolean else f"{function}({side.span.text})"
         for side in (junction.left, junction.right)
     )
     meant = f" {junction.operator.value} ".join(sides)

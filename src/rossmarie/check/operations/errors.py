@@ -62,7 +62,7 @@ class Incomparable(Error, code="ROSS204", name="incomparable"):
     class Strings(Remark):
         says = "strings have no order; compare them with `==` or `!=`"
 
-    class Truth(Remark):
+    class Boolean(Remark):
         says = "use the condition by itself, or `not` and the condition"
 
     class Constant(Remark):
@@ -89,7 +89,7 @@ class NotANumber(Error, code="ROSS205", name="not-a-number"):
     label = "this is {found}"
     found: str
 
-    class Truth(Remark):
+    class Boolean(Remark):
         says = "a condition is used by itself, or counted over an array: `count(...)`"
 
     class String(Remark):
@@ -108,7 +108,7 @@ class NotANumber(Error, code="ROSS205", name="not-a-number"):
 
 
 class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
-    """Many numbers, or many truths, where one is needed."""
+    """Many numbers, or many booleans, where one is needed."""
 
     title = "an array is not one {expected}"
     label = "this has one {expected} for each element"
@@ -186,7 +186,7 @@ class ConstantTooLarge(Error, code="ROSS218", name="constant-too-large"):
 
 
 class NotAnArray(Error, code="ROSS221", name="not-an-array"):
-    """An index, or a question about elements, on something without elements."""
+    """An index, or a query about elements, on something without elements."""
 
     title = "{purpose} needs an array"
     label = "this is {found}"
@@ -239,7 +239,7 @@ class UnlistedName(Error, code="ROSS242", name="unlisted-name"):
         known: str
 
 
-class TruthCompared(Error, code="ROSS222", name="truth-compared"):
+class BooleanCompared(Error, code="ROSS222", name="boolean-compared"):
     """A condition compared as if it were a number."""
 
     title = "conditions are not compared by `{operator}`"
@@ -366,7 +366,7 @@ ALL: tuple[type[Template], ...] = (
     NotAnArray,
     ElementsWithoutNames,
     UnlistedName,
-    TruthCompared,
+    BooleanCompared,
     StringsCompared,
     NotADuration,
     DurationOutOfRange,

@@ -59,13 +59,13 @@ class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
     class Array(Remark):
         says = "the array"
 
-    class OneTruth(Remark):
-        says = "`{text}` is one truth for all elements: take it out of `{function}`"
+    class OneProposition(Remark):
+        says = "`{text}` is one boolean for all elements: take it out of `{function}`"
         text: str
         function: str
 
     class TakenOut(Remark):
-        says = "`{text}` is one truth for all elements: take it out of `{function}`, `{meant}`"
+        says = "`{text}` is one boolean for all elements: take it out of `{function}`, `{meant}`"
         text: str
         function: str
         meant: str

@@ -317,7 +317,7 @@ def _paths_to(wanted: type[object], message: Message) -> Iterator[str]:
 
 
 def type_of_oscillates(node: ast.Oscillates, context: Context) -> Type:
-    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)` is one truth."""
+    """`oscillates(x, 3 times, within 0.25 sec, by 5 N)` is one boolean."""
     if report_edges_elsewhere(node.value, Operator.OSCILLATES.value, context):
         return Boolean()
     value = scalar_operand(node.value, context)

@@ -12,7 +12,7 @@ class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
     label = "it can have any number of elements"
     note = (
         "a monitor has room for as many elements as its input says; a message with more of them "
-        "counts as lost"
+        "counts as stale"
     )
     help = "say it where the input is declared: `up to {bound}`"
     text: str
@@ -56,7 +56,7 @@ class NotOfTheElement(Error, code="ROSS240", name="not-of-the-element"):
         number: str
 
     class OneLevel(Remark):
-        says = "rules look at one list at a time: join two such questions by `and` or `or`"
+        says = "rules look at one list at a time: join two such queries by `and` or `or`"
 
     class Unused(Remark):
         says = "name a field of the element, `{variable}. ...`"

@@ -1,4 +1,4 @@
-"""Questions about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
+"""Queries about the elements of a list of messages: `any(o in objects: o.size.x > 1 m)`.
 
 What stands behind the colon is an expression like any other, in which a name stands for the
 element. It may rest on the element, on constants, and on numbers of other messages.
@@ -208,7 +208,7 @@ def _same_for_all(
     """The parts that may not stand in a part that is the same for all elements: numbers may."""
     type_ = context.type_of(node)
     if isinstance(type_, Boolean) and node is not fold.body:
-        yield node, "this is one truth for all elements", None
+        yield node, "this is one boolean for all elements", None
     elif isinstance(type_, Array | List):
         yield node, "this is no part of the element", None
     elif not isinstance(type_, Boolean | Unknown):
@@ -224,9 +224,9 @@ def _other(
 ) -> _Other | None:
     match node:
         case ast.Member() if not is_value(node, context):
-            return "this is one truth for all elements", None
+            return "this is one boolean for all elements", None
         case ast.Doing():
-            return "this is one truth for all elements", None
+            return "this is one boolean for all elements", None
         case ast.Held() | ast.Once() | ast.Response():
             return "this looks at one element for a time", None
         case ast.Since() | ast.Edges() | ast.Oscillates():

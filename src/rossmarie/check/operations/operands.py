@@ -1,4 +1,4 @@
-"""The operands of operators: numbers, truths, constant times; what does not fit is reported."""
+"""The operands of operators: numbers, booleans, constant times; what does not fit is reported."""
 
 from __future__ import annotations
 
@@ -116,8 +116,8 @@ def _not_a_number(node: ast.Expression, type_: Type) -> Diagnostic:
     finding = NotANumber(found=describe(type_))
     if isinstance(type_, Entry):
         return finding.at(node.span, help=finding.Fields(fields=_fields(text, type_)))
-    if is_truth(type_):
-        return finding.at(node.span, help=finding.Truth())
+    if is_boolean(type_):
+        return finding.at(node.span, help=finding.Boolean())
     if isinstance(type_, Text):
         return finding.at(node.span, help=finding.String())
     if isinstance(type_, List):
@@ -139,7 +139,7 @@ def message_as_value(node: ast.Expression, message: Message) -> Diagnostic:
     return finding.at(node.span, help=finding.Fields(fields=", ".join(names)))
 
 
-def is_truth(type_: Type) -> bool:
+def is_boolean(type_: Type) -> bool:
     """Say whether this is true or false, or an array of such."""
     element = type_.element if isinstance(type_, Array) else type_
     return isinstance(element, Boolean)
@@ -150,7 +150,7 @@ def report_not_a_condition(node: ast.Expression, context: Context) -> None:
     type_ = context.type_of(node)
     if is_edge_count(node):
         report_uncompared(node, "it is a number, and no condition", context)
-    elif not isinstance(type_, Unknown) and not is_truth(type_):
+    elif not isinstance(type_, Unknown) and not is_boolean(type_):
         context.collector.add(_not_a_condition(node, type_))
 
 
@@ -175,9 +175,9 @@ def _not_a_condition(node: ast.Expression, type_: Type) -> Diagnostic:
 
 
 def require_condition(node: ast.Expression, context: Context) -> None:
-    """Report if `node` is not one single truth."""
+    """Report if `node` is not one single boolean."""
     type_ = context.type_of(node)
-    if not (isinstance(type_, Array) and is_truth(type_)):
+    if not (isinstance(type_, Array) and is_boolean(type_)):
         report_not_a_condition(node, context)
         return
     text = text_of(node)

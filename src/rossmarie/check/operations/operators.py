@@ -10,18 +10,18 @@ from rossmarie.check.names.frames import check_one_frame
 from rossmarie.check.operations.angles import warn_of_difference
 from rossmarie.check.operations.edges import type_of_edge_comparison
 from rossmarie.check.operations.errors import (
+    BooleanCompared,
     DivisionByZero,
     ExactEquality,
     Incomparable,
     StringsCompared,
     TemperatureArithmetic,
-    TruthCompared,
 )
 from rossmarie.check.operations.operands import (
     duration_ns,
     is_age,
+    is_boolean,
     is_edge_count,
-    is_truth,
     report_misused_age,
     report_not_a_condition,
     report_not_a_number,
@@ -148,13 +148,13 @@ def _comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
     if is_edge_count(node.left) or is_edge_count(node.right):
         return type_of_edge_comparison(operator, node, context)
     left, right = context.type_of(node.left), context.type_of(node.right)
-    if is_truth(left) and is_truth(right):
-        return _truth_comparison(operator, node, context)
+    if is_boolean(left) and is_boolean(right):
+        return _boolean_comparison(operator, node, context)
     outcome = apply(operator, left, right)
     if isinstance(left, Text) and isinstance(right, Text) and not outcome.faults:
         return _text_comparison(node, context)
     if Fault.OPERANDS in outcome.faults and any(
-        is_truth(side) or isinstance(side, Text) for side in (left, right)
+        is_boolean(side) or isinstance(side, Text) for side in (left, right)
     ):
         return _report_incomparable(node, context)
     for fault in outcome.faults:
@@ -170,7 +170,7 @@ def _comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
     return outcome.type
 
 
-def _truth_comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
+def _boolean_comparison(operator: Operator, node: ast.Binary, context: Context) -> Type:
     literal, other = stripped(node.right), node.left
     if not isinstance(literal, ast.Boolean):
         literal, other = stripped(node.left), node.right
@@ -180,7 +180,7 @@ def _truth_comparison(operator: Operator, node: ast.Binary, context: Context) ->
         meant = other.span.text if is_same else f"not ({other.span.text})"
         help = Write(meant=quoted(meant))
         fix = Fix(str(help), (Edit(node.span, meant),))
-    finding = TruthCompared(operator=operator.value)
+    finding = BooleanCompared(operator=operator.value)
     context.collector.add(finding.at(node.span, help=help, fix=fix))
     return Unknown()
 
@@ -200,8 +200,8 @@ def _report_incomparable(node: ast.Binary, context: Context) -> Type:
     help: Remark
     if left == right:
         help = finding.Strings()
-    elif is_truth(context.type_of(node.left)) or is_truth(context.type_of(node.right)):
-        help = finding.Truth()
+    elif is_boolean(context.type_of(node.left)) or is_boolean(context.type_of(node.right)):
+        help = finding.Boolean()
     else:
         help = _in_one_kind(node, context)
     context.collector.add(finding.at(node.span, help=help))

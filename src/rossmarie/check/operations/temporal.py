@@ -21,7 +21,7 @@ from rossmarie.types import Array, Boolean, Type, Unknown
 
 
 def type_of_temporal(node: Temporal, context: Context) -> Type:
-    """`condition for 2 sec`, and the others: one truth."""
+    """`condition for 2 sec`, and the others: one boolean."""
     match node:
         case ast.Held(condition=condition, duration=duration):
             duration_ns(duration, "what stands after `for`", context)

@@ -68,15 +68,15 @@ def _report_left_out(
 ) -> None:
     """Tell of each order in which a rule that is kept stands beside one that is left out."""
     names = {rule.name.text for rule in kept if rule.name is not None}
-    told = [
+    reported = [
         (name, "the order counts for the other rules only")
         for order in orders
         if any(name.text in names for name in order.rules)
         for name in order.rules
     ]
     effect = "it is never active here, so that nothing gives way to it"
-    told += [(name, effect) for rule in kept for name in rule.unless]
-    for name, effect in told:
+    reported += [(name, effect) for rule in kept for name in rule.unless]
+    for name, effect in reported:
         if name.text in left_out:
             collector.add(LeftOutRule(identifier=name.text, effect=effect).at(name.span))
 

@@ -46,7 +46,7 @@ class Context:
 
     `proposed_bounds` are the inputs for whose lists a bound has been proposed. `skills` is the file
     of skills, None if none can be used, `names_skills` whether the program names one; `doing` is
-    what each question to the skills asks, `regions` the places of each class and zone that is
+    what each query to the skills asks, `regions` the places of each class and zone that is
     named, `motions` the motions that are right, `zones` the zones that are, `frames` the frames,
     and `frame_inputs` the inputs that they come by, by the frame. `entity` and `uses` belong to
     what is being checked at the moment.
@@ -88,7 +88,7 @@ class Context:
         return frozenset(_counted(parts) - _counted(ranges))
 
     @property
-    def told(self) -> dict[str, CheckedInput]:
+    def reported(self) -> dict[str, CheckedInput]:
         """All inputs by name, those that frames come by as well."""
         frames = {each.declaration.name.text: each for each in self.frame_inputs.values()}
         return frames | self.inputs

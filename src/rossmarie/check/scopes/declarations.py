@@ -162,7 +162,7 @@ def _check_rule(rule: ast.Rule, names: dict[str, ast.Name], collector: Collector
     if rule.name is not None:
         first = names.setdefault(rule.name.text, rule.name)
         if first is not rule.name:
-            reason = "a verdict names its rule; two rules of one name could not be told apart"
+            reason = "a verdict names its rule; two rules of one name could not be distinguished"
             report_second(rule.name, first, "rule", reason, collector)
     for contract in rule.contracts[1:]:
         place = SeveralContracts.First().at(rule.contracts[0].span)

@@ -40,7 +40,7 @@ class CircularCondition(Error, code="ROSS114", name="circular-condition"):
 
     title = "condition `{identifier}` depends on itself"
     label = "{cycle}"
-    note = "the truth of a condition follows from inputs; a circle of conditions has no start"
+    note = "the value of a condition follows from inputs; a circle of conditions has no start"
     help = "write one of them without the others"
     identifier: str
     cycle: str

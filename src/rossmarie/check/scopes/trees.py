@@ -1,4 +1,4 @@
-"""Questions about syntax trees that need no types."""
+"""Queries about syntax trees that need no types."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Questions to the skills that run: `doing Push(Object: Fragile)`."""
+"""Queries to the skills that run: `doing Push(Object: Fragile)`."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from rossmarie.types import Boolean, Type, Unknown
 
 
 def type_of_doing(node: ast.Doing, context: Context) -> Type:
-    """A truth; what is asked for is recorded in `context.doing`."""
+    """A boolean; what is asked for is recorded in `context.doing`."""
     found = checked_doing(node, context)
     if found is None:
         return Unknown()
@@ -34,7 +34,7 @@ def type_of_doing(node: ast.Doing, context: Context) -> Type:
 
 
 def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
-    """The skill and the classes that a question names, closed; None after reporting."""
+    """The skill and the classes that a query names, closed; None after reporting."""
     skills = known_skills(node, context)
     skill = None if skills is None else find_skill(node.skill, skills, context)
     if skills is None or skill is None:
@@ -47,9 +47,7 @@ def checked_doing(node: ast.Doing, context: Context) -> CheckedDoing | None:
         name = each.parameter.text
         if first.setdefault(name, each) is not each:
             skill_name = node.skill.text
-            way = (
-                f"join two questions instead: `doing {skill_name}(...) and doing {skill_name}(...)`"
-            )
+            way = f"join two queries instead: `doing {skill_name}(...) and doing {skill_name}(...)`"
             report_repeated(each.parameter, first[name].parameter, way, context)
             is_right = False
             continue
@@ -189,7 +187,7 @@ def kind_of(type_: str) -> str:
     words = {
         "float": "a number",
         "int": "a whole number",
-        "bool": "a truth",
+        "bool": "a boolean",
         "str": "a text",
         "enum": "one of several words",
     }

@@ -66,7 +66,7 @@ class UnknownSkillProperty(Error, code="ROSS147", name="unknown-skill-property")
 
 
 class NoSkills(Error, code="ROSS148", name="no-skills"):
-    """A question about skills in a program that names no file of skills."""
+    """A query about skills in a program that names no file of skills."""
 
     title = "the rules ask for a skill, and name no file of skills"
     label = "nobody knows which skills there are"
@@ -116,7 +116,7 @@ class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
     """An input that is no number of a skill."""
 
     title = "`{field}` is {found}, not a number"
-    label = "an input of a skill is a number or a truth"
+    label = "an input of a skill is a number or a boolean"
     field: str
     found: str
 

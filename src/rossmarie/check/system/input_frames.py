@@ -8,7 +8,7 @@ from dslkit.diagnostics import Remark
 from rossmarie.check.model import CheckedInput
 from rossmarie.check.names.fields import members
 from rossmarie.check.names.frame_errors import NothingToTransform, NoWay, UnknownSource
-from rossmarie.check.names.frames import frame_field, has_frame, is_told
+from rossmarie.check.names.frames import frame_field, has_frame, is_reported
 from rossmarie.check.scopes.context import Context
 from rossmarie.check.system.frames import find_frame, report_second_frame
 from rossmarie.check.system.model import Topic
@@ -71,8 +71,8 @@ def _source(
     if is_of_header and declared is None:
         declared = first.get(used.topic)
     if written is None:
-        told = None if topic is None or not is_of_header else topic.declaration.source
-        return None if told is None else context.frames.named(told.text)
+        reported = None if topic is None or not is_of_header else topic.declaration.source
+        return None if reported is None else context.frames.named(reported.text)
     found = context.frames.named(written.text)
     if declared is not None:
         expected = context.frames.named(declared.text)
@@ -110,10 +110,10 @@ def _trouble(used: CheckedInput, frame: str) -> tuple[str | None, Remark | None]
 
 
 def _in_another_frame(used: CheckedInput, type_: Type) -> str | None:
-    """A field of which the frame is told in another place than that of the whole."""
+    """A field of which the frame is reported in another place than that of the whole."""
     for name, part in members(type_).items():
         is_seen = isinstance(type_, Message) and has_frame(part)
-        if is_seen and not is_told(used, (*used.path, name)):
+        if is_seen and not is_reported(used, (*used.path, name)):
             return name
     return None
 

@@ -91,7 +91,7 @@ def _resolve_context(context: Context) -> None:
     if timeout_ns is not None:
         context.skills = dataclasses.replace(context.skills, timeout_ns=timeout_ns)
     for name, found in context.inputs.items():
-        if found.question is not None:
+        if found.query is not None:
             resolved = dataclasses.replace(found, timeout_ns=context.skills.timeout_ns)
             context.inputs[name] = resolved
 

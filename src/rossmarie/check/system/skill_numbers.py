@@ -20,7 +20,7 @@ from rossmarie.check.system.model import contradicts
 from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import end_of_field, read_unit
 from rossmarie.check.wording.gaps import without
-from rossmarie.ir import Quantity as Question
+from rossmarie.ir import Quantity as Query
 from rossmarie.skills import Parameter, Property, among
 from rossmarie.syntax import ast
 from rossmarie.types import Boolean, Quantity, Type, Unknown
@@ -37,17 +37,15 @@ def resolve_number(
     found = None if skills is None else _find(number, skills, context)
     if skills is None or found is None:
         return CheckedInput(declaration, "", "", (), Unknown(), None)
-    question, type_name, unit = found
-    field = str(question)
+    query, type_name, unit = found
+    field = str(query)
     type_ = Boolean() if type_name == "bool" else _in_unit(declaration, field, unit, context)
     if isinstance(type_, Boolean) and declaration.unit is not None:
         finding = MisplacedUnit(reason=f"`{field}` is not a number")
         help = finding.LeaveOut(unit=declaration.unit.text)
         context.collector.add(finding.at(declaration.unit.span, help=help))
     file = skills.file
-    return CheckedInput(
-        declaration, file.topic, file.message_type, (), type_, None, question=question
-    )
+    return CheckedInput(declaration, file.topic, file.message_type, (), type_, None, query=query)
 
 
 def resolve_context_timeout(context: Context) -> int | None:
@@ -70,8 +68,8 @@ def resolve_context_timeout(context: Context) -> int | None:
 
 def _find(
     number: ast.SkillNumber, skills: CheckedSkills, context: Context
-) -> tuple[Question, str, str | None] | None:
-    """The question, the type of what is asked for, and the unit that the file says."""
+) -> tuple[Query, str, str | None] | None:
+    """The query, the type of what is asked for, and the unit that the file says."""
     skill = find_skill(number.skill, skills, context)
     if skill is None:
         return None
@@ -85,10 +83,10 @@ def _find(
         asked = _property(number, parameter, rest, skills, context)
         if asked is None:
             return None
-        question = Question(
+        query = Query(
             skills.file.digest, all_skills, parameter.name, asked.name, text, asked.type == "bool"
         )
-        return question, asked.type, asked.unit
+        return query, asked.type, asked.unit
     if rest:
         extra = ".".join(("", *(step.text for step in rest)))
         finding = NoSkillNumber(field=text, found=f"a part of {kind_of(parameter.type)}")
@@ -98,9 +96,9 @@ def _find(
         finding = NoSkillNumber(field=text, found=kind_of(parameter.type))
         context.collector.add(finding.at(number.span, help=finding.Other()))
         return None
-    is_truth = parameter.type == "bool"
+    is_boolean = parameter.type == "bool"
     return (
-        Question(skills.file.digest, all_skills, parameter.name, None, text, is_truth),
+        Query(skills.file.digest, all_skills, parameter.name, None, text, is_boolean),
         parameter.type,
         None,
     )

@@ -99,7 +99,7 @@ class _SettingChecker:
     def _made(self, path: Path, value: SettingValue, angle: str | None) -> Setting:
         name = self._setting.path.steps[0]
         assert isinstance(name, ast.Name)
-        topic = self._context.told[name.text].topic
+        topic = self._context.reported[name.text].topic
         return Setting(name.text, topic, path, value, angle, span=self._setting.span)
 
     # --- fields ------------------------------------------------------------------------------
@@ -107,19 +107,19 @@ class _SettingChecker:
     def _input_type(self) -> Type | None:
         name = self._setting.path.steps[0]
         assert isinstance(name, ast.Name)
-        found = self._context.told.get(name.text)
+        found = self._context.reported.get(name.text)
         if found is not None:
             return found.type
         if self._context.declarations.is_whole:
             finding = UnknownTestInput(identifier=name.text)
-            self._context.report_unknown(finding, name, self._context.told)
+            self._context.report_unknown(finding, name, self._context.reported)
         return None
 
     def _field(self, type_: Type) -> tuple[Type, Path, str | None] | None:
         """The type of the field, the path from the message, and the angle that is meant."""
         first, *rest = self._setting.path.steps
         assert isinstance(first, ast.Name)
-        used = self._context.told[first.text]
+        used = self._context.reported[first.text]
         if _names_header(rest, type_):
             type_, part = self._message(used, type_)
         else:
@@ -180,7 +180,7 @@ class _SettingChecker:
         """The whole message of an input, and where it begins; a number of a skill is in none."""
         messages = self._context.messages
         found = None if messages is None else messages.find(used.message_type)
-        if found is None or used.question is not None:
+        if found is None or used.query is not None:
             return type_, part_at(used.base, type_)
         whole = message_value(found)
         return whole, part_at((), whole)

@@ -38,7 +38,7 @@ def check_tests(
             continue
         earlier = first.setdefault(test.name.value, test)
         if earlier is not test:
-            reason = "two tests of one name could not be told apart in a report"
+            reason = "two tests of one name could not be distinguished in a report"
             report_second(test.name, earlier.name, "test", reason, context.collector)
         checked = _TestChecker(rules, commands, context, is_parsed).check(test)
         found += [] if checked is None else [checked]
@@ -85,8 +85,8 @@ class _TestChecker:
         if not self._is_right:
             return None
         known = tuple(expected for expected in expectations if expected is not None)
-        told = tuple(expected for expected in commands if expected is not None)
-        return script.Script(test.name.value, tuple(events), known, test.span, told)
+        reported = tuple(expected for expected in commands if expected is not None)
+        return script.Script(test.name.value, tuple(events), known, test.span, reported)
 
     def _event(
         self, statement: ast.Arrival | ast.OperatorReset
@@ -106,9 +106,9 @@ class _TestChecker:
             self._is_right = False
             return None
         inputs = tuple(dict.fromkeys(map(_input, written)))
-        topics = [self._context.told[name].topic for name in inputs]
-        told = () if self._context.skills is None else (self._context.skills.file.topic,)
-        topics += told if repeated or skills else ()
+        topics = [self._context.reported[name].topic for name in inputs]
+        reported = () if self._context.skills is None else (self._context.skills.file.topic,)
+        topics += reported if repeated or skills else ()
         names = (*inputs, DOING) if repeated else inputs
         known = tuple(dict.fromkeys(topics))
         return script.ScriptedArrival(*times, names, known, settings, running)

@@ -111,7 +111,7 @@ def _plural(element: Message | Vector | Quaternion) -> str:
 
 def _array(element: Quantity | Boolean) -> str:
     if isinstance(element, Boolean):
-        return "an array of truths"
+        return "an array of booleans"
     return f"an array of numbers{_in_unit(element)}"
 
 

@@ -1,7 +1,7 @@
 // The card that says why a rule became active or cleared.
 
-const GLYPHS = { true: "✓", false: "✗", unknown: "?", lost: "?" };
-const TRUTH_WORDS = { true: "true", false: "false", unknown: "unknown", lost: "unknown" };
+const GLYPHS = { true: "✓", false: "✗", unknown: "?", stale: "?" };
+const TRUTH_VALUE_WORDS = { true: "true", false: "false", unknown: "unknown", stale: "unknown" };
 const STATE_WORDS = {
   never: "has never been received",
   expired: "is older than its timeout",
@@ -20,7 +20,7 @@ function conditionRow(condition) {
     html("td", {},
       html("span", { class: "truth " + condition.truth, "aria-hidden": "true" },
         GLYPHS[condition.truth]),
-      TRUTH_WORDS[condition.truth]),
+      TRUTH_VALUE_WORDS[condition.truth]),
     html("td", {},
       named ? html("strong", {}, condition.name) : null,
       named ? html("small", {}, condition.text) : condition.text,
@@ -30,11 +30,11 @@ function conditionRow(condition) {
 
 function causeBlock(change) {
   if (!change) return [html("p", { class: "because" }, "Its cause is in the verdicts file.")];
-  const lost = change.cause.lost_inputs.map((input) => html("p", { class: "because" },
-    html("span", { class: "truth lost", "aria-hidden": "true" }, "?"),
+  const stale = change.cause.stale_inputs.map((input) => html("p", { class: "because" },
+    html("span", { class: "truth stale", "aria-hidden": "true" }, "?"),
     html("strong", {}, input.name), ` (${input.topic}) ${STATE_WORDS[input.state]}`));
   const rows = change.cause.conditions.map(conditionRow);
-  return [...lost, ...(rows.length ? [html("table", {}, html("tbody", {}, ...rows))] : [])];
+  return [...stale, ...(rows.length ? [html("table", {}, html("tbody", {}, ...rows))] : [])];
 }
 
 function fillCard(card, rule, span) {

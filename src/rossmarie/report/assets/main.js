@@ -3,8 +3,8 @@
 const replay = JSON.parse(document.getElementById("replay").textContent);
 
 for (const rule of replay.rules) {
-  rule.spans = rule.spans.map(([from, to, lost, opened, closed, open, length]) => ({
-    from, to, length, opened, closed, open: Boolean(open), kind: lost ? "lost" : "active",
+  rule.spans = rule.spans.map(([from, to, stale, opened, closed, open, length]) => ({
+    from, to, length, opened, closed, open: Boolean(open), kind: stale ? "stale" : "active",
   }));
 }
 for (const plot of replay.plots) decodeSeries(plot, replay.duration);
@@ -31,7 +31,7 @@ for (const button of document.querySelectorAll(".jump")) {
   });
 }
 
-const CHANGE_WORDS = { activated: "active", activated_lost: "active, an input is lost", cleared: "cleared" };
+const CHANGE_WORDS = { activated: "active", activated_stale: "active, an input is stale", cleared: "cleared" };
 const changes = document.getElementById("changes");
 changes.addEventListener("toggle", () => {
   const rowsOfChanges = replay.changes.map((change) => html("tr", {},

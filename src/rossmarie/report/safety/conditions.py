@@ -1,7 +1,7 @@
-"""The truths of a machine in words, from their nodes alone, never from what the user wrote.
+"""The propositions of a machine in words, from their nodes alone, never from what the user wrote.
 
 Takes a machine that `ir.verify` has passed. A negation is carried inwards to the leaves, where it
-is the opposite word: by S2 that changes no value, unknown and lost included. What stands on more
+is the opposite word: by S2 that changes no value, unknown and stale included. What stands on more
 than `MOST_PARTS` others is named, and said in full in a place of its own.
 """
 
@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from rossmarie import ir
 from rossmarie.ir.duration_text import duration_text
-from rossmarie.ir.support import is_leaf, truth_operands
+from rossmarie.ir.support import is_leaf, proposition_operands
 from rossmarie.report.safety.numbers import MOST_PARTS, Numbers, number, sizes
 from rossmarie.report.safety.phrase import Phrase
 
@@ -27,88 +27,101 @@ _WORDS = {
 
 
 class Conditions:
-    """The words for each truth of one machine."""
+    """The words for each proposition of one machine."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self._machine = machine
         self.numbers = Numbers(machine, self.inline)
-        self._sizes = sizes(truth_operands(truth.node) for truth in machine.truths)
+        self._sizes = sizes(
+            proposition_operands(proposition.node) for proposition in machine.propositions
+        )
         self.apart: dict[int, None] = {}
-        """The truths that were named, to be said in full elsewhere."""
+        """The propositions that were named, to be said in full elsewhere."""
 
     # --- sentences ---------------------------------------------------------------------------
 
     def phrase(self, index: int, is_so: bool = True) -> Phrase:
-        """A truth, or its opposite."""
+        """A proposition, or its opposite."""
         if self._sizes[index] > MOST_PARTS:
             return self._by_name(index, is_so)
         return self.in_full(index, is_so)
 
     def in_full(self, index: int, is_so: bool = True) -> Phrase:
-        """A truth by what it stands on."""
-        truth = self._machine.truths[index]
+        """A proposition by what it stands on."""
+        proposition = self._machine.propositions[index]
         whole = ir.defined(self._machine, index)
         if whole is not None:
-            return self._defined(truth, whole, is_so)
-        match truth.node:
+            return self._defined(proposition, whole, is_so)
+        match proposition.node:
             case ir.Not(operand=operand):
                 found = self.phrase(operand, not is_so)
-                name = _named(truth, is_so) or found.name
-                return Phrase(found.text, found.parts, truth.span, name, found.refers_to)
+                name = _named(proposition, is_so) or found.name
+                return Phrase(found.text, found.parts, proposition.span, name, found.refers_to)
             case ir.Literal(value=value):
                 always = value is is_so
-                return Phrase("always" if always else "never", (), truth.span, _named(truth, is_so))
+                return Phrase(
+                    "always" if always else "never",
+                    (),
+                    proposition.span,
+                    _named(proposition, is_so),
+                )
             case ir.And(operands=operands):
-                return self._junction(truth, operands, is_so, all_of=is_so)
+                return self._junction(proposition, operands, is_so, all_of=is_so)
             case ir.Or(operands=operands):
-                return self._junction(truth, operands, is_so, all_of=not is_so)
+                return self._junction(proposition, operands, is_so, all_of=not is_so)
             case ir.Held(operand=operand, duration_ns=duration_ns):
-                return self._held(truth, operand, duration_ns, is_so)
+                return self._held(proposition, operand, duration_ns, is_so)
             case ir.Since(held=held, begun=begun):
                 head = "the first of these is so, or it was and the second has been so ever since:"
-                return self._over_time(truth, head, (begun, held), is_so)
+                return self._over_time(proposition, head, (begun, held), is_so)
             case ir.Recurs() as node:
                 head = f"this {_often(node, is_so)}:"
                 parts = (self.phrase(node.operand),)
-                return Phrase(head, parts, truth.span, _named(truth, is_so))
+                return Phrase(head, parts, proposition.span, _named(proposition, is_so))
             case (
                 ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches() | ir.Oscillates()
                 | ir.Quantified()
             ) as node:  # fmt: skip
-                return Phrase(self._leaf(node, is_so), (), truth.span, _named(truth, is_so))
+                return Phrase(
+                    self._leaf(node, is_so), (), proposition.span, _named(proposition, is_so)
+                )
 
     def name(self, index: int) -> str:
-        """The name of a truth: the user's, or a number."""
-        return self._machine.truths[index].name or f"condition {index}"
+        """The name of a proposition: the user's, or a number."""
+        return self._machine.propositions[index].name or f"condition {index}"
 
     def _by_name(self, index: int, is_so: bool) -> Phrase:
         self.apart.setdefault(index)
-        truth = self._machine.truths[index]
+        proposition = self._machine.propositions[index]
         text = f"{self.name(index)} is {'true' if is_so else 'false'}"
-        return Phrase(text, (), truth.span, None, f"condition-{index}")
+        return Phrase(text, (), proposition.span, None, f"condition-{index}")
 
     def _junction(
-        self, truth: ir.Truth, operands: tuple[int, ...], is_so: bool, *, all_of: bool
+        self, proposition: ir.Proposition, operands: tuple[int, ...], is_so: bool, *, all_of: bool
     ) -> Phrase:
         parts = tuple(self.phrase(operand, is_so) for operand in operands)
         if _fit_side_by_side(parts):
             text = (" and " if all_of else " or ").join(part.text for part in parts)
-            return Phrase(text, (), truth.span, _named(truth, is_so))
+            return Phrase(text, (), proposition.span, _named(proposition, is_so))
         head = "all of these hold:" if all_of else "at least one of these holds:"
-        return Phrase(head, parts, truth.span, _named(truth, is_so))
+        return Phrase(head, parts, proposition.span, _named(proposition, is_so))
 
-    def _held(self, truth: ir.Truth, operand: int, duration_ns: int, is_so: bool) -> Phrase:
+    def _held(
+        self, proposition: ir.Proposition, operand: int, duration_ns: int, is_so: bool
+    ) -> Phrase:
         """S33: true if the condition held throughout the last so much."""
         duration = f"throughout the last {duration_text(duration_ns)}"
         node, inner_is_so = self._stripped(operand)
-        if is_leaf(node) and self._machine.truths[operand].name is None:
+        if is_leaf(node) and self._machine.propositions[operand].name is None:
             held = f"{self._leaf(node, inner_is_so, 'has been')} {duration}"
             text = held if is_so else f"it is not so that {held}"
-            return Phrase(text, (), truth.span, _named(truth, is_so))
+            return Phrase(text, (), proposition.span, _named(proposition, is_so))
         head = f"{'this has' if is_so else 'it is not so that this has'} held {duration}:"
-        return Phrase(head, (self.phrase(operand),), truth.span, _named(truth, is_so))
+        return Phrase(head, (self.phrase(operand),), proposition.span, _named(proposition, is_so))
 
-    def _defined(self, truth: ir.Truth, whole: ir.Once | ir.Response, is_so: bool) -> Phrase:
+    def _defined(
+        self, proposition: ir.Proposition, whole: ir.Once | ir.Response, is_so: bool
+    ) -> Phrase:
         """S45 and S46."""
         duration = duration_text(whole.duration_ns)
         match whole:
@@ -119,38 +132,38 @@ class Conditions:
                     f"within {duration} after each instant at which the first of these is so, "
                     "the second is:"
                 )
-        return self._over_time(truth, head, whole.operands, is_so)
+        return self._over_time(proposition, head, whole.operands, is_so)
 
     def _over_time(
-        self, truth: ir.Truth, head: str, operands: tuple[int, ...], is_so: bool
+        self, proposition: ir.Proposition, head: str, operands: tuple[int, ...], is_so: bool
     ) -> Phrase:
         parts = tuple(self.phrase(operand) for operand in operands)
-        return Phrase(_negated(head, is_so), parts, truth.span, _named(truth, is_so))
+        return Phrase(_negated(head, is_so), parts, proposition.span, _named(proposition, is_so))
 
-    def _stripped(self, index: int) -> tuple[ir.TruthNode, bool]:
+    def _stripped(self, index: int) -> tuple[ir.PropositionNode, bool]:
         """Give the subject of an unnamed chain of negations, and whether the chain says that it is
         so.
         """
-        node, is_so = self._machine.truths[index].node, True
+        node, is_so = self._machine.propositions[index].node, True
         while isinstance(node, ir.Not):
-            node, is_so = self._machine.truths[node.operand].node, not is_so
+            node, is_so = self._machine.propositions[node.operand].node, not is_so
         return node, is_so
 
     # --- one line ----------------------------------------------------------------------------
 
     def inline(self, index: int, is_so: bool = True) -> str:
-        """A truth on one line, with brackets around what belongs together."""
-        truth = self._machine.truths[index]
+        """A proposition on one line, with brackets around what belongs together."""
+        proposition = self._machine.propositions[index]
         if self._sizes[index] > MOST_PARTS:
             return self._by_name(index, is_so).text
         whole = ir.defined(self._machine, index)
         if whole is not None:
             return _whether(self._inline_defined(whole), is_so)
-        match truth.node:
+        match proposition.node:
             case ir.Not(operand=operand):
                 return self.inline(operand, not is_so)
             case ir.And(operands=operands) | ir.Or(operands=operands):
-                all_of = isinstance(truth.node, ir.And) is is_so
+                all_of = isinstance(proposition.node, ir.And) is is_so
                 parts = (f"({self.inline(operand, is_so)})" for operand in operands)
                 return (" and " if all_of else " or ").join(parts)
             case ir.Literal(value=value):
@@ -180,7 +193,7 @@ class Conditions:
 
     # --- leaves ------------------------------------------------------------------------------
 
-    def _leaf(self, node: ir.TruthNode, is_so: bool, verb: str = "is") -> str:
+    def _leaf(self, node: ir.PropositionNode, is_so: bool, verb: str = "is") -> str:
         """A leaf or its opposite: `SUBJECT is WORDS`, and `has been` for a verb."""
         words = self.numbers.words
         match node:
@@ -265,9 +278,9 @@ class Conditions:
         return f"{which} element of {array} {verb} such that ({self.inline(node.element, is_so)})"
 
 
-def _named(truth: ir.Truth, is_so: bool) -> str | None:
-    """The user's name of a truth or, if it is negated, of its opposite."""
-    return truth.name if truth.name is None or is_so else f"not {truth.name}"
+def _named(proposition: ir.Proposition, is_so: bool) -> str | None:
+    """The user's name of a proposition or, if it is negated, of its opposite."""
+    return proposition.name if proposition.name is None or is_so else f"not {proposition.name}"
 
 
 def _negated(head: str, is_so: bool) -> str:

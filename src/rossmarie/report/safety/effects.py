@@ -151,8 +151,8 @@ class Effects:
             text = "it cannot fail, so this never starts:"
             return [Phrase(text, followers)] if followers else []
         if overruled.fails_at_once(task):
-            lost = f"if it loses {self._needed(task)} to another rule, this starts:"
-            return [Phrase(lost, followers)]
+            stale = f"if it loses {self._needed(task)} to another rule, this starts:"
+            return [Phrase(stale, followers)]
         ways = self._ways_to_fail(task)
         if followers:
             return [Phrase(f"if it {ways}, the rule goes no further, and this starts:", followers)]
@@ -209,7 +209,7 @@ def _bounded(command: reactions.CommandTopic, bound: reactions.Bound) -> str:
 
 
 def _lifted(command: reactions.CommandTopic, bounds: tuple[reactions.Bound, ...]) -> list[str]:
-    """Tell how each bound goes; those that go alike are told together."""
+    """Tell how each bound goes; those that go alike are reported together."""
     ways: dict[str, list[str]] = {}
     for bound in bounds:
         field = command.fields[bound.field]

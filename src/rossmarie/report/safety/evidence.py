@@ -60,7 +60,7 @@ class Hashed:
 
 @dataclass(frozen=True)
 class Result:
-    """One question of a report and its answer."""
+    """One query of a report and its answer."""
 
     name: str
     status: str
@@ -108,7 +108,7 @@ def evidence_text(
     margins: Sequence[Spare] = (),
 ) -> str:
     """A report of a kind: the tools by name with their versions, the files that it is about, those
-    that were made of them, how far it holds, and the questions with their answers.
+    that were made of them, how far it holds, and the queries with their answers.
     """
     strange = {each.status for each in results} - set(kind.statuses)
     assert not strange, f"{strange} is no status of {kind.value}"

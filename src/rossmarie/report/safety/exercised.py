@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from rossmarie.report.coverage import counted, missing, questions
+from rossmarie.report.coverage import counted, missing, queries
 from rossmarie.report.safety.evidence import EvidenceKind, Result
 from rossmarie.testing.coverage import Coverage
 from rossmarie.testing.goals import Goal
@@ -14,7 +14,7 @@ def coverage_results(coverage: Coverage, reasons: Mapping[Goal, str]) -> Iterato
     """The rows, rule by rule; `reasons` says of goals why they cannot be reached."""
     covered, not_covered = EvidenceKind.COVERAGE.statuses
     for rule, declared in enumerate(coverage.machine.rules):
-        for text, goals in questions(coverage, rule):
+        for text, goals in queries(coverage, rule):
             left = missing(coverage, goals, reasons)
             seen = f"{counted(coverage, goals)} seen"
             yield Result(

@@ -34,7 +34,7 @@ class Declared:
 class SafetyFile:
     """All of it. `rules_file` is the name of the main file, `tool` the program with its version,
     `date` the day of the report; reports of other commands are None if there are none;
-    `is_thorough` says whether all questions about the rules were asked.
+    `is_thorough` says whether all queries about the rules were asked.
     """
 
     machine: ir.Machine

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 
 from rossmarie import ir
 from rossmarie.core import row, sampling_row
-from rossmarie.ir.calls import question_at
+from rossmarie.ir.calls import query_at
 from rossmarie.ir.duration_text import duration_text
 from rossmarie.ir.naming import field_names
 from rossmarie.ir.path import path_words
@@ -90,7 +90,7 @@ class Numbers:
                 return self._fold(folding, element)
             case ir.Count(element=element):
                 whole = f"the number of elements of {self.array_of(element)}"
-                is_of_all = _is_always(self._machine.truths[element].node)
+                is_of_all = _is_always(self._machine.propositions[element].node)
                 return whole if is_of_all else f"{whole} with ({self._each(element)})"
 
     def slot(self, index: int) -> str:
@@ -101,9 +101,9 @@ class Numbers:
         """An array of a message."""
         return self._arrays[index]
 
-    def array_of(self, truth: int) -> str:
+    def array_of(self, proposition: int) -> str:
         """The array, or the list, whose elements a condition is on."""
-        array = ir.element_arrays(self._machine).truths[truth]
+        array = ir.element_arrays(self._machine).propositions[proposition]
         return "no array" if array is None else self._whole(array)
 
     def _whole(self, array: int) -> str:
@@ -151,7 +151,7 @@ class Numbers:
         return f"the {which}, over all elements of {self._whole(array)}, of {each}"
 
 
-def _is_always(node: ir.TruthNode) -> bool:
+def _is_always(node: ir.PropositionNode) -> bool:
     """Say whether a condition is true of each element: of a number, that it is itself."""
     is_equal = isinstance(node, ir.Compare) and node.comparison is ir.Comparison.EQUAL
     return is_equal and isinstance(node, ir.Compare) and node.left == node.right
@@ -180,11 +180,11 @@ def _field_name(
     written: str | None,
 ) -> str:
     """The name that the rules use, if it means this field alone; else the shortest one that does,
-    or the whole path. A question to the skills that run goes by its words.
+    or the whole path. A query to the skills that run goes by its words.
     """
-    question = question_at(field.path)
-    if question is not None:
-        return str(question)
+    query = query_at(field.path)
+    if query is not None:
+        return str(query)
     if written in names:
         return written
     path = ".".join((machine.inputs[field.input].name, *ir.path_names(field.path)))

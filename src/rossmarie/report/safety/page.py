@@ -131,12 +131,12 @@ def open_points(content: SafetyFile) -> tuple[str, ...]:
 def _unasked(content: SafetyFile) -> Iterator[str]:
     if not content.is_thorough:
         yield (
-            "The thorough questions about these rules were not asked: only the quick check was "
+            "The thorough queries about these rules were not asked: only the quick check was "
             "run, and nothing is proved about what can never happen."
         )
     undecided = [each for each in content.findings if each.diagnostic.code == Undecided.code]
     if undecided:
-        yield f"{_counted(len(undecided), 'question')} about these rules could not be decided."
+        yield f"{_counted(len(undecided), 'query')} about these rules could not be decided."
 
 
 def _of_severity(content: SafetyFile, *, is_note: bool) -> list[Finding]:
@@ -285,14 +285,18 @@ class _Condition:
 
 def _conditions(machine: ir.Machine, conditions: Conditions) -> list[_Condition]:
     """The conditions that have a name, and those that the sentences above refer to."""
-    wanted = {index for index, truth in enumerate(machine.truths) if truth.name is not None}
+    wanted = {
+        index
+        for index, proposition in enumerate(machine.propositions)
+        if proposition.name is not None
+    }
     said: dict[int, Phrase] = {}
     while missing := (wanted | set(conditions.apart)) - set(said):
         for index in sorted(missing):
             said[index] = conditions.in_full(index)
     return [
         _Condition(conditions.name(index), f"condition-{index}", said[index],
-                   machine.truths[index].span)
+                   machine.propositions[index].span)
         for index in sorted(said)
     ]  # fmt: skip
 

@@ -1,4 +1,4 @@
-"""Proofs about the generated C as the results of a report: the rules, then every question."""
+"""Proofs about the generated C as the results of a report: the rules, then every query."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def verification_results(proofs: Proofs) -> Iterator[Result]:
         yield Result(
             name=f"rule {name} in runs of any length",
             status=_PROVED if proofs.is_inductive else _NOT_PROVED,
-            detail="rests on every question about the monitor",
+            detail="rests on every query about the monitor",
         )
     for outcome in proofs.outcomes:
         yield Result(
@@ -38,4 +38,4 @@ def verification_results(proofs: Proofs) -> Iterator[Result]:
             detail="; ".join((f"check_{outcome.check.name}", *proofs.reasons(outcome))),
         )
     for name in proofs.unasked:
-        yield Result(name=name, status=_NOT_PROVED, detail="no question is asked about it")
+        yield Result(name=name, status=_NOT_PROVED, detail="no query is asked about it")

@@ -22,7 +22,7 @@ from rossmarie.report.safety.phrase import Phrase, listed
 class RuleText:
     """One rule in sentences.
 
-    `when` activates it, `lost` does so for want of inputs, `unknown` changes nothing; `steps` is
+    `when` activates it, `stale` does so for want of inputs, `unknown` changes nothing; `steps` is
     what is done then, `order` who comes first, `ends` what releases it.
     """
 
@@ -30,7 +30,7 @@ class RuleText:
     documentation: str | None
     span: Span
     when: Phrase
-    lost: tuple[str, ...]
+    stale: tuple[str, ...]
     unknown: tuple[str, ...]
     steps: tuple[Phrase, ...]
     order: tuple[str, ...]
@@ -43,7 +43,7 @@ class RuleText:
         """All of it as lines of text."""
         yield f"{self.name}:"
         yield from Phrase("When", (self.when,)).lines()
-        yield from (f"- {sentence}" for sentence in (*self.lost, *self.unknown))
+        yield from (f"- {sentence}" for sentence in (*self.stale, *self.unknown))
         yield from Phrase("then", self.steps).lines()
         yield from (f"- {sentence}" for sentence in self.order)
         yield from self.ends.lines()
@@ -71,7 +71,7 @@ class _Writer:
             documentation=rule.documentation,
             span=rule.span,
             when=self._conditions.phrase(rule.condition),
-            lost=tuple(self._lost(rule)),
+            stale=tuple(self._stale(rule)),
             unknown=tuple(self._unknown(rule)),
             steps=tuple(self._steps(index)),
             order=tuple(self._order(index)),
@@ -83,7 +83,7 @@ class _Writer:
 
     # --- when --------------------------------------------------------------------------------
 
-    def _lost(self, rule: ir.Rule) -> Iterator[str]:
+    def _stale(self, rule: ir.Rule) -> Iterator[str]:
         """S30, S35: which inputs make it active by their lack."""
         values, ages = self._looked_at(rule.condition)
         guarded = [each for each in values if self._timeout(each) is not None]
@@ -112,10 +112,10 @@ class _Writer:
         """The inputs of which values are read, and those of which the age is."""
         values: set[int] = set()
         ages: set[int] = set()
-        for leaf in ir.leaf_truths(self._machine, condition):
-            node = self._machine.truths[leaf].node
+        for leaf in ir.leaf_propositions(self._machine, condition):
+            node = self._machine.propositions[leaf].node
             found = ages if isinstance(node, ir.AgeReaches) else values
-            found |= self._supports.truths[leaf].inputs
+            found |= self._supports.propositions[leaf].inputs
         return sorted(values), sorted(ages)
 
     def _timeout(self, used: int) -> int | None:
@@ -188,7 +188,7 @@ class _Writer:
         over = self._conditions.phrase(rule.condition, is_so=False)
         if rule.release is None:
             return Phrase("It ends only when an operator resets it while this is so:", (over,))
-        release = self._machine.truths[rule.release].node
+        release = self._machine.propositions[rule.release].node
         if isinstance(release, ir.Literal) and release.value:
             return Phrase("It ends as soon as this is known to be so:", (over,))
         calm_ns = self._calm_ns(rule.condition, release)
@@ -198,11 +198,11 @@ class _Writer:
         both = (over, self._conditions.phrase(rule.release))
         return Phrase("It ends when both of these are known to be so:", both)
 
-    def _calm_ns(self, condition: int, release: ir.TruthNode) -> int | None:
+    def _calm_ns(self, condition: int, release: ir.PropositionNode) -> int | None:
         """For how long its condition has to have been false, if that is the release."""
         if not isinstance(release, ir.Held):
             return None
-        node = self._machine.truths[release.operand].node
+        node = self._machine.propositions[release.operand].node
         is_opposite = isinstance(node, ir.Not) and node.operand == condition
         return release.duration_ns if is_opposite else None
 

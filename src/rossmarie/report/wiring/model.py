@@ -163,7 +163,7 @@ def _inputs(machine: ir.Machine) -> Iterator[Input]:
 
 def _confirming(machine: ir.Machine, rule: int) -> Iterator[int]:
     """The inputs on which the confirmations of a rule rest, and those whose poses it retraces."""
-    plans, rests_on = machine.reactions.plans, ir.supports(machine).truths
+    plans, rests_on = machine.reactions.plans, ir.supports(machine).propositions
     for task in plans[rule].tasks if plans else ():
         effect = machine.reactions.tasks[task].effect
         if isinstance(effect, reactions.CancelGoal) and effect.confirmation is not None:

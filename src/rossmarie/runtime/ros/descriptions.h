@@ -87,7 +87,7 @@ extern const std::vector<OtherText> OTHERS;
 // Of the names of the latched rules: another set of them has another key.
 extern const char *const LATCHED_RULES_KEY;
 
-// How many rows a table has; they are told by index.
+// How many rows a table has; they are reported by index.
 template <class Row> int count(const std::vector<Row> &table)
 {
     return static_cast<int>(table.size());

@@ -99,7 +99,7 @@ int64_t Guard::next_wake() const
     return wake_ns;
 }
 
-// By ROS time that stands still for longer, no input with a timeout would ever be lost.
+// By ROS time that stands still for longer, no input with a timeout would ever be stale.
 int64_t Guard::clock_timeout() const
 {
     if (settings_.clock_timeout_ns > 0)
@@ -140,8 +140,8 @@ void Guard::take(int64_t at_ns)
     follow(at_ns);
 }
 
-// The monitor begins with the first messages of all inputs that can be lost, so that it does not
-// count those as lost that are only starting; after some patience it does. No command passes
+// The monitor begins with the first messages of all inputs that can be stale, so that it does not
+// count those as stale that are only starting; after some patience it does. No command passes
 // before.
 bool Guard::begin_when_ready(int64_t at_ns)
 {

@@ -5,7 +5,7 @@
 // the reactor (what follows?) and the filters (what may pass?) before the next is looked at.
 // These two are the C of the rules (core:: in rules.h). They decide, the guard performs.
 //
-// guard.cpp has its work, operators.cpp what operators can do, telling.cpp what others are told.
+// guard.cpp has its work, operators.cpp what operators can do, telling.cpp what others are reported.
 #pragma once
 
 #include <chrono>

@@ -54,7 +54,7 @@ template <class Message> class Input : public AnyInput {
 public:
     using Take = std::function<void(const Message &, int64_t at_ns)>;
 
-    // `timeout_ns` is the age at which the topic counts as lost, 0 if it never does. With
+    // `timeout_ns` is the age at which the topic counts as stale, 0 if it never does. With
     // `by_stamp` the stamps in the headers say when messages are from, not their arrival.
     Input(Middleware &middleware, Clock &clock, const std::string &topic, int64_t timeout_ns,
           bool by_stamp, Take take)

@@ -40,14 +40,14 @@ inline std::string of_input(int input, int state)
 inline std::string cause(const core::Event &event)
 {
     const RuleText &rule = RULES[event.rule];
-    std::string lost;
+    std::string stale;
     for (std::size_t i = 0; i < rule.inputs.size(); i++)
         if (rule.inputs[i].has_timeout && event.inputs[i] != core::FRESH)
-            lost += (lost.empty() ? "" : "; ") + of_input(rule.inputs[i].input, event.inputs[i]);
-    const bool is_lost = event.change == core::ACTIVATED_LOST;
-    if (is_lost && !lost.empty())
-        return lost;
-    std::string cause = is_lost ? "messages come without a usable value: " : "";
+            stale += (stale.empty() ? "" : "; ") + of_input(rule.inputs[i].input, event.inputs[i]);
+    const bool is_stale = event.change == core::ACTIVATED_STALE;
+    if (is_stale && !stale.empty())
+        return stale;
+    std::string cause = is_stale ? "messages come without a usable value: " : "";
     for (std::size_t i = 0; i < rule.values.size(); i++)
         cause += rule.values[i].name + (" = " + shown(rule.values[i], event.values[i])) + "; ";
     return cause + (event.change == core::CLEARED ? "no longer: " : "") + rule.condition;

@@ -14,7 +14,7 @@ static const std::vector<ParameterText> OF_ALL_RULES = {
      "along ramps."},
     {"patience", ParameterText::NUMBER, 5.0, 0.0, 1e6,
      "Until all inputs with a timeout have arrived, rules are not looked at and no command "
-     "passes; after this (s) those that are missing count as lost."},
+     "passes; after this (s) those that are missing count as stale."},
     {"grace_period", ParameterText::NUMBER, 0.0, 0.0, 1e6,
      "After this (s) commands pass even if inputs have never arrived; 0 is never."},
     {"clock_timeout", ParameterText::NUMBER, 0.0, 0.0, 1e6,

@@ -1,6 +1,6 @@
 // Part of ROSSMARie, the same for all rules: SHA256SUMS lists it. Change nothing here.
 //
-// Answers of the skills that run to the questions of the rules. Nothing in a message is trusted:
+// Answers of the skills that run to the queries of the rules. Nothing in a message is trusted:
 // where it is from another export, or too large, nobody knows the answer, which is NAN.
 #pragma once
 
@@ -171,7 +171,7 @@ double quantity(const Context &context, const char *digest, const Asked &asked,
     return number.get();
 }
 
-// The number of a truth, which is 0 or 1.
-inline double truth(double number) { return number == 0.0 || number == 1.0 ? number : NAN; }
+// The number of a boolean, which is 0 or 1.
+inline double boolean(double number) { return number == 0.0 || number == 1.0 ? number : NAN; }
 
 } // namespace skills

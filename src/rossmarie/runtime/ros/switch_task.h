@@ -32,7 +32,7 @@ public:
         const ListControllers::Request all;
         using Answer = ListControllers::Response;
         list_.call(all, [this, tell](bool has_answered, const Answer &answer) {
-            // A manager that is not there is told elsewhere.
+            // A manager that is not there is reported elsewhere.
             tell(has_answered ? lacking(answer) : "");
         });
     }

@@ -23,7 +23,7 @@ public:
     // Sends a pose of the past: x, y and z in m, and with an orientation its quaternion.
     virtual void retrace(int64_t /*now_ns*/, const double * /*pose*/) {}
 
-    // Finds out what others lack that `start` will need. It is told later, in a few words; "" if
+    // Finds out what others lack that `start` will need. It is reported later, in a few words; "" if
     // nothing.
     virtual void check(std::function<void(const std::string &lacking)> /*tell*/) {}
 

@@ -49,12 +49,12 @@ void Guard::publish_state(int64_t at_ns)
     for (int task = 0; task < count(TASKS); task++) {
         if (task_states_[task] == core::TASK_IDLE)
             continue;
-        TaskState told;
-        told.rule = RULES[TASKS[task].rule].name;
-        told.action = TASKS[task].action;
-        told.effect = TASKS[task].effect;
-        told.state = STATES[task_states_[task]];
-        state.tasks.push_back(told);
+        TaskState reported;
+        reported.rule = RULES[TASKS[task].rule].name;
+        reported.action = TASKS[task].action;
+        reported.effect = TASKS[task].effect;
+        reported.state = STATES[task_states_[task]];
+        state.tasks.push_back(reported);
     }
     state_.publish(state);
 }

@@ -56,8 +56,8 @@ def _looked_at_freely(layout: Layout) -> set[int]:
     """The values that tests, oscillations and elements look at, which have no guard of their own
     there.
     """
-    truths = [*layout.value_of_test, *layout.oscillations]
-    nodes = [layout.machine.truths[truth].node for truth in truths]
+    propositions = [*layout.value_of_test, *layout.oscillations]
+    nodes = [layout.machine.propositions[proposition].node for proposition in propositions]
     signals = {signal for node in nodes for signal in ir.compared_signals(node)}
     signals |= ir.made_beside(layout.machine)
     return {layout.value_of_signal[s] for s in signals if s in layout.value_of_signal}

@@ -43,8 +43,8 @@ def text_declaration(layout: Layout) -> str:
 def descriptions(layout: Layout) -> str:
     """The tables of what each rule says, and of texts."""
     machine = layout.machine
-    truths = [truth.name or truth.text for truth in machine.truths]
-    terms = [[truths[index] for index in rule.terms] for rule in machine.rules]
+    propositions = [proposition.name or proposition.text for proposition in machine.propositions]
+    terms = [[propositions[index] for index in rule.terms] for rule in machine.rules]
     values = [[machine.signals[index].text for index in rule.signals] for rule in machine.rules]
     inputs = [[machine.inputs[index].name for index in rule.inputs] for rule in machine.rules]
     named = [rule.name for rule in machine.rules]
@@ -75,7 +75,7 @@ def _rules(layout: Layout) -> str:
     for rule in layout.machine.rules:
         texts = (
             rule.name,
-            layout.machine.truths[rule.condition].text,
+            layout.machine.propositions[rule.condition].text,
             rule.contract,
             " ".join(rule.actions),
             names.place(rule.span),

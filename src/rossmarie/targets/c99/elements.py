@@ -31,7 +31,7 @@ class _Loop:
     inside: list[str] = field(default_factory=list)
     after: list[str] = field(default_factory=list)
     signals: dict[int, str] = field(default_factory=dict)
-    truths: dict[int, str] = field(default_factory=dict)
+    propositions: dict[int, str] = field(default_factory=dict)
     counted: set[int] = field(default_factory=set)
 
     def known(self, number: str) -> str:
@@ -65,7 +65,9 @@ class Elements:
             match signal.node:
                 case ir.Fold(element=element) if self._layout.elements.signals[element] == first:
                     self._fold(loop, index, signal.node)
-                case ir.Count(element=element) if self._layout.elements.truths[element] == first:
+                case ir.Count(element=element) if (
+                    self._layout.elements.propositions[element] == first
+                ):
                     self._counted(loop, element)
                     value = self._layout.value_of_signal[index]
                     self._finish(loop, value, "how_many", element)
@@ -83,10 +85,10 @@ class Elements:
 
     def _quantified(self, array: int) -> Iterator[tuple[int, ir.Quantified]]:
         for index in self._layout.value_of_test:
-            node = self._machine.truths[index].node
+            node = self._machine.propositions[index].node
             if not isinstance(node, ir.Quantified):
                 continue
-            if self._layout.elements.truths[node.element] == array:
+            if self._layout.elements.propositions[node.element] == array:
                 yield index, node
 
     # --- results -----------------------------------------------------------------------------
@@ -101,18 +103,18 @@ class Elements:
         loop.after.append(f"{target} = {loop.known(name)};")
 
     def _counted(self, loop: _Loop, element: int) -> None:
-        """Count for how many elements a truth holds and is unknown."""
+        """Count for how many elements a proposition holds and is unknown."""
         if element in loop.counted:
             return
         loop.counted.add(element)
-        loop.before.append(f"size_t TRUTHS_{element} = 0, UNKNOWNS_{element} = 0;")
-        truth = self._truth(loop, element)
-        loop.inside.append(f"TRUTHS_{element} += {truth} == TRUE;")
-        loop.inside.append(f"UNKNOWNS_{element} += {truth} == UNKNOWN;")
+        loop.before.append(f"size_t PROPOSITIONS_{element} = 0, UNKNOWNS_{element} = 0;")
+        proposition = self._proposition(loop, element)
+        loop.inside.append(f"PROPOSITIONS_{element} += {proposition} == TRUE;")
+        loop.inside.append(f"UNKNOWNS_{element} += {proposition} == UNKNOWN;")
 
     def _finish(self, loop: _Loop, value: int, call: str, element: int) -> None:
         target = self._expressions.kept(value)
-        arguments = [f"TRUTHS_{element}", f"UNKNOWNS_{element}"]
+        arguments = [f"PROPOSITIONS_{element}", f"UNKNOWNS_{element}"]
         if loop.most is None:
             arguments.append(loop.count)
         else:
@@ -148,19 +150,19 @@ class Elements:
             loop.before.append(f"const double BESIDE_{index} = {kept};")
         return loop.signals[index]
 
-    def _truth(self, loop: _Loop, index: int) -> str:
-        if index not in loop.truths:
-            text = self._truth_text(loop, index)
-            loop.truths[index] = f"IS_{index}"
+    def _proposition(self, loop: _Loop, index: int) -> str:
+        if index not in loop.propositions:
+            text = self._proposition_text(loop, index)
+            loop.propositions[index] = f"IS_{index}"
             loop.inside.append(f"const unsigned char IS_{index} = {text};")
-        return loop.truths[index]
+        return loop.propositions[index]
 
-    def _truth_text(self, loop: _Loop, index: int) -> str:
-        match self._machine.truths[index].node:
+    def _proposition_text(self, loop: _Loop, index: int) -> str:
+        match self._machine.propositions[index].node:
             case ir.Literal(value=value):
                 return "TRUE" if value else "FALSE"
             case ir.Not(operand=operand):
-                return f"opposite({self._truth(loop, operand)})"
+                return f"opposite({self._proposition(loop, operand)})"
             case ir.And(operands=operands):
                 return self._joined("both", loop, operands)
             case ir.Or(operands=operands):
@@ -171,12 +173,12 @@ class Elements:
             ) as node:  # fmt: skip
                 write = lambda signal: self._signal(loop, signal)  # noqa: E731
                 is_unknown, holds = self._expressions.comparison(node, write)
-                return f"element_truth({is_unknown}, {holds})"
+                return f"element_proposition({is_unknown}, {holds})"
 
     def _joined(self, word: str, loop: _Loop, operands: tuple[int, ...]) -> str:
-        text = self._truth(loop, operands[0])
+        text = self._proposition(loop, operands[0])
         for operand in operands[1:]:
-            text = f"{word}({text}, {self._truth(loop, operand)})"
+            text = f"{word}({text}, {self._proposition(loop, operand)})"
         return text
 
 

@@ -43,8 +43,8 @@ def version() -> str:
 
 def files() -> dict[str, str]:
     """All files of the engine, by their paths beside the generated ones."""
-    told = (
+    reported = (
         f"/* {copies.MARK}: the version of the engine, from the hash of {copies.SUMS}. */\n"
         f"#define ROSSMARIE_ENGINE {version()}\n"
     )
-    return {f"{FOLDER}/{name}": text for name, text in {**_copies(), "version.h": told}.items()}
+    return {f"{FOLDER}/{name}": text for name, text in {**_copies(), "version.h": reported}.items()}

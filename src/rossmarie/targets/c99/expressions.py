@@ -93,11 +93,11 @@ class Expressions:
 
     def tests(self) -> Iterator[Piece]:
         """Comparisons without fixed limits, as numbers."""
-        for truth, value in self._layout.value_of_test.items():
-            node = self._machine.truths[truth].node
+        for proposition, value in self._layout.value_of_test.items():
+            node = self._machine.propositions[proposition].node
             if not isinstance(node, ir.Quantified):
                 outcome = f"outcome({', '.join(self.comparison(node, self.operand))})"
-                channels = self._layout.supports.truths[truth].channels
+                channels = self._layout.supports.propositions[proposition].channels
                 yield Piece(channels, (f"{self.kept(value)} = {outcome};",))
 
     # --- signals -----------------------------------------------------------------------------
@@ -184,7 +184,7 @@ class Expressions:
 
     # --- comparisons -------------------------------------------------------------------------
 
-    def comparison(self, node: ir.TruthNode, write: Callable[[int], str]) -> tuple[str, str]:
+    def comparison(self, node: ir.PropositionNode, write: Callable[[int], str]) -> tuple[str, str]:
         """Say whether an operand is NaN, and what the comparison says where none is."""
         match node:
             case ir.Compare(comparison=comparison, left=left, right=right):

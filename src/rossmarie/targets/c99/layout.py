@@ -4,10 +4,11 @@ Takes a machine that `ir.verify` has passed. Gives the numbers and names of all 
 
 - *values* are the doubles that a monitor keeps: slots, computed signals, and *tests*, which are the
   comparisons that have no fixed limits, as numbers (0, 1 or NaN);
-- *literals* are the truths that never change;
+- *literals* are the propositions that never change;
 - a *guard* watches one value and owns the *leaves* that compare it with limits;
-- *nodes* are the truths, leaves first, and behind them the rules; what depends on a node stands
-  behind it. Oscillations are no leaves here: they are evaluated when marked, as derived truths are.
+- *nodes* are the propositions, leaves first, and behind them the rules; what depends on a node
+  stands behind it. Oscillations are no leaves here: they are evaluated when marked, as derived
+  propositions are.
 """
 
 from __future__ import annotations
@@ -37,7 +38,9 @@ class Value:
 
 @dataclass
 class Guard:
-    """The guard that watches a value; `leaves` are truth indexes in the order of their nodes."""
+    """The guard that watches a value; `leaves` are proposition indexes in the order of their
+    nodes.
+    """
 
     name: str
     value: int
@@ -54,7 +57,7 @@ class Window(NamedTuple):
 
 @dataclass(frozen=True)
 class Layout:
-    """The layout of one machine. Lists of truth indexes are in the order of their nodes."""
+    """The layout of one machine. Lists of proposition indexes are in the order of their nodes."""
 
     machine: ir.Machine
     name: str
@@ -74,48 +77,48 @@ class Layout:
     sinces: tuple[int, ...]
     sampled: tuple[int, ...]
     windows: tuple[Window, ...]
-    node_of_truth: dict[int, int]
-    truth_names: dict[int, str]
+    node_of_proposition: dict[int, int]
+    proposition_names: dict[int, str]
     rule_names: tuple[str, ...]
     channel_names: tuple[str, ...]
     input_names: tuple[str, ...]
 
     @property
     def recent(self) -> tuple[int, ...]:
-        """The truths that count turning points or edges, as a monitor keeps these."""
+        """The propositions that count turning points or edges, as a monitor keeps these."""
         return (*self.oscillations, *self.recurring)
 
     @property
     def leaf_count(self) -> int:
-        """The number of truths that are set where a number or an age is looked at, without being
-        marked.
+        """The number of propositions that are set where a number or an age is looked at, without
+        being marked.
         """
-        return len(self.node_of_truth) - len(self.oscillations) - len(self.derived)
+        return len(self.node_of_proposition) - len(self.oscillations) - len(self.derived)
 
     @property
-    def truth_count(self) -> int:
-        """The number of truths that a monitor keeps."""
-        return len(self.node_of_truth)
+    def proposition_count(self) -> int:
+        """The number of propositions that a monitor keeps."""
+        return len(self.node_of_proposition)
 
     @property
     def held_initially(self) -> list[bool]:
-        """Say for each truth that lasts if it counts as true before the start."""
-        nodes = (self.machine.truths[index].node for index in self.held)
+        """Say for each proposition that lasts if it counts as true before the start."""
+        nodes = (self.machine.propositions[index].node for index in self.held)
         return [node.initially for node in nodes if isinstance(node, ir.Held)]
 
     def aged_inputs(self) -> set[int]:
-        """The inputs whose age a truth asks."""
-        nodes = (self.machine.truths[index].node for index in self.ages)
+        """The inputs whose age a proposition asks."""
+        nodes = (self.machine.propositions[index].node for index in self.ages)
         return {node.input for node in nodes if isinstance(node, ir.AgeReaches)}
 
-    def remark(self, truth: int) -> str:
-        """The place and the words of a truth."""
-        declared = self.machine.truths[truth]
+    def remark(self, proposition: int) -> str:
+        """The place and the words of a proposition."""
+        declared = self.machine.propositions[proposition]
         return f"{names.place(declared.span)}  {declared.text}"
 
-    def truths_in_order(self) -> list[int]:
-        """All truth indexes in the order of their nodes."""
-        return sorted(self.node_of_truth, key=self.node_of_truth.__getitem__)
+    def propositions_in_order(self) -> list[int]:
+        """All proposition indexes in the order of their nodes."""
+        return sorted(self.node_of_proposition, key=self.node_of_proposition.__getitem__)
 
     def has_timeout(self, used: int) -> bool:
         """Say whether an input expires."""
@@ -146,7 +149,7 @@ class Layout:
         return slots + folds
 
     def excuses(self, support: ir.Support) -> list[int]:
-        """The values that, if they are not there or infinite, make a result unknown and not lost
+        """The values that, if they are not there or infinite, make a result unknown and not stale
         (S30): slots of inputs without a timeout, folds and samples.
         """
         slots = [
@@ -168,10 +171,10 @@ class Layout:
         """The same for the leaves of a guard; a quantifier blames its array whenever unknown."""
         value = self.values[guard.value]
         if value.test is not None:
-            node = self.machine.truths[value.test].node
+            node = self.machine.propositions[value.test].node
             if isinstance(node, ir.Quantified):
-                lost = any(map(self.has_timeout, value.support.inputs))
-                return [guard.value] if lost else []
+                stale = any(map(self.has_timeout, value.support.inputs))
+                return [guard.value] if stale else []
         return self.blamed(value.support)
 
 
@@ -193,8 +196,8 @@ class _Builder:
         self.guards: dict[int, Guard] = {}
         self.family = names.Family("VALUE_")
         self.guard_family = names.Family("GUARD_")
-        self.truth_family = names.Family("TRUTH_")
-        self.whole = [i for i, a in enumerate(self.elements.truths) if a is None]
+        self.proposition_family = names.Family("PROPOSITION_")
+        self.whole = [i for i, a in enumerate(self.elements.propositions) if a is None]
 
     def layout(self) -> Layout:
         self._slots()
@@ -230,8 +233,10 @@ class _Builder:
             sinces=self._of(ir.Since),
             sampled=self._sampled(),
             windows=self._windows(),
-            node_of_truth={truth: node for node, truth in enumerate(order)},
-            truth_names={truth: self._truth_name(truth) for truth in order},
+            node_of_proposition={proposition: node for node, proposition in enumerate(order)},
+            proposition_names={
+                proposition: self._proposition_name(proposition) for proposition in order
+            },
             rule_names=_named("rule_", [rule.name for rule in self.machine.rules]),
             channel_names=_named("", [channel.topic for channel in self.machine.channels]),
             input_names=_named("INPUT_", [used.name for used in self.machine.inputs]),
@@ -293,21 +298,22 @@ class _Builder:
             if isinstance(node, ir.Sampled) and self.supports.signals[node.signal].channels:
                 yield index, node
 
-    # --- truths ------------------------------------------------------------------------------
+    # --- propositions
+    # ------------------------------------------------------------------------------
 
-    def _of(self, *kinds: type[ir.TruthNode]) -> tuple[int, ...]:
-        return tuple(i for i in self.whole if isinstance(self.machine.truths[i].node, kinds))
+    def _of(self, *kinds: type[ir.PropositionNode]) -> tuple[int, ...]:
+        return tuple(i for i in self.whole if isinstance(self.machine.propositions[i].node, kinds))
 
     def _is_still(self, index: int) -> bool:
         """Say whether an oscillation rests on no input, so that it never swings (S32)."""
-        return not self.supports.truths[index].channels
+        return not self.supports.propositions[index].channels
 
-    def _truth_name(self, index: int) -> str:
-        truth = self.machine.truths[index]
-        return self.truth_family.name(truth.name or truth.text)
+    def _proposition_name(self, index: int) -> str:
+        proposition = self.machine.propositions[index]
+        return self.proposition_family.name(proposition.name or proposition.text)
 
     def _leaf(self, index: int) -> None:
-        node = self.machine.truths[index].node
+        node = self.machine.propositions[index].node
         if not isinstance(node, ir.Compare | ir.Between | ir.Flag | ir.Quantified):
             return
         fixed = limits_of(self.machine, node)
@@ -320,9 +326,9 @@ class _Builder:
         guard.limits += [Limit(limit.at, limit.rises, index) for limit in found]
 
     def _test(self, index: int) -> int:
-        truth = self.machine.truths[index]
-        support = self.supports.truths[index]
-        value = self._keep(truth.text, names.place(truth.span), support, test=index)
+        proposition = self.machine.propositions[index]
+        support = self.supports.propositions[index]
+        value = self._keep(proposition.text, names.place(proposition.span), support, test=index)
         self.value_of_test[index] = value
         return value
 

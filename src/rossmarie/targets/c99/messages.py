@@ -243,7 +243,7 @@ class Messages:
         )
 
     def _unchanged(self) -> Iterator[str]:
-        """The conditions on which messages on several channels change no truth."""
+        """The conditions on which messages on several channels change no proposition."""
         yield "before == CALM"
         if self._layout.oscillations:
             yield "!is_pending(m)"
@@ -317,6 +317,6 @@ class Messages:
         yield from self._followed()
 
     def _followed(self) -> Iterator[Piece]:
-        for number, truth in enumerate(self._layout.oscillations):
-            channels = self._layout.supports.truths[truth].channels
+        for number, proposition in enumerate(self._layout.oscillations):
+            channels = self._layout.supports.propositions[proposition].channels
             yield Piece(channels, (f"follow(m, {number}, t_ns);",))

@@ -1,4 +1,4 @@
-"""Truths that are evaluated when marked, as C: those made of others, and oscillations."""
+"""Propositions that are evaluated when marked, as C: those made of others, and oscillations."""
 
 from __future__ import annotations
 
@@ -9,14 +9,16 @@ from rossmarie.targets.c99.layout import Layout
 
 
 def derive(layout: Layout) -> str:
-    """The function that evaluates one derived truth; its words stand where its name is declared."""
+    """The function that evaluates one derived proposition; its words stand where its name is
+    declared.
+    """
     marked = (*layout.oscillations, *layout.derived)
     cases = []
     for index in marked:
-        truth = layout.machine.truths[index]
-        value = _expression(layout, index, truth.node)
-        place = comments.in_c(names.place(truth.span))
-        cases.append(f"    case {layout.truth_names[index]}: return {value}; /* {place} */")
+        proposition = layout.machine.propositions[index]
+        value = _expression(layout, index, proposition.node)
+        place = comments.in_c(names.place(proposition.span))
+        cases.append(f"    case {layout.proposition_names[index]}: return {value}; /* {place} */")
     unused = [] if marked else ["    (void)m;"]
     unused += [] if layout.held or layout.recent else ["    (void)t_ns;"]
     lines = [
@@ -32,10 +34,10 @@ def derive(layout: Layout) -> str:
     return "\n".join(lines)
 
 
-def _expression(layout: Layout, index: int, node: ir.TruthNode) -> str:
+def _expression(layout: Layout, index: int, node: ir.PropositionNode) -> str:
     match node:
         case ir.Not(operand=operand):
-            return f"opposite({_truth(layout, operand)})"
+            return f"opposite({_proposition(layout, operand)})"
         case ir.And(operands=operands):
             return _joined(layout, "both", operands)
         case ir.Or(operands=operands):
@@ -44,13 +46,13 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode) -> str:
             return f"swings_or_gap(m, {layout.oscillations.index(index)}, t_ns)"
         case ir.Recurs(operand=operand):
             number = layout.recurring.index(index)
-            return f"recurs(m, {number}, {layout.truth_names[operand]}, t_ns)"
+            return f"recurs(m, {number}, {layout.proposition_names[operand]}, t_ns)"
         case ir.Held(operand=operand):
             number = layout.held.index(index)
-            return f"held(m, {number}, {layout.truth_names[operand]}, t_ns)"
+            return f"held(m, {number}, {layout.proposition_names[operand]}, t_ns)"
         case ir.Since(held=held, begun=begun):
             number = layout.sinces.index(index)
-            sides = f"{layout.truth_names[held]}, {layout.truth_names[begun]}"
+            sides = f"{layout.proposition_names[held]}, {layout.proposition_names[begun]}"
             return f"since(m, {number}, {sides})"
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
@@ -60,11 +62,11 @@ def _expression(layout: Layout, index: int, node: ir.TruthNode) -> str:
 
 
 def _joined(layout: Layout, word: str, operands: tuple[int, ...]) -> str:
-    text = _truth(layout, operands[0])
+    text = _proposition(layout, operands[0])
     for operand in operands[1:]:
-        text = f"{word}({text}, {_truth(layout, operand)})"
+        text = f"{word}({text}, {_proposition(layout, operand)})"
     return text
 
 
-def _truth(layout: Layout, index: int) -> str:
-    return f"m->truth[{layout.truth_names[index]}]"
+def _proposition(layout: Layout, index: int) -> str:
+    return f"m->truth_value[{layout.proposition_names[index]}]"

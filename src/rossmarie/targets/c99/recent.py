@@ -13,13 +13,13 @@ from rossmarie.targets.c99.types import duration, number
 
 
 def recent_tables(layout: Layout) -> list[str]:
-    """The windows, the places and the truths of both, and what oscillations have besides."""
+    """The windows, the places and the propositions of both, and what oscillations have besides."""
     windows = [(duration(_window_ns(layout, i)), layout.remark(i)) for i in layout.recent]
-    truths = [layout.truth_names[index] for index in layout.recent]
+    propositions = [layout.proposition_names[index] for index in layout.recent]
     return [
         remarked_table("int64_t", "recent_windows", windows),
         table("index_t", "recent_first", starts_of(recent_counts(layout))),
-        table("index_t", "recent_truth", truths),
+        table("index_t", "recent_proposition", propositions),
         *(_turn_tables(layout) if layout.oscillations else ()),
     ]
 
@@ -27,7 +27,7 @@ def recent_tables(layout: Layout) -> list[str]:
 def _turn_tables(layout: Layout) -> list[str]:
     swings, values = [], []
     for index in layout.oscillations:
-        node = layout.machine.truths[index].node
+        node = layout.machine.propositions[index].node
         assert isinstance(node, ir.Oscillates), "the layout lists oscillations"
         swings.append(number(node.swing))
         values.append(layout.values[layout.value_of_signal[node.signal]].name)
@@ -35,6 +35,6 @@ def _turn_tables(layout: Layout) -> list[str]:
 
 
 def _window_ns(layout: Layout, index: int) -> int:
-    node = layout.machine.truths[index].node
+    node = layout.machine.propositions[index].node
     assert isinstance(node, ir.Oscillates | ir.Recurs), "the layout lists what has a window"
     return node.window_ns

@@ -8,22 +8,22 @@ from rossmarie.targets.c99.layout import Layout
 
 
 def is_small(layout: Layout) -> bool:
-    """Say whether the marks of all truths and rules fit one word."""
-    return layout.truth_count + len(layout.machine.rules) <= 64
+    """Say whether the marks of all propositions and rules fit one word."""
+    return layout.proposition_count + len(layout.machine.rules) <= 64
 
 
 def recent_counts(layout: Layout) -> list[int]:
     """The number of turning points that each oscillation remembers, and that of the edges that each
     count of them does.
     """
-    nodes = [layout.machine.truths[index].node for index in layout.recent]
+    nodes = [layout.machine.propositions[index].node for index in layout.recent]
     return [node.count for node in nodes if isinstance(node, ir.Oscillates | ir.Recurs)]
 
 
 def members(layout: Layout) -> list[str]:
     """The members of the struct of a monitor; those that every message looks at come first."""
-    machine, truths = layout.machine, layout.truth_count
-    words = (truths + len(machine.rules) + 63) // 64
+    machine, propositions = layout.machine, layout.proposition_count
+    words = (propositions + len(machine.rules) + 63) // 64
     found = [
         "int64_t now_ns;",
         "int64_t wake_ns;",
@@ -39,8 +39,8 @@ def members(layout: Layout) -> list[str]:
         f"int64_t stamp_ns[{max(1, len(machine.inputs))}];",
         f"unsigned char state[{max(1, len(machine.inputs))}];",
         f"unsigned char active[{(max(1, len(machine.rules)) + 7) // 8}];",
-        f"unsigned char truth[{max(1, truths)}];",
-        f"int64_t since_ns[{max(1, truths)}];",
+        f"unsigned char truth_value[{max(1, propositions)}];",
+        f"int64_t since_ns[{max(1, propositions)}];",
     ]
     if layout.guards:
         found.append(f"int place[{len(layout.guards)}];")

@@ -26,7 +26,7 @@ def tables(layout: Layout) -> str:
         sizes(_sizes(layout)),
         _value_names_listed(layout),
         _input_tables(layout),
-        _truth_names_listed(layout),
+        _proposition_names_listed(layout),
         _node_tables(layout),
         _guard_tables(layout) if layout.guards else "",
         _blame_tables(layout) if layout.guards or layout.oscillations else "",
@@ -45,9 +45,9 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "CHANNELS": len(machine.channels),
         "VALUES": len(layout.values),
         "LEAVES": layout.leaf_count,
-        "TRUTHS": layout.truth_count,
+        "TRUTH_VALUES": layout.proposition_count,
         "RULES": len(machine.rules),
-        "NODES": layout.truth_count + len(machine.rules),
+        "NODES": layout.proposition_count + len(machine.rules),
     }
     used = {
         "TIMEOUTS": sum(1 for used in machine.inputs if used.timeout_ns is not None),
@@ -109,17 +109,17 @@ def _expiry_tables(layout: Layout) -> list[str]:
     samples: list[Sequence[object]] = []
     windows: list[Sequence[object]] = []
     for used in range(len(layout.machine.inputs)):
-        lost = layout.has_timeout(used)
+        stale = layout.has_timeout(used)
         values.append(
-            [value.name for value in layout.values if lost and used in value.support.inputs]
+            [value.name for value in layout.values if stale and used in value.support.inputs]
         )
         samples.append(_resting(layout, layout.sampled, used))
         windows.append(_resting(layout, [window.signal for window in layout.windows], used))
-    listed = [lists("input_values", "lost_values", _of_inputs(layout, values))]
+    listed = [lists("input_values", "stale_values", _of_inputs(layout, values))]
     if layout.sampled:
-        listed.append(lists("input_samples", "lost_samples", _of_inputs(layout, samples)))
+        listed.append(lists("input_samples", "stale_samples", _of_inputs(layout, samples)))
     if layout.windows:
-        listed.append(lists("input_windows", "lost_windows", _of_inputs(layout, windows)))
+        listed.append(lists("input_windows", "stale_windows", _of_inputs(layout, windows)))
     return listed
 
 
@@ -135,7 +135,8 @@ def _resting(layout: Layout, signals: Sequence[int], used: int) -> list[int]:
     return [place for place, signal in enumerate(signals) if used in supports[signal].inputs]
 
 
-# --- truths ----------------------------------------------------------------------------------
+# --- propositions
+# ----------------------------------------------------------------------------------
 
 
 def _value_names_listed(layout: Layout) -> str:
@@ -143,16 +144,17 @@ def _value_names_listed(layout: Layout) -> str:
     return _section("The numbers that a monitor keeps, in SI units.", [enumeration(rows)])
 
 
-def _truth_names_listed(layout: Layout) -> str:
-    truths = [
-        (layout.truth_names[index], layout.remark(index)) for index in layout.truths_in_order()
+def _proposition_names_listed(layout: Layout) -> str:
+    propositions = [
+        (layout.proposition_names[index], layout.remark(index))
+        for index in layout.propositions_in_order()
     ]
     rules = [
         (_rule_node(layout, index), f"{names.place(rule.span)}  {rule.name}")
         for index, rule in enumerate(layout.machine.rules)
     ]
-    title = "Nodes: truths that look at numbers or ages, those made of others, and rules."
-    return _section(title, [enumeration([*truths, *rules])])
+    title = "Nodes: propositions that look at numbers or ages, those made of others, and rules."
+    return _section(title, [enumeration([*propositions, *rules])])
 
 
 def _rule_node(layout: Layout, rule: int) -> str:
@@ -160,20 +162,20 @@ def _rule_node(layout: Layout, rule: int) -> str:
 
 
 def _node_tables(layout: Layout) -> str:
-    """The nodes that depend on each truth, rules included."""
-    users: list[set[int]] = [set() for _ in range(layout.truth_count)]
+    """The nodes that depend on each proposition, rules included."""
+    users: list[set[int]] = [set() for _ in range(layout.proposition_count)]
     for index in layout.derived:
-        for operand in ir.truth_operands(layout.machine.truths[index].node):
-            users[layout.node_of_truth[operand]].add(layout.node_of_truth[index])
+        for operand in ir.proposition_operands(layout.machine.propositions[index].node):
+            users[layout.node_of_proposition[operand]].add(layout.node_of_proposition[index])
     for number_, rule in enumerate(layout.machine.rules):
-        users[layout.node_of_truth[rule.condition]].add(layout.truth_count + number_)
+        users[layout.node_of_proposition[rule.condition]].add(layout.proposition_count + number_)
         if rule.release is not None:
-            users[layout.node_of_truth[rule.release]].add(layout.truth_count + number_)
-    nodes = [layout.truth_names[index] for index in layout.truths_in_order()]
+            users[layout.node_of_proposition[rule.release]].add(layout.proposition_count + number_)
+    nodes = [layout.proposition_names[index] for index in layout.propositions_in_order()]
     nodes += [_rule_node(layout, rule) for rule in range(len(layout.machine.rules))]
     found = [[nodes[user] for user in sorted(each)] for each in users]
-    named = list(zip(nodes[: layout.truth_count], found, strict=True))
-    title = "The nodes that depend on each truth."
+    named = list(zip(nodes[: layout.proposition_count], found, strict=True))
+    title = "The nodes that depend on each proposition."
     if not is_small(layout):
         return _section(title, [lists("node_users", "users", named)])
     rows = [(" | ".join(f"BIT({user})" for user in row) or "NOBODY", name) for name, row in named]
@@ -183,11 +185,12 @@ def _node_tables(layout: Layout) -> str:
 def _rule_tables(layout: Layout) -> str:
     rules = layout.machine.rules
     remarks = [f"{names.place(rule.span)}  {rule.name}: {rule.contract}" for rule in rules]
-    conditions = [layout.truth_names[rule.condition] for rule in rules]
+    conditions = [layout.proposition_names[rule.condition] for rule in rules]
     releases = [
-        "LATCHED" if rule.release is None else layout.truth_names[rule.release] for rule in rules
+        "LATCHED" if rule.release is None else layout.proposition_names[rule.release]
+        for rule in rules
     ]
-    terms = [[layout.truth_names[term] for term in rule.terms] for rule in rules]
+    terms = [[layout.proposition_names[term] for term in rule.terms] for rule in rules]
     values = [
         [layout.values[layout.value_of_signal[signal]].name for signal in rule.signals]
         for rule in rules
@@ -196,7 +199,7 @@ def _rule_tables(layout: Layout) -> str:
     read = [
         layout.values[layout.value_of_signal[signal]].name for signal in layout.machine.readings
     ]
-    watched = [layout.truth_names[truth] for truth in layout.machine.watches]
+    watched = [layout.proposition_names[proposition] for proposition in layout.machine.watches]
     return _section(
         "Rules: the condition, what must hold for them to clear, what a verdict carries.",
         [
@@ -207,7 +210,7 @@ def _rule_tables(layout: Layout) -> str:
             lists("rule_terms", "terms", _of_rules(layout, terms)),
             lists("rule_values", "shown_values", _of_rules(layout, values)),
             lists("rule_inputs", "shown_inputs", _of_rules(layout, inputs)),
-            table("index_t", "watched_truths", watched) if watched else "",
+            table("index_t", "watched_propositions", watched) if watched else "",
             table("index_t", "watched_values", read) if read else "",
         ],
     )
@@ -259,26 +262,26 @@ def _limit_rows(layout: Layout, guard: Guard) -> list[str]:
     for place, (limit, other) in pairs:
         above = "TRUE" if limit.rises else "FALSE"
         away = 0 if other is None else other - place
-        leaf = layout.truth_names[limit.leaf]
+        leaf = layout.proposition_names[limit.leaf]
         remark = comments.in_c(layout.remark(limit.leaf))
         rows.append(f"{{{number(limit.at)}, {leaf}, {above}, {away}}}, /* {remark} */")
     return [*rows, "ABOVE_ALL,"]
 
 
 def _blame_tables(layout: Layout) -> str:
-    """The values whose lack makes a guard lost, and those whose lack leaves it unknown; then the
+    """The values whose lack makes a guard stale, and those whose lack leaves it unknown; then the
     same for the oscillations.
     """
-    swings = [layout.supports.truths[index] for index in layout.oscillations]
+    swings = [layout.supports.propositions[index] for index in layout.oscillations]
     blames = [layout.guard_blames(guard) for guard in layout.guards]
     blames += [layout.blamed(support) for support in swings]
     listed = [lists("row_blames", "blames", _rows_of_values(layout, blames))]
     excuses = _excuses(layout)
     if not any(excuses):
-        return _section("The numbers whose lack makes a truth lost.", listed)
+        return _section("The numbers whose lack makes a proposition stale.", listed)
     of_lists = [boolean(layout.is_of_list(value)) for row in excuses for value in row]
     return _section(
-        "The numbers whose lack makes a truth lost, and those whose lack leaves it unknown.",
+        "The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown.",
         [
             *listed,
             lists("row_excuses", "excuses", _rows_of_values(layout, excuses)),
@@ -290,13 +293,13 @@ def _blame_tables(layout: Layout) -> str:
 def _excuses(layout: Layout) -> list[list[int]]:
     """The values whose lack leaves each guard, and then each oscillation, unknown."""
     supports = [layout.values[guard.value].support for guard in layout.guards]
-    supports += [layout.supports.truths[index] for index in layout.oscillations]
+    supports += [layout.supports.propositions[index] for index in layout.oscillations]
     return [layout.excuses(support) for support in supports]
 
 
 def _rows_of_values(layout: Layout, rows: list[list[int]]) -> list[tuple[str, list[str]]]:
     owners = [guard.name for guard in layout.guards]
-    owners += [layout.truth_names[index] for index in layout.oscillations]
+    owners += [layout.proposition_names[index] for index in layout.oscillations]
     found = [[layout.values[value].name for value in row] for row in rows]
     return list(zip(owners, found, strict=True))
 
@@ -312,14 +315,14 @@ def _timer_tables(layout: Layout) -> str:
         *(_literal_tables(layout) if layout.literals else ()),
     ]
     edges = " edges," if layout.recurring else ""
-    title = f"Durations, ages, turning points,{edges} and truths that never change."
+    title = f"Durations, ages, turning points,{edges} and propositions that never change."
     return _section(title, parts)
 
 
 def _literal_tables(layout: Layout) -> list[str]:
-    truths = layout.machine.truths
-    values = [_value(truths[index].node == ir.Literal(True)) for index in layout.literals]
-    named = [layout.truth_names[index] for index in layout.literals]
+    propositions = layout.machine.propositions
+    values = [_value(propositions[index].node == ir.Literal(True)) for index in layout.literals]
+    named = [layout.proposition_names[index] for index in layout.literals]
     return [
         table("index_t", "literals", named),
         table("unsigned char", "literal_values", values),
@@ -354,7 +357,7 @@ def _sampled_values(layout: Layout) -> list[str]:
 
 def _rests_on(layout: Layout, signal: int | None, test: int | None, rests: set[int]) -> bool:
     if test is not None:
-        compared = ir.compared_signals(layout.machine.truths[test].node)
+        compared = ir.compared_signals(layout.machine.propositions[test].node)
         return bool(rests.intersection(compared))
     return signal in rests
 
@@ -362,10 +365,10 @@ def _rests_on(layout: Layout, signal: int | None, test: int | None, rests: set[i
 def _held_tables(layout: Layout) -> list[str]:
     rows = []
     for index in layout.held:
-        node = layout.machine.truths[index].node
+        node = layout.machine.propositions[index].node
         assert isinstance(node, ir.Held), "the layout lists durations"
         rows.append((duration(node.duration_ns), layout.remark(index)))
-    nodes = [layout.truth_names[index] for index in layout.held]
+    nodes = [layout.proposition_names[index] for index in layout.held]
     initially = layout.held_initially
     values = [_value(holds) for holds in initially]
     return [
@@ -378,12 +381,12 @@ def _held_tables(layout: Layout) -> list[str]:
 def _age_tables(layout: Layout) -> list[str]:
     limits, inputs, unknown = [], [], []
     for index in layout.ages:
-        node = layout.machine.truths[index].node
+        node = layout.machine.propositions[index].node
         assert isinstance(node, ir.AgeReaches), "the layout lists ages"
         limits.append((duration(node.age_ns), layout.remark(index)))
         inputs.append(layout.input_names[node.input])
-        unknown.append("LOST" if layout.has_timeout(node.input) else "UNKNOWN")
-    leaves = [layout.truth_names[index] for index in layout.ages]
+        unknown.append("STALE" if layout.has_timeout(node.input) else "UNKNOWN")
+    leaves = [layout.proposition_names[index] for index in layout.ages]
     return [
         remarked_table("int64_t", "age_limits", limits),
         table("index_t", "age_input", inputs),

@@ -28,22 +28,22 @@ def unsupported(machine: ir.Machine) -> Iterator[Diagnostic]:
 
 def _table_sizes(machine: ir.Machine) -> dict[str, int]:
     layout = lay_out(machine)
-    truths = (truth.node for truth in machine.truths)
-    operands = sum(len(ir.truth_operands(node)) for node in truths)
+    propositions = (proposition.node for proposition in machine.propositions)
+    operands = sum(len(ir.proposition_operands(node)) for node in propositions)
     inputs = [used for used in range(len(machine.inputs)) if layout.has_timeout(used)]
-    lost = sum(used in value.support.inputs for value in layout.values for used in inputs)
+    stale = sum(used in value.support.inputs for value in layout.values for used in inputs)
     blames = sum(len(layout.guard_blames(guard)) for guard in layout.guards)
     supports = (layout.values[guard.value].support for guard in layout.guards)
     effects = [task.effect for task in machine.reactions.tasks]
     bounds = sum(len(effect.bounds) for effect in effects if isinstance(effect, Limit))
     excuses = sum(len(layout.excuses(support)) for support in supports)
     return {
-        "conditions and rules": layout.truth_count + len(machine.rules),
+        "conditions and rules": layout.proposition_count + len(machine.rules),
         "operands of conditions": operands + 2 * len(machine.rules),
         "limits": sum(len(guard.limits) + 2 for guard in layout.guards),
         "numbers": len(layout.values),
         "turning points and edges": sum(recent_counts(layout)),
-        "numbers that expire": lost,
+        "numbers that expire": stale,
         "reasons to be unknown": max(blames, excuses) + layout.leaf_count,
         "terms of verdicts": sum(len(rule.terms) for rule in machine.rules),
         "numbers of verdicts": sum(len(rule.signals) for rule in machine.rules),

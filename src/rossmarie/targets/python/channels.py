@@ -50,12 +50,12 @@ def update(layout: Layout, channel: int) -> list[str]:
     if channel in calm_channels(layout):
         _Calm(layout, channel).write(function)
     _convert(layout, channel, function)
-    function.line("told = len(events)")
+    function.line("reported = len(events)")
     function.line("if (not now <= at_ns <= wake or at_ns >= LATEST) and not catch_up(at_ns):")
     function.line("return -1", 1)
     _take(layout, channel, function)
     function.line(f"evaluate(at_ns, {1 << channel})")
-    function.line("return len(events) - told")
+    function.line("return len(events) - reported")
     return function.text()
 
 
@@ -116,10 +116,10 @@ def _computed(layout: Layout, channel: int) -> list[tuple[int, ir.Apply]]:
     ]
 
 
-def _unguarded(layout: Layout, channel: int) -> list[tuple[int, ir.TruthNode]]:
+def _unguarded(layout: Layout, channel: int) -> list[tuple[int, ir.PropositionNode]]:
     """The comparisons of numbers of a channel that have no fixed limits."""
-    nodes = ((index, layout.machine.truths[index].node) for index in layout.truths)
-    supports = layout.supports.truths
+    nodes = ((index, layout.machine.propositions[index].node) for index in layout.propositions)
+    supports = layout.supports.propositions
     return [
         (index, node)
         for index, node in nodes
@@ -203,13 +203,13 @@ class _Calm:
         named = (operand for operand in node.operands if self._layout.value(operand) == name)
         return any(expressions.is_shown(node, operand) for operand in named)
 
-    def _is_as_before(self, leaf: int, node: ir.TruthNode) -> str:
+    def _is_as_before(self, leaf: int, node: ir.PropositionNode) -> str:
         return f"(1 if {expressions.holds(node, self._value)} else 0) == t{leaf}"
 
     @cached_property
     def _shown(self) -> set[int]:
-        """The signals that are told without an evaluation before: by verdicts of resets (S38), and
-        margins with all that they are made of.
+        """The signals that are reported without an evaluation before: by verdicts of resets (S38),
+        and margins with all that they are made of.
         """
         machine = self._layout.machine
         resets = {s for rule in machine.rules if rule.release is None for s in rule.signals}

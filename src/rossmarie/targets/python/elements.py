@@ -22,13 +22,13 @@ def results(layout: Layout, array: int) -> dict[str, str]:
     """The variables that rest on an array, and what they are without elements."""
     return {
         **{f"s{signal}": "NAN" for signal in (*_folds(layout, array), *_counts(layout, array))},
-        **{f"q{truth}": "2" for truth in _quantifiers(layout, array)},
+        **{f"q{proposition}": "2" for proposition in _quantifiers(layout, array)},
     }
 
 
 def inputs_of(layout: Layout, variable: str) -> frozenset[int]:
     """The inputs that such a variable rests on: of elements, and of numbers beside these."""
-    supports = layout.supports.signals if variable[0] == "s" else layout.supports.truths
+    supports = layout.supports.signals if variable[0] == "s" else layout.supports.propositions
     return supports[int(variable[1:])].inputs
 
 
@@ -51,8 +51,8 @@ def look(layout: Layout, array: int) -> list[str]:
     folds, counted = _folds(layout, array), _counted(layout, array)
     for signal, node in folds.items():
         function.line(f"f{signal} = {_STARTS[node.folding]}")
-    for truth in counted:
-        function.line(f"true_{truth} = unknown_{truth} = 0")
+    for proposition in counted:
+        function.line(f"true_{proposition} = unknown_{proposition} = 0")
     function.line(f"for {_head(layout, columns)}:")
     for line in _one_element(layout, array):
         function.line(line, 1)
@@ -60,9 +60,11 @@ def look(layout: Layout, array: int) -> list[str]:
         element = _Element(layout).value(node.element)
         folded = definition_of(node.folding.function, 2).call(PYTHON, [f"f{signal}", element])
         function.line(f"f{signal} = {folded}", 1)
-    for truth in counted:
-        function.line(f"true_{truth} += {_Element(layout).truth(truth)} == 1", 1)
-        function.line(f"unknown_{truth} += {_Element(layout).truth(truth)} == 2", 1)
+    for proposition in counted:
+        function.line(f"true_{proposition} += {_Element(layout).proposition(proposition)} == 1", 1)
+        function.line(
+            f"unknown_{proposition} += {_Element(layout).proposition(proposition)} == 2", 1
+        )
     _finish(layout, array, function)
     return function.text()
 
@@ -100,8 +102,10 @@ def _head(layout: Layout, columns: Sequence[int]) -> str:
 def _finish(layout: Layout, array: int, function: Function) -> None:
     for signal in _folds(layout, array):
         function.assign(f"s{signal}", f"f{signal}")
-    for signal, truth in _counts(layout, array).items():
-        function.assign(f"s{signal}", f"NAN if unknown_{truth} else float(true_{truth})")
+    for signal, proposition in _counts(layout, array).items():
+        function.assign(
+            f"s{signal}", f"NAN if unknown_{proposition} else float(true_{proposition})"
+        )
     for index, node in _quantifiers(layout, array).items():
         true, unknown = f"true_{node.element}", f"unknown_{node.element}"
         match node.quantifier:
@@ -126,23 +130,23 @@ class _Element:
             return self._layout.value(signal)
         return f"e{signal}"
 
-    def truth(self, index: int) -> str:
-        return self._layout.truth(index)
+    def proposition(self, index: int) -> str:
+        return self._layout.proposition(index)
 
 
 def _one_element(layout: Layout, array: int) -> Iterator[str]:
-    """The signals and truths of the element at hand, each once."""
+    """The signals and propositions of the element at hand, each once."""
     write = _Element(layout)
     for index, signal in enumerate(layout.machine.signals):
         if layout.elements.signals[index] == array and isinstance(signal.node, ir.Apply):
             yield f"e{index} = {expressions.applied(layout, signal.node, write.value)}"
-    for index, truth in enumerate(layout.machine.truths):
-        if layout.elements.truths[index] != array:
+    for index, proposition in enumerate(layout.machine.propositions):
+        if layout.elements.propositions[index] != array:
             continue
-        if isinstance(truth.node, ir.Not | ir.And | ir.Or):
-            yield f"t{index} = {expressions.logic(truth.node, write.truth)}"
+        if isinstance(proposition.node, ir.Not | ir.And | ir.Or):
+            yield f"t{index} = {expressions.logic(proposition.node, write.proposition)}"
         else:
-            yield f"t{index} = {expressions.compared(layout, truth.node, write.value, '2')}"
+            yield f"t{index} = {expressions.compared(layout, proposition.node, write.value, '2')}"
 
 
 def _converted(layout: Layout, index: int) -> str:
@@ -166,20 +170,22 @@ def _counts(layout: Layout, array: int) -> dict[int, int]:
     return {
         index: node.element
         for index, node in found.items()
-        if isinstance(node, ir.Count) and layout.elements.truths[node.element] == array
+        if isinstance(node, ir.Count) and layout.elements.propositions[node.element] == array
     }
 
 
 def _quantifiers(layout: Layout, array: int) -> dict[int, ir.Quantified]:
-    found = {index: truth.node for index, truth in enumerate(layout.machine.truths)}
+    found = {
+        index: proposition.node for index, proposition in enumerate(layout.machine.propositions)
+    }
     return {
         index: node
         for index, node in found.items()
-        if isinstance(node, ir.Quantified) and layout.elements.truths[node.element] == array
+        if isinstance(node, ir.Quantified) and layout.elements.propositions[node.element] == array
     }
 
 
 def _counted(layout: Layout, array: int) -> list[int]:
-    """The elementwise truths whose true and unknown elements are counted."""
+    """The elementwise propositions whose true and unknown elements are counted."""
     quantified = [node.element for node in _quantifiers(layout, array).values()]
     return sorted({*_counts(layout, array).values(), *quantified})

@@ -1,4 +1,4 @@
-"""One evaluation: inputs expire, every signal, every truth, then what the rules do (S11).
+"""One evaluation: inputs expire, every signal, every proposition, then what the rules do (S11).
 
 Takes a layout. A number that is still inside its guard is passed over, with all comparisons of it.
 """
@@ -52,8 +52,8 @@ def _parts(layout: Layout) -> list[Function]:
 
 
 def _steps(layout: Layout) -> Iterator[Function]:
-    """The signals, the truths and the rules. Before all others come the numbers beside elements,
-    and what is asked of these.
+    """The signals, the propositions and the rules. Before all others come the numbers beside
+    elements, and what is asked of these.
     """
     for index in layout.signals:
         if index in layout.made_beside:
@@ -67,12 +67,12 @@ def _steps(layout: Layout) -> Iterator[Function]:
         yield _guard(layout, guard)
     for index in layout.kept:
         if index not in layout.guarded:
-            yield _truth(layout, index)
+            yield _proposition(layout, index)
     for number, rule in enumerate(layout.machine.rules):
         yield _rule(layout, number, rule)
 
 
-def _remark(function: Function, thing: ir.Signal | ir.Truth | ir.Rule, text: str) -> None:
+def _remark(function: Function, thing: ir.Signal | ir.Proposition | ir.Rule, text: str) -> None:
     function.line(f"# {comments.after_hash(f'{names.place(thing.span)}  {text}')}")
 
 
@@ -133,11 +133,12 @@ def _bits(layout: Layout, signal: int) -> int:
     return sum(1 << channel for channel in layout.supports.signals[signal].channels)
 
 
-# --- truths ----------------------------------------------------------------------------------
+# --- propositions
+# ----------------------------------------------------------------------------------
 
 
 def _record(layout: Layout, index: int, value: str, function: Function, depth: int = 0) -> None:
-    """A truth, and since when it has its value where a verdict tells that (S34)."""
+    """A proposition, and since when it has its value where a verdict tells that (S34)."""
     if index not in layout.terms:
         function.assign(f"t{index}", value, depth)
         return
@@ -153,12 +154,12 @@ def _guard(layout: Layout, guard: Guard) -> Function:
     function = Function("step()")
     value = guard.value
     for leaf in guard.leaves:
-        truth = layout.machine.truths[leaf]
-        _remark(function, truth, truth.text)
+        proposition = layout.machine.propositions[leaf]
+        _remark(function, proposition, proposition.text)
     function.line(f"if not {guard.low} < {value} <= {guard.high}:")
     function.line(f"if {value} == {value}:", 1)
     for leaf in guard.leaves:
-        holds = expressions.holds(layout.machine.truths[leaf].node, layout.value)
+        holds = expressions.holds(layout.machine.propositions[leaf].node, layout.value)
         _record(layout, leaf, f"1 if {holds} else 0", function, 2)
     _gap(guard, [-math.inf, *guard.cuts, sys.float_info.max], function, 2)
     function.line("else:", 1)
@@ -183,29 +184,29 @@ def _gap(guard: Guard, cuts: Sequence[float], function: Function, depth: int) ->
     function.assign(guard.high, "MAX" if high == sys.float_info.max else repr(high), depth)
 
 
-def _truth(layout: Layout, index: int) -> Function:
+def _proposition(layout: Layout, index: int) -> Function:
     function = Function("step()")
-    truth = layout.machine.truths[index]
-    _remark(function, truth, truth.text)
-    match truth.node:
+    proposition = layout.machine.propositions[index]
+    _remark(function, proposition, proposition.text)
+    match proposition.node:
         case ir.Held():
-            _held(layout, index, truth.node, function)
+            _held(layout, index, proposition.node, function)
         case ir.Since():
-            _since(layout, index, truth.node, function)
+            _since(layout, index, proposition.node, function)
         case ir.Oscillates():
-            _oscillates(layout, index, truth.node, function)
+            _oscillates(layout, index, proposition.node, function)
         case ir.Recurs(operand=operand):
-            value = f"recurrence_{index}.look({layout.truth(operand)}, at_ns)"
+            value = f"recurrence_{index}.look({layout.proposition(operand)}, at_ns)"
             _record(layout, index, value, function)
         case (
             ir.Literal() | ir.Compare() | ir.Between() | ir.Flag() | ir.AgeReaches()
             | ir.Quantified() | ir.Not() | ir.And() | ir.Or()
         ):  # fmt: skip
-            _record(layout, index, _text(layout, index, truth.node), function)
+            _record(layout, index, _text(layout, index, proposition.node), function)
     return function
 
 
-def _text(layout: Layout, index: int, node: ir.TruthNode) -> str:
+def _text(layout: Layout, index: int, node: ir.PropositionNode) -> str:
     match node:
         case ir.AgeReaches(input=used, age_ns=age_ns):
             known = f"1 if at_ns - stamp_{layout.channel(used)} >= {age_ns} else 0"
@@ -222,12 +223,12 @@ def _text(layout: Layout, index: int, node: ir.TruthNode) -> str:
             | ir.Since()
             | ir.Recurs()
         ):  # fmt: skip
-            return expressions.logic(node, layout.truth)
+            return expressions.logic(node, layout.proposition)
 
 
 def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None:
     """S33."""
-    function.line(f"v = {layout.truth(node.operand)}")
+    function.line(f"v = {layout.proposition(node.operand)}")
     function.line("if v != 1:")
     function.assign(f"due_{index}", "NEVER", 1)
     function.assign(f"before_{index}", "v", 1)
@@ -241,7 +242,7 @@ def _held(layout: Layout, index: int, node: ir.Held, function: Function) -> None
 
 def _since(layout: Layout, index: int, node: ir.Since, function: Function) -> None:
     """S44."""
-    held, begun = layout.truth(node.held), layout.truth(node.begun)
+    held, begun = layout.proposition(node.held), layout.proposition(node.begun)
     function.line(f"v = {expressions.either(begun, f'before_{index}')}")
     function.line(f"v = {expressions.both(held, 'v')}")
     function.line(f"v = {expressions.either(begun, 'v')}")
@@ -271,7 +272,7 @@ def _oscillates(layout: Layout, index: int, node: ir.Oscillates, function: Funct
 def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
     """S35 to S37."""
     function = Function("step()")
-    condition = layout.truth(rule.condition)
+    condition = layout.proposition(rule.condition)
     _remark(function, rule, f"{rule.name}: {rule.contract}")
     function.line(f"if not active_{number}:")
     function.line(f"v = 1 if {condition} == 1 else 2 if {condition} == 3 else -1", 1)
@@ -279,7 +280,7 @@ def _rule(layout: Layout, number: int, rule: ir.Rule) -> Function:
     if rule.release is None:
         function.line("v = -1", 1)
     else:
-        release = layout.truth(rule.release)
+        release = layout.proposition(rule.release)
         is_over = f"{condition} == 0" + ("" if release == "1" else f" and {release} == 1")
         function.line(f"v = 0 if {is_over} else -1", 1)
     function.line("if v >= 0:")
@@ -295,7 +296,7 @@ def tell(layout: Layout, number: int, change: str, function: Function) -> None:
         str(number),
         "at_ns",
         change,
-        names.tuple_of(layout.truth(term) for term in rule.terms),
+        names.tuple_of(layout.proposition(term) for term in rule.terms),
         names.tuple_of(f"d{term}" for term in rule.terms),
         names.tuple_of(f"float({layout.value(signal)})" for signal in rule.signals),
         names.tuple_of(layout.state_of_input[used] for used in rule.inputs),

@@ -14,7 +14,7 @@ from rossmarie.targets.python.functions import PYTHON
 from rossmarie.targets.python.layout import Layout, memory
 
 Write = Callable[[int], str]
-"""A function that writes a signal or a truth, given its index."""
+"""A function that writes a signal or a proposition, given its index."""
 
 
 def applied(layout: Layout, node: ir.Apply, write: Write) -> str:
@@ -67,7 +67,7 @@ def may_be_infinite(layout: Layout, signal: int) -> bool:
 # --- comparisons -----------------------------------------------------------------------------
 
 
-def holds(node: ir.TruthNode, write: Write) -> str:
+def holds(node: ir.PropositionNode, write: Write) -> str:
     """The value of a comparison where nothing is unknown (S27 to S29)."""
     match node:
         case ir.Compare(comparison=comparison, left=left, right=right):
@@ -83,7 +83,7 @@ def holds(node: ir.TruthNode, write: Write) -> str:
             raise AssertionError(f"{type(node).__name__} does not compare")
 
 
-def is_unknown(layout: Layout, node: ir.TruthNode, write: Write) -> str:
+def is_unknown(layout: Layout, node: ir.PropositionNode, write: Write) -> str:
     """A condition: a side of a comparison is NaN. It is empty if none can be."""
     signals = dict.fromkeys(ir.compared_signals(node))
     nodes = layout.machine.signals
@@ -91,8 +91,8 @@ def is_unknown(layout: Layout, node: ir.TruthNode, write: Write) -> str:
     return " or ".join(f"{write(signal)} != {write(signal)}" for signal in variable)
 
 
-def compared(layout: Layout, node: ir.TruthNode, write: Write, unknown: str) -> str:
-    """A comparison as a truth."""
+def compared(layout: Layout, node: ir.PropositionNode, write: Write, unknown: str) -> str:
+    """A comparison as a proposition."""
     condition = is_unknown(layout, node, write)
     known = f"1 if {holds(node, write)} else 0"
     return f"{unknown} if {condition} else {known}" if condition else known
@@ -100,10 +100,10 @@ def compared(layout: Layout, node: ir.TruthNode, write: Write, unknown: str) -> 
 
 def unknown_kind(layout: Layout, index: int) -> str:
     """S30: what an unknown leaf is, 2 or, for lack of an input with a timeout, 3."""
-    support = layout.supports.truths[index]
+    support = layout.supports.propositions[index]
     if not layout.is_timed(support.inputs):
         return "2"
-    if isinstance(layout.machine.truths[index].node, ir.Quantified | ir.AgeReaches):
+    if isinstance(layout.machine.propositions[index].node, ir.Quantified | ir.AgeReaches):
         return "3"
     slots = {f"x{slot}": {layout.machine.slots[slot].input} for slot in sorted(support.slots)}
     folds = {f"s{fold}": layout.supports.signals[fold].inputs for fold in sorted(support.folds)}
@@ -123,8 +123,8 @@ def unknown_kind(layout: Layout, index: int) -> str:
 # --- logic -----------------------------------------------------------------------------------
 
 
-def logic(node: ir.TruthNode, write: Write) -> str:
-    """A truth made of others (S2)."""
+def logic(node: ir.PropositionNode, write: Write) -> str:
+    """A proposition made of others (S2)."""
     match node:
         case ir.Literal(value=value):
             return str(int(value))
@@ -143,12 +143,12 @@ def logic(node: ir.TruthNode, write: Write) -> str:
 
 
 def both(*parts: str) -> str:
-    """`and` of truths."""
+    """`and` of propositions."""
     return f"{' and '.join(parts)} and {_greatest(parts)}"
 
 
 def either(*parts: str) -> str:
-    """`or` of truths."""
+    """`or` of propositions."""
     return f"1 if {' or '.join(f'{part} == 1' for part in parts)} else {_greatest(parts)}"
 
 

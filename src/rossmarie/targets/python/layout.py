@@ -1,9 +1,9 @@
 """Where everything of a machine lives in the generated Python.
 
 Takes a machine that `ir.verify` has passed. Everything goes by its index in the machine: slots are
-`x0`, computed signals `s0`, truths `t0` (since `d0`). Inputs of one channel with one timeout share
-a state, for they live and die together. A *guard* is the gap between two limits of a number in
-which no comparison of it with constants changes.
+`x0`, computed signals `s0`, propositions `t0` (since `d0`). Inputs of one channel with one timeout
+share a state, for they live and die together. A *guard* is the gap between two limits of a number
+in which no comparison of it with constants changes.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ class Group:
 
 @dataclass(frozen=True)
 class Guard:
-    """The limits of a number, from low to high, and the truths that compare it with them."""
+    """The limits of a number, from low to high, and the propositions that compare it with them."""
 
     value: str
     signal: int
@@ -50,14 +50,16 @@ class Guard:
 
 
 class Layout:
-    """Questions about one machine."""
+    """Queries about one machine."""
 
     def __init__(self, machine: ir.Machine) -> None:
         self.machine = machine
         self.supports = ir.supports(machine)
         self.elements = ir.element_arrays(machine)
         self.signals = [i for i, array in enumerate(self.elements.signals) if array is None]
-        self.truths = [i for i, array in enumerate(self.elements.truths) if array is None]
+        self.propositions = [
+            i for i, array in enumerate(self.elements.propositions) if array is None
+        ]
         self.terms = {term for rule in machine.rules for term in rule.terms}
         self.numbers_beside = ir.beside(machine)
         self.made_beside = ir.made_beside(machine)
@@ -78,17 +80,17 @@ class Layout:
 
     @cached_property
     def kept(self) -> list[int]:
-        """The truths that are kept: all but literals of which no verdict tells."""
-        nodes = self.machine.truths
+        """The propositions that are kept: all but literals of which no verdict tells."""
+        nodes = self.machine.propositions
         return [
             index
-            for index in self.truths
+            for index in self.propositions
             if index in self.terms or not isinstance(nodes[index].node, ir.Literal)
         ]
 
-    def truth(self, index: int) -> str:
-        """A truth: a literal or a variable."""
-        node = self.machine.truths[index].node
+    def proposition(self, index: int) -> str:
+        """A proposition: a literal or a variable."""
+        node = self.machine.propositions[index].node
         return str(int(node.value)) if isinstance(node, ir.Literal) else f"t{index}"
 
     # --- inputs ------------------------------------------------------------------------------
@@ -145,25 +147,27 @@ class Layout:
 
     @cached_property
     def ages(self) -> list[tuple[int, ir.AgeReaches]]:
-        """The truths that ask the age of an input."""
-        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        """The propositions that ask the age of an input."""
+        nodes = ((index, self.machine.propositions[index].node) for index in self.propositions)
         return [(index, node) for index, node in nodes if isinstance(node, ir.AgeReaches)]
 
     @cached_property
     def held(self) -> list[tuple[int, ir.Held]]:
-        """The truths that last."""
-        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        """The propositions that last."""
+        nodes = ((index, self.machine.propositions[index].node) for index in self.propositions)
         return [(index, node) for index, node in nodes if isinstance(node, ir.Held)]
 
     @cached_property
     def sinces(self) -> list[int]:
-        """The truths that remember what they were."""
-        return [i for i in self.truths if isinstance(self.machine.truths[i].node, ir.Since)]
+        """The propositions that remember what they were."""
+        return [
+            i for i in self.propositions if isinstance(self.machine.propositions[i].node, ir.Since)
+        ]
 
     @cached_property
     def oscillations(self) -> list[tuple[int, ir.Oscillates]]:
-        """The truths that follow a signal which rests on an input; others never swing."""
-        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        """The propositions that follow a signal which rests on an input; others never swing."""
+        nodes = ((index, self.machine.propositions[index].node) for index in self.propositions)
         return [
             (index, node)
             for index, node in nodes
@@ -172,8 +176,8 @@ class Layout:
 
     @cached_property
     def recurring(self) -> list[tuple[int, ir.Recurs]]:
-        """The truths that count edges."""
-        nodes = ((index, self.machine.truths[index].node) for index in self.truths)
+        """The propositions that count edges."""
+        nodes = ((index, self.machine.propositions[index].node) for index in self.propositions)
         return [(index, node) for index, node in nodes if isinstance(node, ir.Recurs)]
 
     @cached_property
@@ -201,8 +205,8 @@ class Layout:
         leaves: dict[str, list[int]] = {}
         cuts: dict[str, set[float]] = {}
         signals: dict[str, int] = {}
-        for index in self.truths:
-            limited = limits_of(self.machine, self.machine.truths[index].node)
+        for index in self.propositions:
+            limited = limits_of(self.machine, self.machine.propositions[index].node)
             if limited is None or self._is_remembered(limited.signal):
                 continue
             value = self.value(limited.signal)
@@ -223,7 +227,7 @@ class Layout:
 
     @cached_property
     def guarded(self) -> frozenset[int]:
-        """The truths that belong to a guard."""
+        """The propositions that belong to a guard."""
         return frozenset(leaf for guard in self.guards for leaf in guard.leaves)
 
     def _is_remembered(self, signal: int) -> bool:

@@ -73,25 +73,25 @@ _TIME = '''\
         return True
 
     def update(at_ns, messages):
-        told = len(events)
+        reported = len(events)
         ready = {channel: receive[channel](*fields) for channel, fields in messages.items()}
         if not catch_up(at_ns):
             return -1
         for channel, fields in ready.items():
             arrive[channel](at_ns, *fields)
         evaluate(at_ns, sum(1 << channel for channel in ready))
-        return len(events) - told
+        return len(events) - reported
 
     def advance(at_ns):
         nonlocal now
-        told = len(events)
+        reported = len(events)
         is_new = now == EARLIEST or at_ns < now
         if not catch_up(at_ns):
             return -1
         if is_new or wake == at_ns:
             evaluate(at_ns, 0)
         now = at_ns
-        return len(events) - told
+        return len(events) - reported
 '''
 
 
@@ -129,7 +129,8 @@ def _descriptions(machine: ir.Machine) -> Iterator[str]:
         yield f"{INDENT}Rule("
         yield f"{INDENT * 2}{rule.name!a},"
         yield f"{INDENT * 2}{names.strings(rule.actions)},"
-        yield f"{INDENT * 2}{names.strings(machine.truths[term].text for term in rule.terms)},"
+        terms = names.strings(machine.propositions[term].text for term in rule.terms)
+        yield f"{INDENT * 2}{terms},"
         yield f"{INDENT * 2}{names.strings(machine.signals[s].text for s in rule.signals)},"
         yield f"{INDENT * 2}{names.strings(machine.inputs[used].name for used in rule.inputs)},"
         yield f"{INDENT}),"
@@ -225,21 +226,21 @@ def _start(layout: Layout) -> Iterator[str]:
         yield from update(layout, channel)
     yield from _reset(layout)
     yield from _latch(machine)
-    yield from _questions(layout)
+    yield from _queries(layout)
 
 
 def _reset(layout: Layout) -> list[str]:
     """S38."""
     function = Function("reset(at_ns, rule=None)")
-    function.line("told = len(events)")
+    function.line("reported = len(events)")
     function.line("if advance(at_ns) < 0:")
     function.line("return -1", 1)
     for number, rule in enumerate(layout.machine.rules):
         if rule.release is None:
-            is_over = f"active_{number} and {layout.truth(rule.condition)} == 0"
+            is_over = f"active_{number} and {layout.proposition(rule.condition)} == 0"
             function.line(f"if rule in (None, {number}) and {is_over}:")
             tell(layout, number, "0", function)
-    function.line("return len(events) - told")
+    function.line("return len(events) - reported")
     return function.text()
 
 
@@ -253,7 +254,7 @@ def _latch(machine: ir.Machine) -> list[str]:
     return function.text()
 
 
-def _questions(layout: Layout) -> Iterator[str]:
+def _queries(layout: Layout) -> Iterator[str]:
     machine = layout.machine
     next_wake = Function("next_wake()")
     next_wake.line("due = earliest()")
@@ -307,5 +308,5 @@ def _watches(layout: Layout) -> list[str]:
     unknown = names.tuple_of("2" for _ in layout.machine.watches)
     function.line("if now == EARLIEST:")
     function.line(f"return {unknown}", 1)
-    function.line(f"return {names.tuple_of(map(layout.truth, layout.machine.watches))}")
+    function.line(f"return {names.tuple_of(map(layout.proposition, layout.machine.watches))}")
     return function.text()

@@ -2,7 +2,7 @@
 source.
 
 They mean what `docs/explanation/semantics.md` says, with 0 for false, 1 for true, 2 for unknown and
-3 for lost.
+3 for stale.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ INF = math.inf
 class Verdict(NamedTuple):
     """A rule changed: 0 cleared, 1 activated, 2 activated for lack of an input with a timeout.
 
-    `truths[i]` is what `RULES[rule].terms[i]` was (0 false, 1 true, 2 unknown, 3 lost) and
+    `truth_values[i]` is what `RULES[rule].terms[i]` was (0 false, 1 true, 2 unknown, 3 stale) and
     `since_ns[i]` since when, `values[i]` is `RULES[rule].signals[i]` in SI units (NaN is unknown),
     `inputs[i]` the state of `RULES[rule].inputs[i]` (0 never received, 1 fresh, 2 expired).
     """
@@ -26,7 +26,7 @@ class Verdict(NamedTuple):
     rule: int
     at_ns: int
     change: int
-    truths: tuple[int, ...]
+    truth_values: tuple[int, ...]
     since_ns: tuple[int, ...]
     values: tuple[float, ...]
     inputs: tuple[int, ...]
@@ -158,11 +158,11 @@ class Recent:
         """Say if there are as many as count."""
         return len(self.instants) == self.instants.maxlen
 
-    def wake_ns(self, truth: int, never_ns: int) -> int:
+    def wake_ns(self, proposition: int, never_ns: int) -> int:
         """When the condition, which is `truth`, may change by itself."""
-        if truth == 1:
+        if proposition == 1:
             return self.instants[0] + self.window_ns
-        if truth < 2 or self.gap_end_ns is None:
+        if proposition < 2 or self.gap_end_ns is None:
             return never_ns
         return self.gap_end_ns + self.window_ns
 

@@ -117,7 +117,7 @@ def look_for_timers(layout: Layout, function: Function) -> None:
 
 
 def _recent(layout: Layout) -> Iterator[tuple[int, str]]:
-    """The truths that count turning points or edges, and what remembers these."""
+    """The propositions that count turning points or edges, and what remembers these."""
     yield from ((index, f"oscillation_{index}") for index, _ in layout.oscillations)
     yield from ((index, f"recurrence_{index}") for index, _ in layout.recurring)
 

@@ -188,7 +188,7 @@ def _scalar(slot: ir.Slot) -> str:
     """A field as a double."""
     last = slot.path[-1] if slot.path else ""
     if isinstance(last, ir.Doing | ir.Quantity):
-        return skill_question(last)
+        return skill_query(last)
     several = ir.Each | ir.Points | ir.Sector | ir.Beams
     assert not isinstance(last, several), "all elements are no scalar"
     if not isinstance(last, str):
@@ -197,8 +197,8 @@ def _scalar(slot: ir.Slot) -> str:
     return f"{_reader(slot.kind)}(message{names.member(slot.path)})"
 
 
-def skill_question(step: ir.SkillStep) -> str:
-    """A question to the skills that `message` has, as a double in C++."""
+def skill_query(step: ir.SkillStep) -> str:
+    """A query to the skills that `message` has, as a double in C++."""
     asked = f"message, {c99_names.string(step.export)}, skills::names({_texts(step.skills)})"
     match step:
         case ir.Doing(arguments=arguments, is_ahead=is_ahead):
@@ -208,10 +208,10 @@ def skill_question(step: ir.SkillStep) -> str:
             )
             asks = "ahead" if is_ahead else "doing"
             return f"skills::{asks}({', '.join([asked, *limits])})"
-        case ir.Quantity(parameter=parameter, property=asked_property, is_truth=is_truth):
+        case ir.Quantity(parameter=parameter, property=asked_property, is_boolean=is_boolean):
             named = (parameter,) if asked_property is None else (parameter, asked_property)
             number = f"skills::quantity({asked}, {_texts(named)})"
-            return f"skills::truth({number})" if is_truth else number
+            return f"skills::boolean({number})" if is_boolean else number
 
 
 def _texts(texts: Sequence[str]) -> str:

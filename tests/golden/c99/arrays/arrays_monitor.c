@@ -18,7 +18,7 @@ typedef arrays_monitor monitor;
 #define CHANNELS 1
 #define VALUES 4
 #define LEAVES 5
-#define TRUTHS 7
+#define TRUTH_VALUES 7
 #define RULES 1
 #define NODES 8
 #define TIMEOUTS 1
@@ -30,8 +30,8 @@ typedef arrays_monitor monitor;
 enum {
     VALUE_MIN_RANGES, /* draft.ross:1 min(ranges) */
     VALUE_COUNT_RANGES_0_5_M, /* draft.ross:1 count(ranges > 0.5 m) */
-    VALUE_TRUTH_2, /* draft.ross:1 truth_2 */
-    VALUE_TRUTH_3, /* draft.ross:1 truth_3 */
+    VALUE_PROPOSITION_2, /* draft.ross:1 proposition_2 */
+    VALUE_PROPOSITION_3, /* draft.ross:1 proposition_3 */
 };
 
 /* Inputs: how long each is fresh, and what is forgotten then. */
@@ -43,72 +43,73 @@ static const int64_t input_timeouts[1] = {
     INT64_C(1000000000), /* INPUT_INPUT_0 */
 };
 static const index_t input_values[2] = {0, 4};
-static const index_t lost_values[4] = {
-    /* INPUT_INPUT_0 */ VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_TRUTH_2,
-        VALUE_TRUTH_3,
+static const index_t stale_values[4] = {
+    /* INPUT_INPUT_0 */ VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_PROPOSITION_2,
+        VALUE_PROPOSITION_3,
 };
 
-/* Nodes: truths that look at numbers or ages, those made of others, and rules. */
+/* Nodes: propositions that look at numbers or ages, those made of others, and rules. */
 enum {
-    TRUTH_TRUTH_4, /* draft.ross:1 truth_4 */
-    TRUTH_TRUTH_1, /* draft.ross:1 truth_1 */
-    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
-    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
-    TRUTH_TRUTH_7, /* draft.ross:1 truth_7 */
-    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
-    TRUTH_TRUTH_6, /* draft.ross:1 truth_6 */
+    PROPOSITION_PROPOSITION_4, /* draft.ross:1 proposition_4 */
+    PROPOSITION_PROPOSITION_1, /* draft.ross:1 proposition_1 */
+    PROPOSITION_PROPOSITION_2, /* draft.ross:1 proposition_2 */
+    PROPOSITION_PROPOSITION_3, /* draft.ross:1 proposition_3 */
+    PROPOSITION_PROPOSITION_7, /* draft.ross:1 proposition_7 */
+    PROPOSITION_PROPOSITION_5, /* draft.ross:1 proposition_5 */
+    PROPOSITION_PROPOSITION_6, /* draft.ross:1 proposition_6 */
     RULE_RULE_1, /* draft.ross:1 rule_1 */
 };
 
-/* The nodes that depend on each truth. */
+/* The nodes that depend on each proposition. */
 static const uint64_t node_users[7] = {
-    BIT(TRUTH_TRUTH_6), /* TRUTH_TRUTH_4 */
-    BIT(TRUTH_TRUTH_6), /* TRUTH_TRUTH_1 */
-    BIT(TRUTH_TRUTH_5), /* TRUTH_TRUTH_2 */
-    BIT(TRUTH_TRUTH_5), /* TRUTH_TRUTH_3 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_7 */
-    BIT(TRUTH_TRUTH_6), /* TRUTH_TRUTH_5 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_6 */
+    BIT(PROPOSITION_PROPOSITION_6), /* PROPOSITION_PROPOSITION_4 */
+    BIT(PROPOSITION_PROPOSITION_6), /* PROPOSITION_PROPOSITION_1 */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_PROPOSITION_2 */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_PROPOSITION_3 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_7 */
+    BIT(PROPOSITION_PROPOSITION_6), /* PROPOSITION_PROPOSITION_5 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_6 */
 };
 
 /* Numbers that are watched, and their limits from low to high. */
 enum {
     GUARD_MIN_RANGES, /* draft.ross:1 min(ranges) */
     GUARD_COUNT_RANGES_0_5_M, /* draft.ross:1 count(ranges > 0.5 m) */
-    GUARD_TRUTH_2, /* draft.ross:1 truth_2 */
-    GUARD_TRUTH_3, /* draft.ross:1 truth_3 */
+    GUARD_PROPOSITION_2, /* draft.ross:1 proposition_2 */
+    GUARD_PROPOSITION_3, /* draft.ross:1 proposition_3 */
 };
 static const index_t guard_value[4] = {
-    VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_TRUTH_2, VALUE_TRUTH_3};
+    VALUE_MIN_RANGES, VALUE_COUNT_RANGES_0_5_M, VALUE_PROPOSITION_2, VALUE_PROPOSITION_3};
 static const index_t channel_guards[2] = {0, 4};
 static const index_t watching[4] = {
-    /* topic_0 */ GUARD_MIN_RANGES, GUARD_COUNT_RANGES_0_5_M, GUARD_TRUTH_2, GUARD_TRUTH_3,
+    /* topic_0 */ GUARD_MIN_RANGES, GUARD_COUNT_RANGES_0_5_M, GUARD_PROPOSITION_2,
+        GUARD_PROPOSITION_3,
 };
 static const index_t guard_leaves[5] = {0, 1, 2, 3, 4};
 static const index_t guard_limits[5] = {0, 3, 6, 9, 12};
 static const limit limits[12] = {
     BELOW_ALL, /* draft.ross:1 min(ranges) */
-    {0.29999999999999993, TRUTH_TRUTH_4, FALSE, 0}, /* draft.ross:1 truth_4 */
+    {0.29999999999999993, PROPOSITION_PROPOSITION_4, FALSE, 0}, /* draft.ross:1 proposition_4 */
     ABOVE_ALL,
     BELOW_ALL, /* draft.ross:1 count(ranges > 0.5 m) */
-    {3.0, TRUTH_TRUTH_1, TRUE, 0}, /* draft.ross:1 truth_1 */
+    {3.0, PROPOSITION_PROPOSITION_1, TRUE, 0}, /* draft.ross:1 proposition_1 */
     ABOVE_ALL,
-    BELOW_ALL, /* draft.ross:1 truth_2 */
-    {0.5, TRUTH_TRUTH_2, TRUE, 0}, /* draft.ross:1 truth_2 */
+    BELOW_ALL, /* draft.ross:1 proposition_2 */
+    {0.5, PROPOSITION_PROPOSITION_2, TRUE, 0}, /* draft.ross:1 proposition_2 */
     ABOVE_ALL,
-    BELOW_ALL, /* draft.ross:1 truth_3 */
-    {0.5, TRUTH_TRUTH_3, TRUE, 0}, /* draft.ross:1 truth_3 */
+    BELOW_ALL, /* draft.ross:1 proposition_3 */
+    {0.5, PROPOSITION_PROPOSITION_3, TRUE, 0}, /* draft.ross:1 proposition_3 */
     ABOVE_ALL,
 };
 static const unsigned char leaf_below[4] = {TRUE, FALSE, FALSE, FALSE};
 
-/* The numbers whose lack makes a truth lost, and those whose lack leaves it unknown. */
+/* The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown. */
 static const index_t row_blames[5] = {0, 1, 2, 3, 4};
 static const index_t blames[4] = {
     /* GUARD_MIN_RANGES */ VALUE_MIN_RANGES,
     /* GUARD_COUNT_RANGES_0_5_M */ VALUE_COUNT_RANGES_0_5_M,
-    /* GUARD_TRUTH_2 */ VALUE_TRUTH_2,
-    /* GUARD_TRUTH_3 */ VALUE_TRUTH_3,
+    /* GUARD_PROPOSITION_2 */ VALUE_PROPOSITION_2,
+    /* GUARD_PROPOSITION_3 */ VALUE_PROPOSITION_3,
 };
 static const index_t row_excuses[5] = {0, 1, 2, 2, 2};
 static const index_t excuses[2] = {
@@ -116,18 +117,19 @@ static const index_t excuses[2] = {
     /* GUARD_COUNT_RANGES_0_5_M */ VALUE_COUNT_RANGES_0_5_M,
 };
 
-/* Durations, ages, turning points, and truths that never change. */
-static const index_t literals[1] = {TRUTH_TRUTH_7};
+/* Durations, ages, turning points, and propositions that never change. */
+static const index_t literals[1] = {PROPOSITION_PROPOSITION_7};
 static const unsigned char literal_values[1] = {TRUE};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[1] = {
-    TRUTH_TRUTH_6, /* draft.ross:1 rule_1: clears by contract */
+    PROPOSITION_PROPOSITION_6, /* draft.ross:1 rule_1: clears by contract */
 };
-static const index_t rule_release[1] = {TRUTH_TRUTH_7};
+static const index_t rule_release[1] = {PROPOSITION_PROPOSITION_7};
 static const index_t rule_terms[2] = {0, 4};
 static const index_t terms[4] = {
-    /* rule_1 */ TRUTH_TRUTH_1, TRUTH_TRUTH_2, TRUTH_TRUTH_3, TRUTH_TRUTH_4,
+    /* rule_1 */ PROPOSITION_PROPOSITION_1, PROPOSITION_PROPOSITION_2,
+        PROPOSITION_PROPOSITION_3, PROPOSITION_PROPOSITION_4,
 };
 static const index_t rule_values[2] = {0, 2};
 static const index_t shown_values[2] = {
@@ -144,8 +146,8 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     (void)t_ns;
     switch (node) {
-    case TRUTH_TRUTH_5: return both(m->truth[TRUTH_TRUTH_2], m->truth[TRUTH_TRUTH_3]); /* draft.ross:1 */
-    case TRUTH_TRUTH_6: return either(either(m->truth[TRUTH_TRUTH_4], m->truth[TRUTH_TRUTH_1]), m->truth[TRUTH_TRUTH_5]); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_5: return both(m->truth_value[PROPOSITION_PROPOSITION_2], m->truth_value[PROPOSITION_PROPOSITION_3]); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_6: return either(either(m->truth_value[PROPOSITION_PROPOSITION_4], m->truth_value[PROPOSITION_PROPOSITION_1]), m->truth_value[PROPOSITION_PROPOSITION_5]); /* draft.ross:1 */
     default: return UNKNOWN;
     }
 }
@@ -165,18 +167,18 @@ INLINE void receive_topic_0(monitor *m, int64_t t_ns, const double *array_0, siz
     m->stamp_ns[INPUT_INPUT_0] = t_ns;
     {
         double MINIMUM_2 = INFINITY;
-        size_t TRUTHS_0 = 0, UNKNOWNS_0 = 0;
+        size_t PROPOSITIONS_0 = 0, UNKNOWNS_0 = 0;
         for (size_t i = 0; i != array_0_count; i++) {
             const double ELEMENT_0 = array_0[i];
             MINIMUM_2 = minimum_of(MINIMUM_2, ELEMENT_0);
-            const unsigned char IS_0 = element_truth(isnan(ELEMENT_0), ELEMENT_0 > 0.5);
-            TRUTHS_0 += IS_0 == TRUE;
+            const unsigned char IS_0 = element_proposition(isnan(ELEMENT_0), ELEMENT_0 > 0.5);
+            PROPOSITIONS_0 += IS_0 == TRUE;
             UNKNOWNS_0 += IS_0 == UNKNOWN;
         }
         m->value[VALUE_MIN_RANGES] = array_0_count != 0 ? MINIMUM_2 : NAN;
-        m->value[VALUE_COUNT_RANGES_0_5_M] = how_many(TRUTHS_0, UNKNOWNS_0, array_0_count);
-        m->value[VALUE_TRUTH_2] = some(TRUTHS_0, UNKNOWNS_0, array_0_count);
-        m->value[VALUE_TRUTH_3] = every(TRUTHS_0, UNKNOWNS_0, array_0_count);
+        m->value[VALUE_COUNT_RANGES_0_5_M] = how_many(PROPOSITIONS_0, UNKNOWNS_0, array_0_count);
+        m->value[VALUE_PROPOSITION_2] = some(PROPOSITIONS_0, UNKNOWNS_0, array_0_count);
+        m->value[VALUE_PROPOSITION_3] = every(PROPOSITIONS_0, UNKNOWNS_0, array_0_count);
     }
 }
 
@@ -188,7 +190,7 @@ INLINE int take_topic_0(monitor *m, int64_t t_ns, const double *array_0, size_t 
         return REFUSED;
     receive_topic_0(m, t_ns, array_0, array_0_count);
     compute(m, arrived, t_ns);
-    if (before == CALM && is_inside(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES]) && is_inside(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M]) && is_inside(m, GUARD_TRUTH_2, m->value[VALUE_TRUTH_2]) && is_inside(m, GUARD_TRUTH_3, m->value[VALUE_TRUTH_3]))
+    if (before == CALM && is_inside(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES]) && is_inside(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M]) && is_inside(m, GUARD_PROPOSITION_2, m->value[VALUE_PROPOSITION_2]) && is_inside(m, GUARD_PROPOSITION_3, m->value[VALUE_PROPOSITION_3]))
         return 0;
     return settle(m, arrived, t_ns, before);
 }
@@ -208,13 +210,13 @@ int arrays_step(arrays_monitor *m, int64_t t_ns, const arrays_values *v)
     if (v->has_topic_0)
         receive_topic_0(m, t_ns, v->topic_0.array_0, v->topic_0.array_0_count);
     compute(m, arrived, t_ns);
-    if (before == CALM && (!(arrived[0]) || is_inside(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES])) && (!(arrived[0]) || is_inside(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M])) && (!(arrived[0]) || is_inside(m, GUARD_TRUTH_2, m->value[VALUE_TRUTH_2])) && (!(arrived[0]) || is_inside(m, GUARD_TRUTH_3, m->value[VALUE_TRUTH_3])))
+    if (before == CALM && (!(arrived[0]) || is_inside(m, GUARD_MIN_RANGES, m->value[VALUE_MIN_RANGES])) && (!(arrived[0]) || is_inside(m, GUARD_COUNT_RANGES_0_5_M, m->value[VALUE_COUNT_RANGES_0_5_M])) && (!(arrived[0]) || is_inside(m, GUARD_PROPOSITION_2, m->value[VALUE_PROPOSITION_2])) && (!(arrived[0]) || is_inside(m, GUARD_PROPOSITION_3, m->value[VALUE_PROPOSITION_3])))
         return 0;
     return settle(m, arrived, t_ns, before);
 }
 
 static const char *const term_texts[4] = {
-    /* rule_1 */ "truth_1", "truth_2", "truth_3", "truth_4",
+    /* rule_1 */ "proposition_1", "proposition_2", "proposition_3", "proposition_4",
 };
 static const char *const value_texts[2] = {
     /* rule_1 */ "min(ranges)", "count(ranges > 0.5 m)",
@@ -223,7 +225,7 @@ static const char *const input_texts[1] = {
     /* rule_1 */ "input_0",
 };
 const arrays_description arrays_rules[1] = {
-    {"rule_1", "truth_6",
+    {"rule_1", "proposition_6",
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 0, value_texts + 0, input_texts + 0, 4, 2, 1},
 };

@@ -30,15 +30,15 @@ enum arrays_rule {
     arrays_rule_rule_1 = 0 /* draft.ross:1 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum arrays_truth { arrays_FALSE, arrays_TRUE, arrays_UNKNOWN, arrays_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum arrays_truth_value { arrays_FALSE, arrays_TRUE, arrays_UNKNOWN, arrays_STALE };
 
 enum arrays_input_state { arrays_NEVER_RECEIVED, arrays_FRESH, arrays_EXPIRED };
 
 enum arrays_change {
     arrays_CLEARED,
     arrays_ACTIVATED,
-    arrays_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    arrays_ACTIVATED_STALE, /* for lack of an input with a timeout */
     arrays_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -48,11 +48,11 @@ enum arrays_change {
 typedef struct arrays_event {
     int64_t at_ns;
     int64_t from_ns;
-    int64_t since_ns[4]; /* since when truths[i] has its value */
+    int64_t since_ns[4]; /* since when truth_values[i] has its value */
     double values[2];    /* SI units; NaN is unknown */
     int32_t rule;
     int32_t change;
-    unsigned char truths[4];
+    unsigned char truth_values[4];
     unsigned char inputs[1];
 } arrays_event;
 
@@ -65,7 +65,7 @@ typedef struct arrays_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
-    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *terms;  /* the conditions behind truth_values[] of its events */
     const char *const *values; /* what values[] are */
     const char *const *inputs; /* what inputs[] are */
     int term_count;
@@ -89,7 +89,7 @@ typedef struct arrays_monitor {
     int64_t stamp_ns[1];
     unsigned char state[1];
     unsigned char active[1];
-    unsigned char truth[7];
+    unsigned char truth_value[7];
     int64_t since_ns[7];
     int place[4];
     arrays_callback on_event;
@@ -132,7 +132,7 @@ int64_t arrays_next_wake(const arrays_monitor *m);
 
 bool arrays_is_active(const arrays_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void arrays_latch(arrays_monitor *m, int rule);

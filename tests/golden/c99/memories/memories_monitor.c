@@ -18,7 +18,7 @@ typedef memories_monitor monitor;
 #define CHANNELS 1
 #define VALUES 11
 #define LEAVES 10
-#define TRUTHS 14
+#define TRUTH_VALUES 14
 #define RULES 5
 #define NODES 19
 #define TIMEOUTS 1
@@ -45,7 +45,7 @@ enum {
     VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, /* draft.ross:1 median(orientation.pitch(), 1 sec) */
     VALUE_MEAN_X_1_SEC, /* draft.ross:1 mean(x, 1 sec) */
     VALUE_LOW_PASS_X_0_2_SEC, /* draft.ross:1 low_pass(x, 0.2 sec) */
-    VALUE_TRUTH_0, /* draft.ross:1 truth_0 */
+    VALUE_PROPOSITION_0, /* draft.ross:1 proposition_0 */
 };
 
 /* Inputs: how long each is fresh, and what is forgotten then. */
@@ -57,37 +57,37 @@ static const int64_t input_timeouts[1] = {
     INT64_C(1000000000), /* INPUT_INPUT_0 */
 };
 static const index_t input_values[2] = {0, 11};
-static const index_t lost_values[11] = {
+static const index_t stale_values[11] = {
     /* INPUT_INPUT_0 */ VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2,
         VALUE_INPUT_0_SLOT_3, VALUE_SIGNAL_4, VALUE_RATE_ORIENTATION_PITCH,
         VALUE_PREVIOUS_ORIENTATION_PITCH, VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC,
-        VALUE_MEAN_X_1_SEC, VALUE_LOW_PASS_X_0_2_SEC, VALUE_TRUTH_0,
+        VALUE_MEAN_X_1_SEC, VALUE_LOW_PASS_X_0_2_SEC, VALUE_PROPOSITION_0,
 };
 static const index_t input_samples[2] = {0, 2};
-static const index_t lost_samples[2] = {
+static const index_t stale_samples[2] = {
     /* INPUT_INPUT_0 */ 0, 1,
 };
 static const index_t input_windows[2] = {0, 2};
-static const index_t lost_windows[2] = {
+static const index_t stale_windows[2] = {
     /* INPUT_INPUT_0 */ 0, 1,
 };
 
-/* Nodes: truths that look at numbers or ages, those made of others, and rules. */
+/* Nodes: propositions that look at numbers or ages, those made of others, and rules. */
 enum {
-    TRUTH_TRUTH_4, /* draft.ross:1 truth_4 */
-    TRUTH_TRUTH_1, /* draft.ross:1 truth_1 */
-    TRUTH_TRUTH_8, /* draft.ross:1 truth_8 */
-    TRUTH_TRUTH_9, /* draft.ross:1 truth_9 */
-    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
-    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
-    TRUTH_TRUTH_6, /* draft.ross:1 truth_6 */
-    TRUTH_TRUTH_7, /* draft.ross:1 truth_7 */
-    TRUTH_TRUTH_11, /* draft.ross:1 truth_11 */
-    TRUTH_TRUTH_13, /* draft.ross:1 truth_13 */
-    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
-    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
-    TRUTH_TRUTH_10, /* draft.ross:1 truth_10 */
-    TRUTH_TRUTH_12, /* draft.ross:1 truth_12 */
+    PROPOSITION_PROPOSITION_4, /* draft.ross:1 proposition_4 */
+    PROPOSITION_PROPOSITION_1, /* draft.ross:1 proposition_1 */
+    PROPOSITION_PROPOSITION_8, /* draft.ross:1 proposition_8 */
+    PROPOSITION_PROPOSITION_9, /* draft.ross:1 proposition_9 */
+    PROPOSITION_PROPOSITION_0, /* draft.ross:1 proposition_0 */
+    PROPOSITION_PROPOSITION_2, /* draft.ross:1 proposition_2 */
+    PROPOSITION_PROPOSITION_6, /* draft.ross:1 proposition_6 */
+    PROPOSITION_PROPOSITION_7, /* draft.ross:1 proposition_7 */
+    PROPOSITION_PROPOSITION_11, /* draft.ross:1 proposition_11 */
+    PROPOSITION_PROPOSITION_13, /* draft.ross:1 proposition_13 */
+    PROPOSITION_PROPOSITION_3, /* draft.ross:1 proposition_3 */
+    PROPOSITION_PROPOSITION_5, /* draft.ross:1 proposition_5 */
+    PROPOSITION_PROPOSITION_10, /* draft.ross:1 proposition_10 */
+    PROPOSITION_PROPOSITION_12, /* draft.ross:1 proposition_12 */
     RULE_RULE_1, /* draft.ross:1 rule_1 */
     RULE_RULE_2, /* draft.ross:1 rule_2 */
     RULE_RULE_3, /* draft.ross:1 rule_3 */
@@ -95,22 +95,22 @@ enum {
     RULE_RULE_5, /* draft.ross:1 rule_5 */
 };
 
-/* The nodes that depend on each truth. */
+/* The nodes that depend on each proposition. */
 static const uint64_t node_users[14] = {
-    BIT(TRUTH_TRUTH_5), /* TRUTH_TRUTH_4 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_1 */
-    BIT(TRUTH_TRUTH_10), /* TRUTH_TRUTH_8 */
-    BIT(TRUTH_TRUTH_10), /* TRUTH_TRUTH_9 */
-    BIT(TRUTH_TRUTH_5), /* TRUTH_TRUTH_0 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_2 */
-    BIT(RULE_RULE_2), /* TRUTH_TRUTH_6 */
-    BIT(RULE_RULE_3), /* TRUTH_TRUTH_7 */
-    BIT(RULE_RULE_4), /* TRUTH_TRUTH_11 */
-    BIT(RULE_RULE_5), /* TRUTH_TRUTH_13 */
-    BIT(TRUTH_TRUTH_12) | BIT(RULE_RULE_3), /* TRUTH_TRUTH_3 */
-    BIT(RULE_RULE_2), /* TRUTH_TRUTH_5 */
-    BIT(RULE_RULE_4), /* TRUTH_TRUTH_10 */
-    BIT(RULE_RULE_5), /* TRUTH_TRUTH_12 */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_PROPOSITION_4 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_1 */
+    BIT(PROPOSITION_PROPOSITION_10), /* PROPOSITION_PROPOSITION_8 */
+    BIT(PROPOSITION_PROPOSITION_10), /* PROPOSITION_PROPOSITION_9 */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_PROPOSITION_0 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_2 */
+    BIT(RULE_RULE_2), /* PROPOSITION_PROPOSITION_6 */
+    BIT(RULE_RULE_3), /* PROPOSITION_PROPOSITION_7 */
+    BIT(RULE_RULE_4), /* PROPOSITION_PROPOSITION_11 */
+    BIT(RULE_RULE_5), /* PROPOSITION_PROPOSITION_13 */
+    BIT(PROPOSITION_PROPOSITION_12) | BIT(RULE_RULE_3), /* PROPOSITION_PROPOSITION_3 */
+    BIT(RULE_RULE_2), /* PROPOSITION_PROPOSITION_5 */
+    BIT(RULE_RULE_4), /* PROPOSITION_PROPOSITION_10 */
+    BIT(RULE_RULE_5), /* PROPOSITION_PROPOSITION_12 */
 };
 
 /* Numbers that are watched, and their limits from low to high. */
@@ -119,38 +119,38 @@ enum {
     GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, /* draft.ross:1 median(orientation.pitch(), 1 sec) */
     GUARD_MEAN_X_1_SEC, /* draft.ross:1 mean(x, 1 sec) */
     GUARD_LOW_PASS_X_0_2_SEC, /* draft.ross:1 low_pass(x, 0.2 sec) */
-    GUARD_TRUTH_0, /* draft.ross:1 truth_0 */
+    GUARD_PROPOSITION_0, /* draft.ross:1 proposition_0 */
 };
 static const index_t guard_value[5] = {
     VALUE_RATE_ORIENTATION_PITCH, VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, VALUE_MEAN_X_1_SEC,
-    VALUE_LOW_PASS_X_0_2_SEC, VALUE_TRUTH_0};
+    VALUE_LOW_PASS_X_0_2_SEC, VALUE_PROPOSITION_0};
 static const index_t channel_guards[2] = {0, 5};
 static const index_t watching[5] = {
     /* topic_0 */ GUARD_RATE_ORIENTATION_PITCH, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC,
-        GUARD_MEAN_X_1_SEC, GUARD_LOW_PASS_X_0_2_SEC, GUARD_TRUTH_0,
+        GUARD_MEAN_X_1_SEC, GUARD_LOW_PASS_X_0_2_SEC, GUARD_PROPOSITION_0,
 };
 static const index_t guard_leaves[6] = {0, 1, 2, 3, 4, 5};
 static const index_t guard_limits[6] = {0, 3, 6, 9, 12, 15};
 static const limit limits[15] = {
     BELOW_ALL, /* draft.ross:1 rate(orientation.pitch()) */
-    {0.5, TRUTH_TRUTH_4, TRUE, 0}, /* draft.ross:1 truth_4 */
+    {0.5, PROPOSITION_PROPOSITION_4, TRUE, 0}, /* draft.ross:1 proposition_4 */
     ABOVE_ALL,
     BELOW_ALL, /* draft.ross:1 median(orientation.pitch(), 1 sec) */
-    {0.2, TRUTH_TRUTH_1, TRUE, 0}, /* draft.ross:1 truth_1 */
+    {0.2, PROPOSITION_PROPOSITION_1, TRUE, 0}, /* draft.ross:1 proposition_1 */
     ABOVE_ALL,
     BELOW_ALL, /* draft.ross:1 mean(x, 1 sec) */
-    {0.3, TRUTH_TRUTH_8, TRUE, 0}, /* draft.ross:1 truth_8 */
+    {0.3, PROPOSITION_PROPOSITION_8, TRUE, 0}, /* draft.ross:1 proposition_8 */
     ABOVE_ALL,
     BELOW_ALL, /* draft.ross:1 low_pass(x, 0.2 sec) */
-    {0.4, TRUTH_TRUTH_9, TRUE, 0}, /* draft.ross:1 truth_9 */
+    {0.4, PROPOSITION_PROPOSITION_9, TRUE, 0}, /* draft.ross:1 proposition_9 */
     ABOVE_ALL,
-    BELOW_ALL, /* draft.ross:1 truth_0 */
-    {0.5, TRUTH_TRUTH_0, TRUE, 0}, /* draft.ross:1 truth_0 */
+    BELOW_ALL, /* draft.ross:1 proposition_0 */
+    {0.5, PROPOSITION_PROPOSITION_0, TRUE, 0}, /* draft.ross:1 proposition_0 */
     ABOVE_ALL,
 };
 static const unsigned char leaf_below[5] = {FALSE, FALSE, FALSE, FALSE, FALSE};
 
-/* The numbers whose lack makes a truth lost, and those whose lack leaves it unknown. */
+/* The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown. */
 static const index_t row_blames[7] = {0, 4, 8, 9, 10, 14, 15};
 static const index_t blames[15] = {
     /* GUARD_RATE_ORIENTATION_PITCH */ VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1,
@@ -159,9 +159,9 @@ static const index_t blames[15] = {
         VALUE_INPUT_0_SLOT_2, VALUE_INPUT_0_SLOT_3,
     /* GUARD_MEAN_X_1_SEC */ VALUE_INPUT_0_SLOT_0,
     /* GUARD_LOW_PASS_X_0_2_SEC */ VALUE_INPUT_0_SLOT_0,
-    /* GUARD_TRUTH_0 */ VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2,
+    /* GUARD_PROPOSITION_0 */ VALUE_INPUT_0_SLOT_0, VALUE_INPUT_0_SLOT_1, VALUE_INPUT_0_SLOT_2,
         VALUE_INPUT_0_SLOT_3,
-    /* TRUTH_TRUTH_3 */ VALUE_INPUT_0_SLOT_0,
+    /* PROPOSITION_PROPOSITION_3 */ VALUE_INPUT_0_SLOT_0,
 };
 static const index_t row_excuses[7] = {0, 1, 2, 3, 4, 5, 5};
 static const index_t excuses[5] = {
@@ -169,46 +169,49 @@ static const index_t excuses[5] = {
     /* GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC */ VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC,
     /* GUARD_MEAN_X_1_SEC */ VALUE_MEAN_X_1_SEC,
     /* GUARD_LOW_PASS_X_0_2_SEC */ VALUE_LOW_PASS_X_0_2_SEC,
-    /* GUARD_TRUTH_0 */ VALUE_PREVIOUS_ORIENTATION_PITCH,
+    /* GUARD_PROPOSITION_0 */ VALUE_PREVIOUS_ORIENTATION_PITCH,
 };
 
-/* Durations, ages, turning points, edges, and truths that never change. */
+/* Durations, ages, turning points, edges, and propositions that never change. */
 static const int64_t recent_windows[2] = {
-    INT64_C(250000000), /* draft.ross:1 truth_3 */
-    INT64_C(10000000000), /* draft.ross:1 truth_12 */
+    INT64_C(250000000), /* draft.ross:1 proposition_3 */
+    INT64_C(10000000000), /* draft.ross:1 proposition_12 */
 };
 static const index_t recent_first[3] = {0, 3, 5};
-static const index_t recent_truth[2] = {TRUTH_TRUTH_3, TRUTH_TRUTH_12};
+static const index_t recent_proposition[2] = {
+    PROPOSITION_PROPOSITION_3, PROPOSITION_PROPOSITION_12};
 static const double turn_swings[1] = {0.1};
 static const index_t turn_value[1] = {VALUE_INPUT_0_SLOT_0};
 static const index_t literals[5] = {
-    TRUTH_TRUTH_2, TRUTH_TRUTH_6, TRUTH_TRUTH_7, TRUTH_TRUTH_11, TRUTH_TRUTH_13};
+    PROPOSITION_PROPOSITION_2, PROPOSITION_PROPOSITION_6, PROPOSITION_PROPOSITION_7,
+    PROPOSITION_PROPOSITION_11, PROPOSITION_PROPOSITION_13};
 static const unsigned char literal_values[5] = {TRUE, TRUE, TRUE, TRUE, TRUE};
 
 /* Numbers that rest on samples. */
 static const index_t sampled_values[6] = {
     VALUE_RATE_ORIENTATION_PITCH, VALUE_PREVIOUS_ORIENTATION_PITCH,
     VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC, VALUE_MEAN_X_1_SEC, VALUE_LOW_PASS_X_0_2_SEC,
-    VALUE_TRUTH_0};
+    VALUE_PROPOSITION_0};
 static const int64_t window_lengths[2] = {INT64_C(1000000000), INT64_C(1000000000)};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[5] = {
-    TRUTH_TRUTH_1, /* draft.ross:1 rule_1: clears by contract */
-    TRUTH_TRUTH_5, /* draft.ross:1 rule_2: clears by contract */
-    TRUTH_TRUTH_3, /* draft.ross:1 rule_3: clears by contract */
-    TRUTH_TRUTH_10, /* draft.ross:1 rule_4: clears by contract */
-    TRUTH_TRUTH_12, /* draft.ross:1 rule_5: clears by contract */
+    PROPOSITION_PROPOSITION_1, /* draft.ross:1 rule_1: clears by contract */
+    PROPOSITION_PROPOSITION_5, /* draft.ross:1 rule_2: clears by contract */
+    PROPOSITION_PROPOSITION_3, /* draft.ross:1 rule_3: clears by contract */
+    PROPOSITION_PROPOSITION_10, /* draft.ross:1 rule_4: clears by contract */
+    PROPOSITION_PROPOSITION_12, /* draft.ross:1 rule_5: clears by contract */
 };
 static const index_t rule_release[5] = {
-    TRUTH_TRUTH_2, TRUTH_TRUTH_6, TRUTH_TRUTH_7, TRUTH_TRUTH_11, TRUTH_TRUTH_13};
+    PROPOSITION_PROPOSITION_2, PROPOSITION_PROPOSITION_6, PROPOSITION_PROPOSITION_7,
+    PROPOSITION_PROPOSITION_11, PROPOSITION_PROPOSITION_13};
 static const index_t rule_terms[6] = {0, 1, 3, 4, 6, 8};
 static const index_t terms[8] = {
-    /* rule_1 */ TRUTH_TRUTH_1,
-    /* rule_2 */ TRUTH_TRUTH_0, TRUTH_TRUTH_4,
-    /* rule_3 */ TRUTH_TRUTH_3,
-    /* rule_4 */ TRUTH_TRUTH_8, TRUTH_TRUTH_9,
-    /* rule_5 */ TRUTH_TRUTH_3, TRUTH_TRUTH_12,
+    /* rule_1 */ PROPOSITION_PROPOSITION_1,
+    /* rule_2 */ PROPOSITION_PROPOSITION_0, PROPOSITION_PROPOSITION_4,
+    /* rule_3 */ PROPOSITION_PROPOSITION_3,
+    /* rule_4 */ PROPOSITION_PROPOSITION_8, PROPOSITION_PROPOSITION_9,
+    /* rule_5 */ PROPOSITION_PROPOSITION_3, PROPOSITION_PROPOSITION_12,
 };
 static const index_t rule_values[6] = {0, 1, 4, 5, 7, 8};
 static const index_t shown_values[8] = {
@@ -232,10 +235,10 @@ static const index_t shown_inputs[5] = {
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case TRUTH_TRUTH_3: return swings_or_gap(m, 0, t_ns); /* draft.ross:1 */
-    case TRUTH_TRUTH_5: return both(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_TRUTH_4]); /* draft.ross:1 */
-    case TRUTH_TRUTH_10: return both(m->truth[TRUTH_TRUTH_8], m->truth[TRUTH_TRUTH_9]); /* draft.ross:1 */
-    case TRUTH_TRUTH_12: return recurs(m, 0, TRUTH_TRUTH_3, t_ns); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_3: return swings_or_gap(m, 0, t_ns); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_5: return both(m->truth_value[PROPOSITION_PROPOSITION_0], m->truth_value[PROPOSITION_PROPOSITION_4]); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_10: return both(m->truth_value[PROPOSITION_PROPOSITION_8], m->truth_value[PROPOSITION_PROPOSITION_9]); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_12: return recurs(m, 0, PROPOSITION_PROPOSITION_3, t_ns); /* draft.ross:1 */
     default: return UNKNOWN;
     }
 }
@@ -258,7 +261,7 @@ INLINE void compute(monitor *m, const bool arrived[], int64_t t_ns)
         sample(m, 1, m->value[VALUE_INPUT_0_SLOT_0], t_ns);
         m->value[VALUE_LOW_PASS_X_0_2_SEC] = known(low_pass_of(m->latest[1], m->before[1], seconds_between(m, 1), 0.2));
         sample(m, 1, m->value[VALUE_LOW_PASS_X_0_2_SEC], t_ns);
-        m->value[VALUE_TRUTH_0] = outcome(isnan(m->value[VALUE_SIGNAL_4]) || isnan(m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]), m->value[VALUE_SIGNAL_4] > m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]);
+        m->value[VALUE_PROPOSITION_0] = outcome(isnan(m->value[VALUE_SIGNAL_4]) || isnan(m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]), m->value[VALUE_SIGNAL_4] > m->value[VALUE_PREVIOUS_ORIENTATION_PITCH]);
         follow(m, 0, t_ns);
     }
 }
@@ -283,7 +286,7 @@ INLINE int take_topic_0(monitor *m, int64_t t_ns, double slot_0, double slot_1, 
         return REFUSED;
     receive_topic_0(m, t_ns, slot_0, slot_1, slot_2, slot_3);
     compute(m, arrived, t_ns);
-    if (before == CALM && is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH]) && is_inside(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC]) && is_inside(m, GUARD_MEAN_X_1_SEC, m->value[VALUE_MEAN_X_1_SEC]) && is_inside(m, GUARD_LOW_PASS_X_0_2_SEC, m->value[VALUE_LOW_PASS_X_0_2_SEC]) && is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0]) && !is_pending(m))
+    if (before == CALM && is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH]) && is_inside(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC]) && is_inside(m, GUARD_MEAN_X_1_SEC, m->value[VALUE_MEAN_X_1_SEC]) && is_inside(m, GUARD_LOW_PASS_X_0_2_SEC, m->value[VALUE_LOW_PASS_X_0_2_SEC]) && is_inside(m, GUARD_PROPOSITION_0, m->value[VALUE_PROPOSITION_0]) && !is_pending(m))
         return 0;
     return settle(m, arrived, t_ns, before);
 }
@@ -303,17 +306,17 @@ int memories_step(memories_monitor *m, int64_t t_ns, const memories_values *v)
     if (v->has_topic_0)
         receive_topic_0(m, t_ns, v->topic_0.slot_0, v->topic_0.slot_1, v->topic_0.slot_2, v->topic_0.slot_3);
     compute(m, arrived, t_ns);
-    if (before == CALM && !is_pending(m) && (!(arrived[0]) || is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH])) && (!(arrived[0]) || is_inside(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC])) && (!(arrived[0]) || is_inside(m, GUARD_MEAN_X_1_SEC, m->value[VALUE_MEAN_X_1_SEC])) && (!(arrived[0]) || is_inside(m, GUARD_LOW_PASS_X_0_2_SEC, m->value[VALUE_LOW_PASS_X_0_2_SEC])) && (!(arrived[0]) || is_inside(m, GUARD_TRUTH_0, m->value[VALUE_TRUTH_0])))
+    if (before == CALM && !is_pending(m) && (!(arrived[0]) || is_inside(m, GUARD_RATE_ORIENTATION_PITCH, m->value[VALUE_RATE_ORIENTATION_PITCH])) && (!(arrived[0]) || is_inside(m, GUARD_MEDIAN_ORIENTATION_PITCH_1_SEC, m->value[VALUE_MEDIAN_ORIENTATION_PITCH_1_SEC])) && (!(arrived[0]) || is_inside(m, GUARD_MEAN_X_1_SEC, m->value[VALUE_MEAN_X_1_SEC])) && (!(arrived[0]) || is_inside(m, GUARD_LOW_PASS_X_0_2_SEC, m->value[VALUE_LOW_PASS_X_0_2_SEC])) && (!(arrived[0]) || is_inside(m, GUARD_PROPOSITION_0, m->value[VALUE_PROPOSITION_0])))
         return 0;
     return settle(m, arrived, t_ns, before);
 }
 
 static const char *const term_texts[8] = {
-    /* rule_1 */ "truth_1",
-    /* rule_2 */ "truth_0", "truth_4",
-    /* rule_3 */ "truth_3",
-    /* rule_4 */ "truth_8", "truth_9",
-    /* rule_5 */ "truth_3", "truth_12",
+    /* rule_1 */ "proposition_1",
+    /* rule_2 */ "proposition_0", "proposition_4",
+    /* rule_3 */ "proposition_3",
+    /* rule_4 */ "proposition_8", "proposition_9",
+    /* rule_5 */ "proposition_3", "proposition_12",
 };
 static const char *const value_texts[8] = {
     /* rule_1 */ "median(orientation.pitch(), 1 sec)",
@@ -330,19 +333,19 @@ static const char *const input_texts[5] = {
     /* rule_5 */ "input_0",
 };
 const memories_description memories_rules[5] = {
-    {"rule_1", "truth_1",
+    {"rule_1", "proposition_1",
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 0, value_texts + 0, input_texts + 0, 1, 1, 1},
-    {"rule_2", "truth_5",
+    {"rule_2", "proposition_5",
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 1, value_texts + 1, input_texts + 1, 2, 3, 1},
-    {"rule_3", "truth_3",
+    {"rule_3", "proposition_3",
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 3, value_texts + 4, input_texts + 2, 1, 1, 1},
-    {"rule_4", "truth_10",
+    {"rule_4", "proposition_10",
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 4, value_texts + 5, input_texts + 3, 2, 2, 1},
-    {"rule_5", "truth_12",
+    {"rule_5", "proposition_12",
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 6, value_texts + 7, input_texts + 4, 2, 1, 1},
 };

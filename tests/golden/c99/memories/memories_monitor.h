@@ -34,15 +34,15 @@ enum memories_rule {
     memories_rule_rule_5 = 4 /* draft.ross:1 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum memories_truth { memories_FALSE, memories_TRUE, memories_UNKNOWN, memories_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum memories_truth_value { memories_FALSE, memories_TRUE, memories_UNKNOWN, memories_STALE };
 
 enum memories_input_state { memories_NEVER_RECEIVED, memories_FRESH, memories_EXPIRED };
 
 enum memories_change {
     memories_CLEARED,
     memories_ACTIVATED,
-    memories_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    memories_ACTIVATED_STALE, /* for lack of an input with a timeout */
     memories_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -52,11 +52,11 @@ enum memories_change {
 typedef struct memories_event {
     int64_t at_ns;
     int64_t from_ns;
-    int64_t since_ns[2]; /* since when truths[i] has its value */
+    int64_t since_ns[2]; /* since when truth_values[i] has its value */
     double values[3];    /* SI units; NaN is unknown */
     int32_t rule;
     int32_t change;
-    unsigned char truths[2];
+    unsigned char truth_values[2];
     unsigned char inputs[1];
 } memories_event;
 
@@ -69,7 +69,7 @@ typedef struct memories_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
-    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *terms;  /* the conditions behind truth_values[] of its events */
     const char *const *values; /* what values[] are */
     const char *const *inputs; /* what inputs[] are */
     int term_count;
@@ -96,7 +96,7 @@ typedef struct memories_monitor {
     int64_t stamp_ns[1];
     unsigned char state[1];
     unsigned char active[1];
-    unsigned char truth[14];
+    unsigned char truth_value[14];
     int64_t since_ns[14];
     int place[5];
     double latest[2];
@@ -158,7 +158,7 @@ int64_t memories_next_wake(const memories_monitor *m);
 
 bool memories_is_active(const memories_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void memories_latch(memories_monitor *m, int rule);

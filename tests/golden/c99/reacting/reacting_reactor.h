@@ -6,7 +6,7 @@
  * the number of operations of a call are bounded. Instances are independent of each other: give each
  * its own struct and call it from one thread at a time.
  *
- * Tasks, rules, commands and fields are told by their index. Instants are nanoseconds on one clock,
+ * Tasks, rules, commands and fields are reported by their index. Instants are nanoseconds on one clock,
  * that of the monitor, between -2^61 and 2^62; outside that range react and report do nothing.
  */
 #ifndef REACTING_REACTOR_H

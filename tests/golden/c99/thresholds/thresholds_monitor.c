@@ -18,7 +18,7 @@ typedef thresholds_monitor monitor;
 #define CHANNELS 1
 #define VALUES 2
 #define LEAVES 4
-#define TRUTHS 7
+#define TRUTH_VALUES 7
 #define RULES 2
 #define NODES 9
 #define GUARDS 2
@@ -44,28 +44,28 @@ static const int64_t input_timeouts[2] = {
     INT64_C(0), /* INPUT_INPUT_1 */
 };
 
-/* Nodes: truths that look at numbers or ages, those made of others, and rules. */
+/* Nodes: propositions that look at numbers or ages, those made of others, and rules. */
 enum {
-    TRUTH_DRIVE_SLOW, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
-    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
-    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
-    TRUTH_TRUTH_6, /* draft.ross:1 truth_6 */
-    TRUTH_DRIVE_FAST, /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
-    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
-    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
+    PROPOSITION_DRIVE_SLOW, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
+    PROPOSITION_PROPOSITION_0, /* draft.ross:1 proposition_0 */
+    PROPOSITION_PROPOSITION_2, /* draft.ross:1 proposition_2 */
+    PROPOSITION_PROPOSITION_6, /* draft.ross:1 proposition_6 */
+    PROPOSITION_DRIVE_FAST, /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
+    PROPOSITION_PROPOSITION_3, /* draft.ross:1 proposition_3 */
+    PROPOSITION_PROPOSITION_5, /* draft.ross:1 proposition_5 */
     RULE_RULE_1, /* drive.ross:3 rule_1 */
     RULE_RULE_2, /* drive.ross:3 rule_2 */
 };
 
-/* The nodes that depend on each truth. */
+/* The nodes that depend on each proposition. */
 static const uint64_t node_users[7] = {
-    BIT(RULE_RULE_2), /* TRUTH_DRIVE_SLOW */
-    BIT(TRUTH_DRIVE_FAST), /* TRUTH_TRUTH_0 */
-    BIT(TRUTH_TRUTH_3), /* TRUTH_TRUTH_2 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_6 */
-    BIT(TRUTH_TRUTH_5), /* TRUTH_DRIVE_FAST */
-    BIT(TRUTH_TRUTH_5), /* TRUTH_TRUTH_3 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_5 */
+    BIT(RULE_RULE_2), /* PROPOSITION_DRIVE_SLOW */
+    BIT(PROPOSITION_DRIVE_FAST), /* PROPOSITION_PROPOSITION_0 */
+    BIT(PROPOSITION_PROPOSITION_3), /* PROPOSITION_PROPOSITION_2 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_6 */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_DRIVE_FAST */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_PROPOSITION_3 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_5 */
 };
 
 /* Numbers that are watched, and their limits from low to high. */
@@ -83,17 +83,17 @@ static const index_t guard_leaves[3] = {0, 2, 3};
 static const index_t guard_limits[3] = {0, 5, 8};
 static const limit limits[8] = {
     BELOW_ALL, /* draft.ross:1 input_0 */
-    {0.09999999999999999, TRUTH_DRIVE_SLOW, TRUE, 1}, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
-    {0.2, TRUTH_DRIVE_SLOW, FALSE, -1}, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
-    {0.5, TRUTH_TRUTH_0, TRUE, 0}, /* draft.ross:1 truth_0 */
+    {0.09999999999999999, PROPOSITION_DRIVE_SLOW, TRUE, 1}, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
+    {0.2, PROPOSITION_DRIVE_SLOW, FALSE, -1}, /* drive.ross:2 drive.slow: speed in [0.1, 0.2] m/s */
+    {0.5, PROPOSITION_PROPOSITION_0, TRUE, 0}, /* draft.ross:1 proposition_0 */
     ABOVE_ALL,
     BELOW_ALL, /* draft.ross:1 input_1 */
-    {0.5, TRUTH_TRUTH_2, TRUE, 0}, /* draft.ross:1 truth_2 */
+    {0.5, PROPOSITION_PROPOSITION_2, TRUE, 0}, /* draft.ross:1 proposition_2 */
     ABOVE_ALL,
 };
 static const unsigned char leaf_below[3] = {FALSE, FALSE, FALSE};
 
-/* The numbers whose lack makes a truth lost, and those whose lack leaves it unknown. */
+/* The numbers whose lack makes a proposition stale, and those whose lack leaves it unknown. */
 static const index_t row_blames[3] = {0, 0, 0};
 static const index_t blames[1] = {0};
 static const index_t row_excuses[3] = {0, 1, 2};
@@ -102,24 +102,24 @@ static const index_t excuses[2] = {
     /* GUARD_INPUT_1 */ VALUE_INPUT_1,
 };
 
-/* Durations, ages, turning points, and truths that never change. */
+/* Durations, ages, turning points, and propositions that never change. */
 static const int64_t held_durations[1] = {
     INT64_C(2000000000), /* drive.ross:1 drive.fast: speed > 0.5 m/s for 2.0 sec */
 };
-static const index_t held_nodes[1] = {TRUTH_DRIVE_FAST};
-static const index_t literals[1] = {TRUTH_TRUTH_6};
+static const index_t held_nodes[1] = {PROPOSITION_DRIVE_FAST};
+static const index_t literals[1] = {PROPOSITION_PROPOSITION_6};
 static const unsigned char literal_values[1] = {TRUE};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[2] = {
-    TRUTH_TRUTH_5, /* drive.ross:3 rule_1: clears by contract */
-    TRUTH_DRIVE_SLOW, /* drive.ross:3 rule_2: clears by contract */
+    PROPOSITION_PROPOSITION_5, /* drive.ross:3 rule_1: clears by contract */
+    PROPOSITION_DRIVE_SLOW, /* drive.ross:3 rule_2: clears by contract */
 };
-static const index_t rule_release[2] = {TRUTH_TRUTH_6, LATCHED};
+static const index_t rule_release[2] = {PROPOSITION_PROPOSITION_6, LATCHED};
 static const index_t rule_terms[3] = {0, 3, 4};
 static const index_t terms[4] = {
-    /* rule_1 */ TRUTH_TRUTH_0, TRUTH_DRIVE_FAST, TRUTH_TRUTH_2,
-    /* rule_2 */ TRUTH_DRIVE_SLOW,
+    /* rule_1 */ PROPOSITION_PROPOSITION_0, PROPOSITION_DRIVE_FAST, PROPOSITION_PROPOSITION_2,
+    /* rule_2 */ PROPOSITION_DRIVE_SLOW,
 };
 static const index_t rule_values[3] = {0, 2, 3};
 static const index_t shown_values[3] = {
@@ -137,9 +137,9 @@ static const index_t shown_inputs[3] = {
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case TRUTH_DRIVE_FAST: return held(m, 0, TRUTH_TRUTH_0, t_ns); /* drive.ross:1 */
-    case TRUTH_TRUTH_3: return opposite(m->truth[TRUTH_TRUTH_2]); /* draft.ross:1 */
-    case TRUTH_TRUTH_5: return both(m->truth[TRUTH_DRIVE_FAST], m->truth[TRUTH_TRUTH_3]); /* draft.ross:1 */
+    case PROPOSITION_DRIVE_FAST: return held(m, 0, PROPOSITION_PROPOSITION_0, t_ns); /* drive.ross:1 */
+    case PROPOSITION_PROPOSITION_3: return opposite(m->truth_value[PROPOSITION_PROPOSITION_2]); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_5: return both(m->truth_value[PROPOSITION_DRIVE_FAST], m->truth_value[PROPOSITION_PROPOSITION_3]); /* draft.ross:1 */
     default: return UNKNOWN;
     }
 }
@@ -194,7 +194,7 @@ int thresholds_step(thresholds_monitor *m, int64_t t_ns, const thresholds_values
 }
 
 static const char *const term_texts[4] = {
-    /* rule_1 */ "truth_0", "drive.fast", "truth_2",
+    /* rule_1 */ "proposition_0", "drive.fast", "proposition_2",
     /* rule_2 */ "drive.slow",
 };
 static const char *const value_texts[3] = {
@@ -206,7 +206,7 @@ static const char *const input_texts[3] = {
     /* rule_2 */ "input_0",
 };
 const thresholds_description thresholds_rules[2] = {
-    {"rule_1", "truth_5",
+    {"rule_1", "proposition_5",
      "clears by contract",
      "stop", "drive.ross:3", term_texts + 0, value_texts + 0, input_texts + 0, 3, 2, 2},
     {"rule_2", "drive.slow: speed in [0.1, 0.2] m/s",

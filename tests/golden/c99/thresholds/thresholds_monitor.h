@@ -31,15 +31,15 @@ enum thresholds_rule {
     thresholds_rule_rule_2 = 1 /* drive.ross:3 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum thresholds_truth { thresholds_FALSE, thresholds_TRUE, thresholds_UNKNOWN, thresholds_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum thresholds_truth_value { thresholds_FALSE, thresholds_TRUE, thresholds_UNKNOWN, thresholds_STALE };
 
 enum thresholds_input_state { thresholds_NEVER_RECEIVED, thresholds_FRESH, thresholds_EXPIRED };
 
 enum thresholds_change {
     thresholds_CLEARED,
     thresholds_ACTIVATED,
-    thresholds_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    thresholds_ACTIVATED_STALE, /* for lack of an input with a timeout */
     thresholds_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -49,11 +49,11 @@ enum thresholds_change {
 typedef struct thresholds_event {
     int64_t at_ns;
     int64_t from_ns;
-    int64_t since_ns[3]; /* since when truths[i] has its value */
+    int64_t since_ns[3]; /* since when truth_values[i] has its value */
     double values[2];    /* SI units; NaN is unknown */
     int32_t rule;
     int32_t change;
-    unsigned char truths[3];
+    unsigned char truth_values[3];
     unsigned char inputs[2];
 } thresholds_event;
 
@@ -66,7 +66,7 @@ typedef struct thresholds_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
-    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *terms;  /* the conditions behind truth_values[] of its events */
     const char *const *values; /* what values[] are */
     const char *const *inputs; /* what inputs[] are */
     int term_count;
@@ -90,7 +90,7 @@ typedef struct thresholds_monitor {
     int64_t stamp_ns[2];
     unsigned char state[2];
     unsigned char active[1];
-    unsigned char truth[7];
+    unsigned char truth_value[7];
     int64_t since_ns[7];
     int place[2];
     int64_t held_due_ns[1];
@@ -134,7 +134,7 @@ int64_t thresholds_next_wake(const thresholds_monitor *m);
 
 bool thresholds_is_active(const thresholds_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void thresholds_latch(thresholds_monitor *m, int rule);

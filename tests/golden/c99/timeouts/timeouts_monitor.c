@@ -18,7 +18,7 @@ typedef timeouts_monitor monitor;
 #define CHANNELS 2
 #define VALUES 2
 #define LEAVES 3
-#define TRUTHS 6
+#define TRUTH_VALUES 6
 #define RULES 1
 #define NODES 7
 #define TIMEOUTS 2
@@ -44,30 +44,30 @@ static const int64_t input_timeouts[2] = {
     INT64_C(1000000000), /* INPUT_INPUT_1 */
 };
 static const index_t input_values[3] = {0, 1, 2};
-static const index_t lost_values[2] = {
+static const index_t stale_values[2] = {
     /* INPUT_INPUT_0 */ VALUE_INPUT_0,
     /* INPUT_INPUT_1 */ VALUE_INPUT_1,
 };
 
-/* Nodes: truths that look at numbers or ages, those made of others, and rules. */
+/* Nodes: propositions that look at numbers or ages, those made of others, and rules. */
 enum {
-    TRUTH_TRUTH_2, /* draft.ross:1 truth_2 */
-    TRUTH_TRUTH_0, /* draft.ross:1 truth_0 */
-    TRUTH_BATTERY_STALE, /* draft.ross:1 truth_1 */
-    TRUTH_TRUTH_3, /* draft.ross:1 truth_3 */
-    TRUTH_TRUTH_4, /* draft.ross:1 truth_4 */
-    TRUTH_TRUTH_5, /* draft.ross:1 truth_5 */
+    PROPOSITION_PROPOSITION_2, /* draft.ross:1 proposition_2 */
+    PROPOSITION_PROPOSITION_0, /* draft.ross:1 proposition_0 */
+    PROPOSITION_BATTERY_STALE, /* draft.ross:1 proposition_1 */
+    PROPOSITION_PROPOSITION_3, /* draft.ross:1 proposition_3 */
+    PROPOSITION_PROPOSITION_4, /* draft.ross:1 proposition_4 */
+    PROPOSITION_PROPOSITION_5, /* draft.ross:1 proposition_5 */
     RULE_RULE_1, /* draft.ross:1 rule_1 */
 };
 
-/* The nodes that depend on each truth. */
+/* The nodes that depend on each proposition. */
 static const uint64_t node_users[6] = {
-    BIT(TRUTH_TRUTH_3), /* TRUTH_TRUTH_2 */
-    BIT(TRUTH_TRUTH_5), /* TRUTH_TRUTH_0 */
-    BIT(TRUTH_TRUTH_5), /* TRUTH_BATTERY_STALE */
-    BIT(TRUTH_TRUTH_4), /* TRUTH_TRUTH_3 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_4 */
-    BIT(RULE_RULE_1), /* TRUTH_TRUTH_5 */
+    BIT(PROPOSITION_PROPOSITION_3), /* PROPOSITION_PROPOSITION_2 */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_PROPOSITION_0 */
+    BIT(PROPOSITION_PROPOSITION_5), /* PROPOSITION_BATTERY_STALE */
+    BIT(PROPOSITION_PROPOSITION_4), /* PROPOSITION_PROPOSITION_3 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_4 */
+    BIT(RULE_RULE_1), /* PROPOSITION_PROPOSITION_5 */
 };
 
 /* Numbers that are watched, and their limits from low to high. */
@@ -86,41 +86,41 @@ static const index_t guard_leaves[3] = {0, 1, 2};
 static const index_t guard_limits[3] = {0, 3, 6};
 static const limit limits[6] = {
     BELOW_ALL, /* draft.ross:1 input_0 */
-    {1.0, TRUTH_TRUTH_2, TRUE, 0}, /* draft.ross:1 truth_2 */
+    {1.0, PROPOSITION_PROPOSITION_2, TRUE, 0}, /* draft.ross:1 proposition_2 */
     ABOVE_ALL,
     BELOW_ALL, /* draft.ross:1 input_1 */
-    {11.499999999999998, TRUTH_TRUTH_0, FALSE, 0}, /* draft.ross:1 truth_0 */
+    {11.499999999999998, PROPOSITION_PROPOSITION_0, FALSE, 0}, /* draft.ross:1 proposition_0 */
     ABOVE_ALL,
 };
 static const unsigned char leaf_below[2] = {FALSE, TRUE};
 
-/* The numbers whose lack makes a truth lost. */
+/* The numbers whose lack makes a proposition stale. */
 static const index_t row_blames[3] = {0, 1, 2};
 static const index_t blames[2] = {
     /* GUARD_INPUT_0 */ VALUE_INPUT_0,
     /* GUARD_INPUT_1 */ VALUE_INPUT_1,
 };
 
-/* Durations, ages, turning points, and truths that never change. */
+/* Durations, ages, turning points, and propositions that never change. */
 static const int64_t held_durations[1] = {
-    INT64_C(1000000000), /* draft.ross:1 truth_4 */
+    INT64_C(1000000000), /* draft.ross:1 proposition_4 */
 };
-static const index_t held_nodes[1] = {TRUTH_TRUTH_4};
+static const index_t held_nodes[1] = {PROPOSITION_PROPOSITION_4};
 static const int64_t age_limits[1] = {
-    INT64_C(3000000000), /* draft.ross:1 truth_1 */
+    INT64_C(3000000000), /* draft.ross:1 proposition_1 */
 };
 static const index_t age_input[1] = {INPUT_INPUT_1};
-static const unsigned char age_unknown[1] = {LOST};
-static const index_t age_leaf[1] = {TRUTH_BATTERY_STALE};
+static const unsigned char age_unknown[1] = {STALE};
+static const index_t age_leaf[1] = {PROPOSITION_BATTERY_STALE};
 
 /* Rules: the condition, what must hold for them to clear, what a verdict carries. */
 static const index_t rule_condition[1] = {
-    TRUTH_TRUTH_5, /* draft.ross:1 rule_1: clears by contract */
+    PROPOSITION_PROPOSITION_5, /* draft.ross:1 rule_1: clears by contract */
 };
-static const index_t rule_release[1] = {TRUTH_TRUTH_4};
+static const index_t rule_release[1] = {PROPOSITION_PROPOSITION_4};
 static const index_t rule_terms[2] = {0, 2};
 static const index_t terms[2] = {
-    /* rule_1 */ TRUTH_TRUTH_0, TRUTH_BATTERY_STALE,
+    /* rule_1 */ PROPOSITION_PROPOSITION_0, PROPOSITION_BATTERY_STALE,
 };
 static const index_t rule_values[2] = {0, 1};
 static const index_t shown_values[1] = {
@@ -136,9 +136,9 @@ static const index_t shown_inputs[1] = {
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
     switch (node) {
-    case TRUTH_TRUTH_3: return opposite(m->truth[TRUTH_TRUTH_2]); /* draft.ross:1 */
-    case TRUTH_TRUTH_4: return held(m, 0, TRUTH_TRUTH_3, t_ns); /* draft.ross:1 */
-    case TRUTH_TRUTH_5: return either(m->truth[TRUTH_TRUTH_0], m->truth[TRUTH_BATTERY_STALE]); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_3: return opposite(m->truth_value[PROPOSITION_PROPOSITION_2]); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_4: return held(m, 0, PROPOSITION_PROPOSITION_3, t_ns); /* draft.ross:1 */
+    case PROPOSITION_PROPOSITION_5: return either(m->truth_value[PROPOSITION_PROPOSITION_0], m->truth_value[PROPOSITION_BATTERY_STALE]); /* draft.ross:1 */
     default: return UNKNOWN;
     }
 }
@@ -219,7 +219,7 @@ int timeouts_step(timeouts_monitor *m, int64_t t_ns, const timeouts_values *v)
 }
 
 static const char *const term_texts[2] = {
-    /* rule_1 */ "truth_0", "battery.stale",
+    /* rule_1 */ "proposition_0", "battery.stale",
 };
 static const char *const value_texts[1] = {
     /* rule_1 */ "signal_1",
@@ -228,7 +228,7 @@ static const char *const input_texts[1] = {
     /* rule_1 */ "input_1",
 };
 const timeouts_description timeouts_rules[1] = {
-    {"rule_1", "truth_5",
+    {"rule_1", "proposition_5",
      "clears by contract",
      "stop", "draft.ross:1", term_texts + 0, value_texts + 0, input_texts + 0, 2, 1, 1},
 };

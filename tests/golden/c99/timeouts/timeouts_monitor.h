@@ -30,15 +30,15 @@ enum timeouts_rule {
     timeouts_rule_rule_1 = 0 /* draft.ross:1 clears by contract */
 };
 
-/* Truth values: unknown for lack of an input with a timeout is "lost". */
-enum timeouts_truth { timeouts_FALSE, timeouts_TRUE, timeouts_UNKNOWN, timeouts_LOST };
+/* Truth values: unknown for lack of an input with a timeout is "stale". */
+enum timeouts_truth_value { timeouts_FALSE, timeouts_TRUE, timeouts_UNKNOWN, timeouts_STALE };
 
 enum timeouts_input_state { timeouts_NEVER_RECEIVED, timeouts_FRESH, timeouts_EXPIRED };
 
 enum timeouts_change {
     timeouts_CLEARED,
     timeouts_ACTIVATED,
-    timeouts_ACTIVATED_LOST, /* for lack of an input with a timeout */
+    timeouts_ACTIVATED_STALE, /* for lack of an input with a timeout */
     timeouts_TIME_JUMP       /* no rule: time went backwards, from from_ns to at_ns */
 };
 
@@ -48,11 +48,11 @@ enum timeouts_change {
 typedef struct timeouts_event {
     int64_t at_ns;
     int64_t from_ns;
-    int64_t since_ns[2]; /* since when truths[i] has its value */
+    int64_t since_ns[2]; /* since when truth_values[i] has its value */
     double values[1];    /* SI units; NaN is unknown */
     int32_t rule;
     int32_t change;
-    unsigned char truths[2];
+    unsigned char truth_values[2];
     unsigned char inputs[1];
 } timeouts_event;
 
@@ -65,7 +65,7 @@ typedef struct timeouts_description {
     const char *contract;
     const char *actions; /* separated by spaces */
     const char *place;   /* file:line */
-    const char *const *terms;  /* the conditions behind truths[] of its events */
+    const char *const *terms;  /* the conditions behind truth_values[] of its events */
     const char *const *values; /* what values[] are */
     const char *const *inputs; /* what inputs[] are */
     int term_count;
@@ -89,7 +89,7 @@ typedef struct timeouts_monitor {
     int64_t stamp_ns[2];
     unsigned char state[2];
     unsigned char active[1];
-    unsigned char truth[6];
+    unsigned char truth_value[6];
     int64_t since_ns[6];
     int place[2];
     int64_t held_due_ns[1];
@@ -139,7 +139,7 @@ int64_t timeouts_next_wake(const timeouts_monitor *m);
 
 bool timeouts_is_active(const timeouts_monitor *m, int rule);
 
-/* Before anything else is told, after init: a latched rule is active, as it was when somebody wrote
+/* Before anything else is reported, after init: a latched rule is active, as it was when somebody wrote
  * that down. Afterwards, and on other rules, this has no effect.
  */
 void timeouts_latch(timeouts_monitor *m, int rule);

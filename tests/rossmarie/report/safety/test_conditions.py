@@ -127,11 +127,11 @@ def test_the_word_of_a_comparison_means_it(
     draft = Draft()
     read, limit = draft.read(), draft.constant(1.0)
     sides = (limit, read) if is_constant_left else (read, limit)
-    truth = draft.truth(ir.Compare(comparison, *sides))
-    text = Conditions(draft.machine()).phrase(truth, is_so).text
+    proposition = draft.proposition(ir.Compare(comparison, *sides))
+    text = Conditions(draft.machine()).phrase(proposition, is_so).text
     (word,) = (word for word in MEANINGS if f" is {word} 1" in text)
     for value in (0.0, 1.0, 2.0):
-        monitor = Interpreter(replace(draft.machine(), watches=(truth,)))
+        monitor = Interpreter(replace(draft.machine(), watches=(proposition,)))
         monitor.update(0, {0: ir.ChannelValues(slots={0: value}, arrays={})})
         holds = monitor.watches[0] is TruthValue.TRUE
         assert MEANINGS[word](value, 1.0) is (holds is is_so)
@@ -156,14 +156,14 @@ def read_again(phrase: Phrase, table: Table) -> TruthValue:
 def known(machine: ir.Machine, conditions: Conditions, monitor: Interpreter) -> Table:
     """The values of leaves and durations, and of what is only named, by their sentences."""
     table: Table = {("- always",): TruthValue.TRUE, ("- never",): TruthValue.FALSE}
-    for index, truth in enumerate(machine.truths):
-        value = monitor._memory.truths[index]
+    for index, proposition in enumerate(machine.propositions):
+        value = monitor._memory.truth_values[index]
         if value is None:
             continue  # of an element
         for is_so in (True, False):
             own = value if is_so else kleene.negation(value)
             table[(f"- {conditions.name(index)} is {str(is_so).lower()}",)] = own
-            if not isinstance(truth.node, ir.And | ir.Or | ir.Not | ir.Literal):
+            if not isinstance(proposition.node, ir.And | ir.Or | ir.Not | ir.Literal):
                 table[tuple(conditions.in_full(index, is_so).lines())] = own
     return table
 
@@ -176,8 +176,8 @@ def test_a_sentence_has_the_value_of_its_condition(case: Case) -> None:
         take(monitor, step)
     conditions = Conditions(machine)
     table = known(machine, conditions, monitor)
-    for index in range(len(machine.truths)):
-        value = monitor._memory.truths[index]
+    for index in range(len(machine.propositions)):
+        value = monitor._memory.truth_values[index]
         if value is None:
             continue  # of an element
         for is_so in (True, False):
@@ -195,17 +195,19 @@ def test_sentences_stay_short_however_much_is_shared(machine: ir.Machine, is_so:
 
 def test_what_is_doubled_again_and_again_is_named() -> None:
     draft = Draft()
-    truth = draft.truth(ir.Flag(draft.read(kind=ir.Kind.FLAG)))
+    proposition = draft.proposition(ir.Flag(draft.read(kind=ir.Kind.FLAG)))
     number = draft.read()
     for _ in range(200):
-        truth = draft.truth(ir.And((truth, draft.truth(ir.Not(truth)))))
+        proposition = draft.proposition(
+            ir.And((proposition, draft.proposition(ir.Not(proposition))))
+        )
         number = draft.apply(ir.Function.ADD, number, number)
     conditions = Conditions(draft.machine())
-    assert len(list(conditions.phrase(truth).lines())) < 100
+    assert len(list(conditions.phrase(proposition).lines())) < 100
     assert len(conditions.numbers.words(number)) < 2000
     assert conditions.apart
     assert conditions.numbers.apart
-    held = draft.truth(ir.Held(truth, 2 * SECOND))
+    held = draft.proposition(ir.Held(proposition, 2 * SECOND))
     assert "throughout the last 2 s" in "\n".join(Conditions(draft.machine()).in_full(held).lines())
 
 

@@ -98,9 +98,9 @@ def expected_of_conditions(machine: ir.Machine) -> Iterator[str]:
     """Words that a page owes to what the rules stand on."""
     for rule in machine.rules:
         yield rule.name
-        truths = ir.reachable_truths(machine, rule.condition)
-        for index in truths + (() if rule.release is None else (rule.release,)):
-            match machine.truths[index].node:
+        propositions = ir.reachable_propositions(machine, rule.condition)
+        for index in propositions + (() if rule.release is None else (rule.release,)):
+            match machine.propositions[index].node:
                 case ir.Held(duration_ns=duration_ns):
                     yield duration_text(duration_ns)
                 case ir.Recurs(count=count, window_ns=window_ns):
@@ -251,7 +251,7 @@ def test_a_link_leads_to_the_line_that_says_so() -> None:
 
 
 def hostile_finding(span: Span) -> Diagnostic:
-    finding = Undecided(question=f"`{HOSTILE}`", reason=HOSTILE).at(span)
+    finding = Undecided(query=f"`{HOSTILE}`", reason=HOSTILE).at(span)
     return replace(finding, severity=Severity.WARNING)
 
 
@@ -329,11 +329,10 @@ def test_what_a_report_leaves_open_is_said(
 def test_of_many_open_results_only_the_first_are_named() -> None:
     content = example("demo/demo")
     found = evidence(content, is_current=True, status="undecided")
-    many = tuple(Result(f"question {number}", "undecided") for number in range(9))
+    many = tuple(Result(f"query {number}", "undecided") for number in range(9))
     points = open_points(replace(content, verification=replace(found, results=many)))
     assert (
-        "The verification report has 9 undecided: question 0, question 1, question 2 and 6 more."
-        in points
+        "The verification report has 9 undecided: query 0, query 1, query 2 and 6 more." in points
     )
 
 

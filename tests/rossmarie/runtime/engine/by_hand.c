@@ -14,7 +14,7 @@ typedef hand_monitor monitor;
 #define CHANNELS 1
 #define VALUES 1
 #define LEAVES 2
-#define TRUTHS 4
+#define TRUTH_VALUES 4
 #define RULES 1
 #define NODES 5
 #define TIMEOUTS 1
@@ -31,7 +31,7 @@ enum { GUARD_SPEED };
 static const index_t input_channel[1] = {0};
 static const int64_t input_timeouts[1] = {INT64_C(500)};
 static const index_t input_values[2] = {0, 1};
-static const index_t lost_values[1] = {VALUE_SPEED};
+static const index_t stale_values[1] = {VALUE_SPEED};
 static const uint64_t node_users[4] = {BIT(OUTSIDE), BIT(RULE), BIT(LONG_OUTSIDE), BIT(RULE)};
 static const index_t guard_value[1] = {VALUE_SPEED};
 static const index_t covered_values[1] = {VALUE_SPEED};
@@ -61,7 +61,7 @@ static const index_t shown_inputs[1] = {INPUT_SPEED};
 
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns)
 {
-    return node == OUTSIDE ? opposite(m->truth[INSIDE]) : held(m, 0, OUTSIDE, t_ns);
+    return node == OUTSIDE ? opposite(m->truth_value[INSIDE]) : held(m, 0, OUTSIDE, t_ns);
 }
 
 static void set_constants(monitor *m) { (void)m; }
@@ -114,22 +114,22 @@ int main(void)
     CHECK(hand_next_wake(&m) == NEVER && !hand_has_all_inputs(&m));
 
     CHECK(receive(&m, LATEST, 0.0) == -1 && receive(&m, EARLIEST, 0.0) == -1);
-    CHECK(drive(&m, 0, 1000, 2.0) == 0 && m.truth[INSIDE] == TRUE); /* a limit is inside */
+    CHECK(drive(&m, 0, 1000, 2.0) == 0 && m.proposition[INSIDE] == TRUE); /* a limit is inside */
     CHECK(hand_has_all_inputs(&m) && hand_input_state(&m, 0) == FRESH);
     CHECK(drive(&m, 1000, 1500, 3.0) == 0 && m.since_ns[INSIDE] == 1000);
     CHECK(receive(&m, 1500, -5.0) == 0); /* both limits are crossed: it is still outside */
-    CHECK(m.truth[INSIDE] == FALSE && m.since_ns[INSIDE] == 1000);
+    CHECK(m.proposition[INSIDE] == FALSE && m.since_ns[INSIDE] == 1000);
     CHECK(drive(&m, 1600, 2000, -5.0) == 0 && hand_next_wake(&m) == 2000);
     CHECK(receive(&m, 2050, -5.0) == 1); /* the timer of 2000 runs before the message */
     CHECK(last.change == hand_ACTIVATED && last.at_ns == 2000 && hand_is_active(&m, 0));
-    CHECK(last.truths[0] == FALSE && last.since_ns[0] == 1000 && last.values[0] == -5.0);
+    CHECK(last.truth_values[0] == FALSE && last.since_ns[0] == 1000 && last.values[0] == -5.0);
     CHECK(receive(&m, 2100, 0.0) == 1 && last.change == hand_CLEARED);
 
     CHECK(hand_next_wake(&m) == 2600 && hand_advance(&m, 2599) == 0);
-    CHECK(hand_advance(&m, 2600) == 1 && last.change == hand_ACTIVATED_LOST);
+    CHECK(hand_advance(&m, 2600) == 1 && last.change == hand_ACTIVATED_STALE);
     CHECK(hand_input_state(&m, 0) == EXPIRED && last.inputs[0] == EXPIRED);
-    CHECK(receive(&m, 2700, NAN) == 0 && m.truth[INSIDE] == LOST); /* it lacks its number */
-    CHECK(receive(&m, 2800, INFINITY) == 0 && m.truth[INSIDE] == LOST);
+    CHECK(receive(&m, 2700, NAN) == 0 && m.proposition[INSIDE] == STALE); /* it lacks its number */
+    CHECK(receive(&m, 2800, INFINITY) == 0 && m.proposition[INSIDE] == STALE);
     CHECK(receive(&m, 2900, 0.0) == 1 && last.change == hand_CLEARED);
 
     CHECK(receive(&m, 100, 0.0) == 1 && last.change == hand_TIME_JUMP && last.from_ns == 2900);

@@ -8,7 +8,7 @@
 
 enum { hand_RULES = 1, hand_INPUTS = 1 };
 
-enum hand_change { hand_CLEARED, hand_ACTIVATED, hand_ACTIVATED_LOST, hand_TIME_JUMP };
+enum hand_change { hand_CLEARED, hand_ACTIVATED, hand_ACTIVATED_STALE, hand_TIME_JUMP };
 
 typedef struct hand_event {
     int64_t at_ns;
@@ -17,7 +17,7 @@ typedef struct hand_event {
     double values[1];
     int32_t rule;
     int32_t change;
-    unsigned char truths[1];
+    unsigned char truth_values[1];
     unsigned char inputs[1];
 } hand_event;
 
@@ -35,7 +35,7 @@ typedef struct hand_monitor {
     int64_t stamp_ns[1];
     unsigned char state[1];
     unsigned char active[1];
-    unsigned char truth[4];
+    unsigned char truth_value[4];
     int64_t since_ns[4];
     int place[1];
     int64_t held_due_ns[1];

@@ -208,12 +208,12 @@ static void check_bypass(Guard &guard)
 {
     network.findings.bypassed["/robot/cmd_vel"] = "/planner";
     published<Bool>("~bypassed");
-    std::vector<Bool> told;
-    while (told.empty()) { // it looks each second of the wall clock
+    std::vector<Bool> reported;
+    while (reported.empty()) { // it looks each second of the wall clock
         guard.step();
-        told = published<Bool>("~bypassed");
+        reported = published<Bool>("~bypassed");
     }
-    CHECK(told.back().data);
+    CHECK(reported.back().data);
     level(0.0);
     CHECK(is_zero(passed(1.0)));
     CHECK(why().find("/planner publishes it, too") != std::string::npos);

@@ -67,10 +67,10 @@ static void check_file(const std::filesystem::path &folder)
 
 static void check_disk_that_is_gone(const std::filesystem::path &folder)
 {
-    const std::filesystem::path lost = folder / "lost";
-    std::filesystem::create_directory(lost);
-    LatchedRules file(lost / "latched", "/robot/guard");
-    std::filesystem::remove_all(lost);
+    const std::filesystem::path stale = folder / "stale";
+    std::filesystem::create_directory(stale);
+    LatchedRules file(stale / "latched", "/robot/guard");
+    std::filesystem::remove_all(stale);
     core::Monitor rules;
     rules.active = {0};
     file.keep(rules);

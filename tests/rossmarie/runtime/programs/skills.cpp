@@ -1,4 +1,4 @@
-// Reads contexts, one a line, and says what their skills answer to the questions of a node.
+// Reads contexts, one a line, and says what their skills answer to the queries of a node.
 #include "skills.h"
 
 #include <cstdio>
@@ -73,7 +73,7 @@ static bool read(Context &context)
 static std::vector<double> answers(const Context &message)
 {
     return {
-#include "questions.inc"
+#include "queries.inc"
     };
 }
 

@@ -70,7 +70,7 @@ def test_is_clean_as_c99(case: str, compiler: str, tmp_path: Path) -> None:
 def one_comparison() -> ir.Machine:
     """The smallest machine: optimizers unroll its loops to the end of its arrays."""
     draft = Draft()
-    draft.rule(draft.above(draft.read(), 1.0), draft.truth(ir.Literal(True)))
+    draft.rule(draft.above(draft.read(), 1.0), draft.proposition(ir.Literal(True)))
     return draft.machine("single")
 
 
@@ -120,7 +120,9 @@ def renamed(machine: ir.Machine, name: str, path: str) -> ir.Machine:
     """The same machine, where everything has the same unfortunate name."""
     return replace(
         machine,
-        truths=tuple(replace(truth, text=name, name=name) for truth in machine.truths),
+        propositions=tuple(
+            replace(proposition, text=name, name=name) for proposition in machine.propositions
+        ),
         rules=tuple(replace(rule, name=name, contract=name) for rule in machine.rules),
         inputs=tuple(replace(used, name=name) for used in machine.inputs),
         signals=tuple(replace(signal, text=name) for signal in machine.signals),
@@ -161,7 +163,7 @@ def test_names_of_users_cannot_break_the_code(case: str, tmp_path: Path) -> None
     run([C_COMPILERS[0], *quick, *sorted(tmp_path.glob("*.c"))])
 
 
-def test_texts_are_told_to_whoever_gives_them() -> None:
+def test_texts_are_reported_to_whoever_gives_them() -> None:
     header = generate(CASES["memories"]())["memories_monitor.h"]
     assert "extern const char *const memories_texts[1];" in header
     assert "_texts[" not in generate(CASES["arrays"]())["arrays_monitor.h"]

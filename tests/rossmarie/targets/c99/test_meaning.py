@@ -52,36 +52,36 @@ def everything() -> ir.Machine:
     nearest = draft.signal(ir.Fold(ir.Folding.MINIMUM, ranges))
     near = draft.above(ranges, 1.0)
     one, two = draft.constant(1.0), draft.constant(2.0)
-    held = draft.truth(ir.Held(draft.above(x, 1.0), 3 * TICK), "held")
+    held = draft.proposition(ir.Held(draft.above(x, 1.0), 3 * TICK), "held")
     conditions = [
-        draft.truth(ir.Between(x, one, two), "between"),
-        draft.truth(ir.Between(both, two, one), "never"),
+        draft.proposition(ir.Between(x, one, two), "between"),
+        draft.proposition(ir.Between(both, two, one), "never"),
         *(
-            draft.truth(ir.Compare(comparison, x, one), comparison.name)
+            draft.proposition(ir.Compare(comparison, x, one), comparison.name)
             for comparison in Comparison
         ),
-        draft.truth(ir.Compare(Comparison.LESS_OR_EQUAL, two, x), "mirrored"),
+        draft.proposition(ir.Compare(Comparison.LESS_OR_EQUAL, two, x), "mirrored"),
         held,
-        draft.truth(ir.Held(draft.truth(ir.Not(held)), 4 * TICK)),
-        draft.truth(ir.Flag(flag)),
-        draft.truth(ir.Compare(Comparison.EQUAL, mode, draft.constant(1.0))),
-        draft.truth(ir.Compare(Comparison.GREATER, x, before)),
+        draft.proposition(ir.Held(draft.proposition(ir.Not(held)), 4 * TICK)),
+        draft.proposition(ir.Flag(flag)),
+        draft.proposition(ir.Compare(Comparison.EQUAL, mode, draft.constant(1.0))),
+        draft.proposition(ir.Compare(Comparison.GREATER, x, before)),
         draft.above(rate, 5.0),
-        draft.truth(ir.Compare(Comparison.NOT_EQUAL, both, y)),
-        draft.truth(ir.AgeReaches(1, 7 * TICK)),
-        draft.truth(ir.AgeReaches(0, 3 * TICK)),
-        draft.truth(ir.Oscillates(x, 2, 8 * TICK, 0.0)),
-        draft.truth(ir.Oscillates(x, 3, 20 * TICK, 1.0)),
-        draft.truth(ir.Compare(Comparison.LESS, nearest, draft.constant(0.5))),
-        draft.truth(ir.Quantified(ir.Quantifier.ANY, near)),
-        draft.truth(ir.Quantified(ir.Quantifier.ALL, near)),
+        draft.proposition(ir.Compare(Comparison.NOT_EQUAL, both, y)),
+        draft.proposition(ir.AgeReaches(1, 7 * TICK)),
+        draft.proposition(ir.AgeReaches(0, 3 * TICK)),
+        draft.proposition(ir.Oscillates(x, 2, 8 * TICK, 0.0)),
+        draft.proposition(ir.Oscillates(x, 3, 20 * TICK, 1.0)),
+        draft.proposition(ir.Compare(Comparison.LESS, nearest, draft.constant(0.5))),
+        draft.proposition(ir.Quantified(ir.Quantifier.ANY, near)),
+        draft.proposition(ir.Quantified(ir.Quantifier.ALL, near)),
         draft.above(draft.signal(ir.Count(near)), 1.0),
     ]
     for number, condition in enumerate(conditions):
         release = conditions[number - 1] if number % 3 == 2 else None
         draft.rule(condition, release, latched=number % 3 == 1)
-    together = draft.truth(ir.And(tuple(conditions[:3])))
-    draft.rule(draft.truth(ir.Or((together, *conditions[10:]))))
+    together = draft.proposition(ir.And(tuple(conditions[:3])))
+    draft.rule(draft.proposition(ir.Or((together, *conditions[10:]))))
     return draft.machine("everything")
 
 
@@ -132,11 +132,11 @@ def small() -> ir.Machine:
     used = draft.input(draft.channel(), 5 * TICK)
     x = draft.signal(ir.Read(draft.slot(used)))
     one, two = draft.constant(1.0), draft.constant(2.0)
-    between = draft.truth(ir.Between(x, one, two))
-    equal = draft.truth(ir.Compare(Comparison.EQUAL, x, one))
+    between = draft.proposition(ir.Between(x, one, two))
+    equal = draft.proposition(ir.Compare(Comparison.EQUAL, x, one))
     magnitude = draft.above(draft.apply(ir.Function.NEGATE, x), -1.5)
-    held = draft.truth(ir.Held(draft.truth(ir.Not(equal)), 3 * TICK))
-    draft.rule(draft.truth(ir.And((held, magnitude))))
+    held = draft.proposition(ir.Held(draft.proposition(ir.Not(equal)), 3 * TICK))
+    draft.rule(draft.proposition(ir.And((held, magnitude))))
     draft.rule(between)
     draft.rule(equal, latched=True)
     return draft.machine("small")
@@ -157,7 +157,7 @@ def test_few_conditions_over_long_traces(seed: int) -> None:
 
 
 def test_crossing_both_ends_of_an_interval_is_no_change() -> None:
-    """Since when a truth has its value is not touched when a number jumps over all of it."""
+    """Since when a proposition has its value is not touched when a number jumps over all of it."""
     machine = small()
     monitor = native(machine)
     monitor.update(0, {0: ChannelValues({0: 0.0})})

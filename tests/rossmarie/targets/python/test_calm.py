@@ -31,14 +31,14 @@ class Topics(Draft):
         self.z = self.read(SECOND)
 
     def greater(self, left: int, right: int) -> int:
-        return self.truth(ir.Compare(Comparison.GREATER, left, right))
+        return self.proposition(ir.Compare(Comparison.GREATER, left, right))
 
 
 def drafted(condition: Callable[[Topics], int]) -> ir.Machine:
     """A rule, and another one that needs the same for some time and is latched."""
     draft = Topics()
     draft.rule(condition(draft))
-    draft.rule(draft.truth(ir.Held(condition(draft), SECOND // 2)), latched=True)
+    draft.rule(draft.proposition(ir.Held(condition(draft), SECOND // 2)), latched=True)
     machine = draft.machine()
     ir.verify(machine)
     return machine
@@ -47,7 +47,7 @@ def drafted(condition: Callable[[Topics], int]) -> ir.Machine:
 CONDITIONS: dict[str, Callable[[Topics], int]] = {
     "of one topic": lambda d: d.greater(d.x, d.y),
     "of two topics": lambda d: d.greater(d.x, d.z),
-    "range": lambda d: d.truth(ir.Between(d.x, d.y, d.z)),
+    "range": lambda d: d.proposition(ir.Between(d.x, d.y, d.z)),
     "sum": lambda d: d.above(d.apply(Function.ADD, d.x, d.z), 1.0),
     "product": lambda d: d.above(d.apply(Function.MULTIPLY, d.x, d.y), 1.0),
     "quotient": lambda d: d.above(d.apply(Function.DIVIDE, d.y, d.x), 1.0),
@@ -59,10 +59,10 @@ CONDITIONS: dict[str, Callable[[Topics], int]] = {
     "least": lambda d: d.above(d.apply(Function.MINIMUM, d.x, d.y), 0.5),
     "length": lambda d: d.above(d.apply(Function.NORM, d.x, d.y, d.z), 2.0),
     "angle": lambda d: d.above(d.apply(Function.YAW, d.x, d.y, d.x, d.y), 0.5),
-    "age": lambda d: d.truth(ir.AgeReaches(0, SECOND // 4)),
+    "age": lambda d: d.proposition(ir.AgeReaches(0, SECOND // 4)),
     "rate": lambda d: d.above(d.signal(ir.Sampled(ir.Sampling.RATE, d.x)), 0.5),
-    "swing": lambda d: d.truth(ir.Oscillates(d.x, 2, SECOND, 0.5)),
-    "edges": lambda d: d.truth(ir.Recurs(d.above(d.x, 0.5), 2, SECOND)),
+    "swing": lambda d: d.proposition(ir.Oscillates(d.x, 2, SECOND, 0.5)),
+    "edges": lambda d: d.proposition(ir.Recurs(d.above(d.x, 0.5), 2, SECOND)),
     "low pass": lambda d: d.above(d.signal(ir.Sampled(ir.Sampling.LOW_PASS, d.x, SECOND)), 0.5),
 }
 

@@ -97,7 +97,9 @@ def test_names_of_users_cannot_break_the_code(case: str) -> None:
         machine,
         name=NASTY,
         texts=(NASTY,) * len(machine.texts),
-        truths=tuple(replace(t, text=NASTY, name=NASTY, span=span) for t in machine.truths),
+        propositions=tuple(
+            replace(t, text=NASTY, name=NASTY, span=span) for t in machine.propositions
+        ),
         rules=tuple(replace(r, name=NASTY, contract=NASTY, span=span) for r in machine.rules),
         inputs=tuple(replace(used, name=NASTY, span=span) for used in machine.inputs),
         signals=tuple(replace(s, text=NASTY, span=span) for s in machine.signals),
@@ -139,7 +141,7 @@ ENDS = (-LARGEST, -(2.0**53), -5e-324, -0.0, 0.0, 5e-324, 2.0**53, LARGEST, floa
 @pytest.mark.parametrize("limit", ENDS[:-1])
 def test_limits_at_the_ends_of_the_numbers(comparison: Comparison, limit: float) -> None:
     draft = Draft()
-    draft.rule(draft.truth(ir.Compare(comparison, draft.read(), draft.constant(limit))))
+    draft.rule(draft.proposition(ir.Compare(comparison, draft.read(), draft.constant(limit))))
     machine = draft.machine()
     numbers = [*ENDS, *reversed(ENDS), 2.0**53 + 2, 1.0, -1.0]
     trace = [Update(i, {0: ChannelValues({0: x})}) for i, x in enumerate(numbers)]

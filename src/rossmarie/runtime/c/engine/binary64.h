@@ -1,7 +1,7 @@
 /* Part of ROSSMARie, the same for all rules. */
 
 /* Numbers are IEEE 754 binary64, evaluated as written: what compilers and processors do otherwise
- * is refused here, or told by arithmetic_fault.
+ * is refused here, or reported by arithmetic_fault.
  */
 #ifndef ROSSMARIE_BINARY64_H
 #define ROSSMARIE_BINARY64_H

@@ -4,19 +4,19 @@
  * those of messages.
  */
 
-/* The value of a truth that was marked: the rules' own part of a monitor. */
+/* The value of a proposition that was marked: the rules' own part of a monitor. */
 static unsigned char derive(monitor *m, unsigned node, int64_t t_ns);
 
-/* The next that is marked: a truth gets its value, a rule is judged. */
+/* The next that is marked: a proposition gets its value, a rule is judged. */
 static int visit(monitor *m, unsigned node, int64_t t_ns)
 {
-    if (node >= TRUTHS)
-        return judge(m, node - TRUTHS, t_ns);
-    set_truth(m, node, derive(m, node, t_ns), t_ns);
+    if (node >= TRUTH_VALUES)
+        return judge(m, node - TRUTH_VALUES, t_ns);
+    set_truth_value(m, node, derive(m, node, t_ns), t_ns);
     return 0;
 }
 
-/* Everything that is marked, in order: what depends on a truth stands behind it. */
+/* Everything that is marked, in order: what depends on a proposition stands behind it. */
 static int evaluate(monitor *m, int64_t t_ns)
 {
     int events = 0;
@@ -50,7 +50,7 @@ static int64_t earliest_timer(const monitor *m)
 #endif
 #if AGES
     for (unsigned k = 0; k != AGES; k++)
-        if (m->truth[age_leaf[k]] == FALSE)
+        if (m->truth_value[age_leaf[k]] == FALSE)
             wake_ns = earlier(wake_ns, m->stamp_ns[age_input[k]] + age_limits[k]);
 #endif
 #if RECENT
@@ -59,7 +59,7 @@ static int64_t earliest_timer(const monitor *m)
 #endif
 #if HELD
     for (unsigned k = 0; k != HELD; k++)
-        if (m->held_due_ns[k] > m->now_ns && m->truth[held_nodes[k]] != TRUE)
+        if (m->held_due_ns[k] > m->now_ns && m->truth_value[held_nodes[k]] != TRUE)
             wake_ns = earlier(wake_ns, m->held_due_ns[k]);
 #endif
     (void)m;
@@ -74,14 +74,14 @@ static void expire(monitor *m, unsigned input)
     m->state[input] = EXPIRED;
     m->quiet[input_channel[input]] = false;
     for (unsigned i = input_values[input]; i != input_values[input + 1]; i++)
-        m->value[lost_values[i]] = NAN;
+        m->value[stale_values[i]] = NAN;
 #if SAMPLED
     for (unsigned i = input_samples[input]; i != input_samples[input + 1]; i++)
-        forget_samples(m, lost_samples[i]);
+        forget_samples(m, stale_samples[i]);
 #endif
 #if WINDOWS
     for (unsigned i = input_windows[input]; i != input_windows[input + 1]; i++)
-        forget_window(m, lost_windows[i]);
+        forget_window(m, stale_windows[i]);
 #endif
 }
 
@@ -123,11 +123,11 @@ static void tick(monitor *m, int64_t t_ns)
 #if EDGES
     for (unsigned k = OSCILLATIONS; k != RECENT; k++)
         if (recent_due(m, k) <= t_ns)
-            mark(m, recent_truth[k]);
+            mark(m, recent_proposition[k]);
 #endif
 #if HELD
     for (unsigned k = 0; k != HELD; k++)
-        if (m->held_due_ns[k] <= t_ns && m->truth[held_nodes[k]] != TRUE)
+        if (m->held_due_ns[k] <= t_ns && m->truth_value[held_nodes[k]] != TRUE)
             mark(m, held_nodes[k]);
 #endif
     (void)m;
@@ -181,8 +181,8 @@ static void forget_times(monitor *m, int64_t t_ns)
 /* Begin, or begin again after time went backwards: of inputs no more than their ages is known. */
 static void restart(monitor *m, int64_t t_ns)
 {
-    for (unsigned node = 0; node != TRUTHS; node++)
-        m->truth[node] = UNSET;
+    for (unsigned node = 0; node != TRUTH_VALUES; node++)
+        m->truth_value[node] = UNSET;
     for (unsigned node = LEAVES; node != NODES; node++)
         mark(m, node);
 #if INPUTS
@@ -196,7 +196,7 @@ static void restart(monitor *m, int64_t t_ns)
     forget_times(m, t_ns);
 #if LITERALS
     for (unsigned i = 0; i != LITERALS; i++)
-        set_truth(m, literals[i], literal_values[i], t_ns);
+        set_truth_value(m, literals[i], literal_values[i], t_ns);
 #endif
 #if GUARDS
     for (unsigned g = 0; g != GUARDS; g++) {

@@ -1,7 +1,7 @@
 /* Part of ROSSMARie, the same for all rules. */
 
 /* Guards: every number that conditions look at has one, the range around its present value in which
- * none of its comparisons changes. Guard g watches guard_value[g]. It owns the truths from
+ * none of its comparisons changes. Guard g watches guard_value[g]. It owns the propositions from
  * guard_leaves[g] up to, but without, guard_leaves[g + 1], and the limits between the ends
  * guard_limits[g] and guard_limits[g + 1] - 1, from low to high.
  */
@@ -32,7 +32,7 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
 {
     for (unsigned i = row_blames[row]; i != row_blames[row + 1]; i++)
         if (isnan(m->value[blames[i]]))
-            return LOST;
+            return STALE;
     if (row_blames[row] == row_blames[row + 1])
         return UNKNOWN;
 #if EXCUSES
@@ -40,7 +40,7 @@ static unsigned char unknown_kind(const monitor *m, unsigned row)
         if (is_missing(m, i))
             return UNKNOWN;
 #endif
-    return LOST;
+    return STALE;
 }
 
 #endif
@@ -70,7 +70,8 @@ INLINE bool is_inside(const monitor *m, unsigned g, double x)
     return !UNLIKELY(!(x > m->low[g])) && !UNLIKELY(x > m->high[g]);
 }
 
-/* (The loops over leaves ask for `<`: with `!=` gcc 12 unrolls them beyond the truths and warns.)
+/* (The loops over leaves ask for `<`: with `!=` gcc 12 unrolls them beyond the propositions and
+ * warns.)
  */
 RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
 {
@@ -81,7 +82,7 @@ RARE void lose_sight(monitor *m, unsigned g, int64_t t_ns)
     m->low[g] = INFINITY; /* nothing is inside */
     m->high[g] = -INFINITY;
     for (unsigned leaf = guard_leaves[g]; leaf < guard_leaves[g + 1]; leaf++)
-        set_truth(m, leaf, kind, t_ns);
+        set_truth_value(m, leaf, kind, t_ns);
 }
 
 /* The place of a guard is the limit at or below its number. */
@@ -92,19 +93,19 @@ static void settle_at(monitor *m, unsigned g, unsigned place)
     m->high[g] = limits[place + 1].at;
 }
 
-/* A number that was unknown is known: every truth starts below its limits. */
+/* A number that was unknown is known: every proposition starts below its limits. */
 static void gain_sight(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     unsigned place = guard_limits[g];
     for (unsigned leaf = guard_leaves[g]; leaf < guard_leaves[g + 1]; leaf++)
-        set_truth(m, leaf, leaf_below[leaf], t_ns);
+        set_truth_value(m, leaf, leaf_below[leaf], t_ns);
     for (; place + 2 != guard_limits[g + 1] && x > limits[place + 1].at; place++)
-        set_truth(m, limits[place + 1].truth, limits[place + 1].above, t_ns);
+        set_truth_value(m, limits[place + 1].proposition, limits[place + 1].above, t_ns);
     settle_at(m, g, place);
 }
 
-/* A number crossed the limits behind `from` up to `to`: flip the truths there, but for those with
- * both their limits among them.
+/* A number crossed the limits behind `from` up to `to`: flip the propositions there, but for those
+ * with both their limits among them.
  */
 static void flip(monitor *m, unsigned from, unsigned to, unsigned is_falling, int64_t t_ns)
 {
@@ -112,7 +113,7 @@ static void flip(monitor *m, unsigned from, unsigned to, unsigned is_falling, in
         const unsigned other = (unsigned)((int)i + limits[i].other);
         const bool has_other_there = other != i && other > from && other <= to;
         if (!has_other_there)
-            set_truth(m, limits[i].truth, limits[i].above ^ is_falling, t_ns);
+            set_truth_value(m, limits[i].proposition, limits[i].above ^ is_falling, t_ns);
     }
 }
 
@@ -139,7 +140,7 @@ RARE void cross_far(monitor *m, unsigned g, double x, int64_t t_ns)
     }
 }
 
-/* A number left its guard. Most cross a single limit: one truth flips. */
+/* A number left its guard. Most cross a single limit: one proposition flips. */
 static void cross(monitor *m, unsigned g, double x, int64_t t_ns)
 {
     const unsigned is_rising = x > m->high[g] ? 1 : 0;
@@ -150,7 +151,7 @@ static void cross(monitor *m, unsigned g, double x, int64_t t_ns)
         cross_far(m, g, x, t_ns);
         return;
     }
-    set_truth(m, limits[crossed].truth, limits[crossed].above ^ is_rising ^ 1u, t_ns);
+    set_truth_value(m, limits[crossed].proposition, limits[crossed].above ^ is_rising ^ 1u, t_ns);
     settle_at(m, g, place);
 }
 

@@ -8,7 +8,8 @@
  * How it works: every number that conditions look at has a guard, the range around its present
  * value in which none of its comparisons changes. A message whose numbers stay inside their guards
  * costs no more than looking at them. A number that leaves its guard crosses one or more limits;
- * that flips the truths at these limits, and only what depends on them is evaluated, in order.
+ * that flips the propositions at these limits, and only what depends on them is evaluated, in
+ * order.
  */
 #ifdef ROSSMARIE_MONITOR
 #error "a file includes the engine of one monitor only"
@@ -17,7 +18,7 @@
 
 #include "absent.h"
 
-#include "truths.h"
+#include "propositions.h"
 
 #include "numbers.h"
 
@@ -75,7 +76,7 @@ int NAMED(reset)(monitor *m, int64_t t_ns, int rule)
         return events;
     for (unsigned i = 0; i != RULES; i++)
         if ((rule < 0 || (unsigned)rule == i) && rule_release[i] == LATCHED && is_active(m, i) &&
-            m->truth[rule_condition[i]] == FALSE)
+            m->truth_value[rule_condition[i]] == FALSE)
             events += change_rule(m, i, NAMED(CLEARED), t_ns);
     return events;
 }
@@ -122,11 +123,11 @@ double NAMED(reading)(const monitor *m, int reading)
 
 #if WATCHES
 
-enum NAMED(truth) NAMED(watch)(const monitor *m, int watch)
+enum NAMED(truth_value) NAMED(watch)(const monitor *m, int watch)
 {
     if (!m->started || watch < 0 || watch >= (int)WATCHES)
         return NAMED(UNKNOWN);
-    return (enum NAMED(truth))m->truth[watched_truths[watch]];
+    return (enum NAMED(truth_value))m->truth_value[watched_propositions[watch]];
 }
 
 #endif

@@ -12,43 +12,43 @@ static inline double outcome(bool is_unknown, bool value)
     return is_unknown ? NAN : value ? 1.0 : 0.0;
 }
 
-/* A truth about one element of an array. */
-static inline unsigned char element_truth(bool is_unknown, bool value)
+/* A proposition about one element of an array. */
+static inline unsigned char element_proposition(bool is_unknown, bool value)
 {
     return is_unknown ? UNKNOWN : value ? TRUE : FALSE;
 }
 
 /* Some of the elements, given how many are true, are unknown, and are. */
-static inline double some(size_t truths, size_t unknowns, size_t count)
+static inline double some(size_t trues, size_t unknowns, size_t count)
 {
-    return truths != 0 ? 1.0 : unknowns != 0 || count == 0 ? NAN : 0.0;
+    return trues != 0 ? 1.0 : unknowns != 0 || count == 0 ? NAN : 0.0;
 }
 
 /* All of the elements, given how many are true, are unknown, and are. */
-static inline double every(size_t truths, size_t unknowns, size_t count)
+static inline double every(size_t trues, size_t unknowns, size_t count)
 {
-    return truths + unknowns != count ? 0.0 : unknowns != 0 || count == 0 ? NAN : 1.0;
+    return trues + unknowns != count ? 0.0 : unknowns != 0 || count == 0 ? NAN : 1.0;
 }
 
-/* How many elements a truth holds for, given how many are true, are unknown, and are. */
-static inline double how_many(size_t truths, size_t unknowns, size_t count)
+/* How many elements a proposition holds for, given how many are true, are unknown, and are. */
+static inline double how_many(size_t trues, size_t unknowns, size_t count)
 {
-    return unknowns != 0 || count == 0 ? NAN : (double)truths;
+    return unknowns != 0 || count == 0 ? NAN : (double)trues;
 }
 
 /* The same of the elements of a list, of which there may be none, if they are known. */
-static inline double some_of_list(size_t truths, size_t unknowns, bool is_known)
+static inline double some_of_list(size_t trues, size_t unknowns, bool is_known)
 {
-    return outcome(!is_known || (truths == 0 && unknowns != 0), truths != 0);
+    return outcome(!is_known || (trues == 0 && unknowns != 0), trues != 0);
 }
 
-static inline double every_of_list(size_t truths, size_t unknowns, size_t count, bool is_known)
+static inline double every_of_list(size_t trues, size_t unknowns, size_t count, bool is_known)
 {
-    const bool is_open = truths + unknowns == count;
+    const bool is_open = trues + unknowns == count;
     return outcome(!is_known || (is_open && unknowns != 0), is_open);
 }
 
-static inline double how_many_of_list(size_t truths, size_t unknowns, bool is_known)
+static inline double how_many_of_list(size_t trues, size_t unknowns, bool is_known)
 {
-    return is_known && unknowns == 0 ? (double)truths : NAN;
+    return is_known && unknowns == 0 ? (double)trues : NAN;
 }

@@ -28,8 +28,8 @@ static void look_at_swings(monitor *m, unsigned k, int64_t t_ns)
     m->swinging[k] = value;
     if (value == TRUE)
         wake_by(m, recent_end(m, k));
-    if (value != m->truth[recent_truth[k]] || begins_gap)
-        mark(m, recent_truth[k]);
+    if (value != m->truth_value[recent_proposition[k]] || begins_gap)
+        mark(m, recent_proposition[k]);
 }
 
 static unsigned char swings_or_gap(monitor *m, unsigned k, int64_t t_ns)

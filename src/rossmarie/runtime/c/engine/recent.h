@@ -29,7 +29,7 @@ static bool is_enough(const monitor *m, unsigned k, int64_t t_ns)
     return m->recent_count[k] == recent_first[k + 1] - recent_first[k] && t_ns < recent_end(m, k);
 }
 
-/* What is known of them, given their source, of which it matters whether it is unknown, or lost:
+/* What is known of them, given their source, of which it matters whether it is unknown, or stale:
  * too few tell nothing until the source has been known throughout the window.
  */
 static unsigned char enough_or_gap(monitor *m, unsigned k, unsigned char source, bool is_enough,
@@ -55,7 +55,7 @@ static unsigned char enough_or_gap(monitor *m, unsigned k, unsigned char source,
 /* When what is known of them changes by itself. */
 static int64_t recent_due(const monitor *m, unsigned k)
 {
-    const unsigned char value = m->truth[recent_truth[k]];
+    const unsigned char value = m->truth_value[recent_proposition[k]];
     if (value == TRUE)
         return recent_end(m, k);
     if (value != FALSE && m->gap_end_ns[k] != NEVER)
@@ -70,7 +70,7 @@ static int64_t recent_due(const monitor *m, unsigned k)
 /* `count(edges of operand within a time)`: an edge is where the operand is true and was false. */
 static unsigned char recurs(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 {
-    const unsigned char operand = m->truth[node], before = m->edge_before[k];
+    const unsigned char operand = m->truth_value[node], before = m->edge_before[k];
     const unsigned place = OSCILLATIONS + k;
     m->edge_before[k] = operand;
     if (operand == TRUE && before == FALSE)

@@ -18,7 +18,7 @@ static void report(const monitor *m, unsigned rule, int32_t change, int64_t t_ns
     event.rule = (int32_t)rule;
     event.change = change;
     for (unsigned i = rule_terms[rule]; i != rule_terms[rule + 1]; i++, n++) {
-        event.truths[n] = m->truth[terms[i]];
+        event.truth_values[n] = m->truth_value[terms[i]];
         event.since_ns[n] = m->since_ns[terms[i]];
     }
     n = 0;
@@ -41,14 +41,14 @@ static int change_rule(monitor *m, unsigned rule, int32_t change, int64_t t_ns)
 /* What an evaluation does to a rule; returns how many changes. */
 static int judge(monitor *m, unsigned rule, int64_t t_ns)
 {
-    const unsigned char condition = m->truth[rule_condition[rule]];
+    const unsigned char condition = m->truth_value[rule_condition[rule]];
     const bool was_active = is_active(m, rule);
     if (!was_active && condition == TRUE)
         return change_rule(m, rule, NAMED(ACTIVATED), t_ns);
-    if (!was_active && condition == LOST)
-        return change_rule(m, rule, NAMED(ACTIVATED_LOST), t_ns);
+    if (!was_active && condition == STALE)
+        return change_rule(m, rule, NAMED(ACTIVATED_STALE), t_ns);
     if (was_active && condition == FALSE && rule_release[rule] != LATCHED &&
-        m->truth[rule_release[rule]] == TRUE)
+        m->truth_value[rule_release[rule]] == TRUE)
         return change_rule(m, rule, NAMED(CLEARED), t_ns);
     return 0;
 }

@@ -20,20 +20,22 @@
 #define RARE static
 #endif
 
-/* Truths: unknown for lack of an input with a timeout is lost; unset is not evaluated yet. */
-enum { FALSE, TRUE, UNKNOWN, LOST, UNSET };
+/* Propositions: unknown for lack of an input with a timeout is stale; unset is not evaluated yet.
+ */
+enum { FALSE, TRUE, UNKNOWN, STALE, UNSET };
 
 enum { NEVER_RECEIVED, FRESH, EXPIRED };
 
-/* A rule that clears only if an operator resets it: the truth that it waits for. */
+/* A rule that clears only if an operator resets it: the proposition that it waits for. */
 enum { LATCHED = NONE };
 
-/* A limit of a number: above it, the truth has this value, and up to it the opposite. If the truth
- * has another limit, that one is so many limits on, or back if negative; 0 if it has none.
+/* A limit of a number: above it, the proposition has this value, and up to it the opposite. If the
+ * proposition has another limit, that one is so many limits on, or back if negative; 0 if it has
+ * none.
  */
 typedef struct limit {
     double at;
-    index_t truth;
+    index_t proposition;
     unsigned char above;
     int16_t other;
 } limit;
@@ -42,7 +44,7 @@ typedef struct limit {
 #define BELOW_ALL {-INFINITY, 0, FALSE, 0}
 #define ABOVE_ALL {DBL_MAX, 0, FALSE, 0}
 
-/* Where there are few truths and rules: a set of them. */
+/* Where there are few propositions and rules: a set of them. */
 #define BIT(node) ((uint64_t)1 << (node))
 #define NOBODY ((uint64_t)0)
 

@@ -1,6 +1,6 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Truths that time alone can change: durations and ages. */
+/* Propositions that time alone can change: durations and ages. */
 
 static inline int64_t earlier(int64_t a, int64_t b) { return a < b ? a : b; }
 
@@ -18,7 +18,7 @@ static inline void wake_by(monitor *m, int64_t due_ns)
  */
 static unsigned char held(monitor *m, unsigned k, unsigned node, int64_t t_ns)
 {
-    const unsigned char operand = m->truth[node];
+    const unsigned char operand = m->truth_value[node];
     const int64_t due_ns = m->since_ns[node] + held_durations[k];
     m->held_due_ns[k] = operand == TRUE ? due_ns : NEVER;
     m->held_before[k] = operand == TRUE ? m->held_before[k] : operand;
@@ -43,7 +43,7 @@ static void look_at_age(monitor *m, unsigned k, int64_t t_ns)
         m->quiet[input_channel[input]] = false;
     if (value == FALSE)
         wake_by(m, due_ns);
-    set_truth(m, age_leaf[k], value, t_ns);
+    set_truth_value(m, age_leaf[k], value, t_ns);
 }
 
 #endif

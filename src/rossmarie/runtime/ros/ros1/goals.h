@@ -42,7 +42,7 @@ public:
     void take(const Task *task)
     {
         tasks_.insert(task);
-        has_told_ = false;
+        has_reported_ = false;
         interrupt();
     }
 
@@ -87,7 +87,7 @@ public:
     // Whether no goal is pursued; not before the server has said so.
     bool is_free() const
     {
-        return has_told_ && !latest_.is_known() &&
+        return has_reported_ && !latest_.is_known() &&
                std::all_of(listed_.begin(), listed_.end(), is_over);
     }
 
@@ -168,7 +168,7 @@ private:
     {
         server_node_ = event.getPublisherName();
         listed_ = event.getConstMessage()->status_list;
-        has_told_ = true;
+        has_reported_ = true;
         for (const Status &each : listed_)
             if (is_over(each))
                 own_.erase(each.goal_id.id);
@@ -215,7 +215,7 @@ private:
         latest_ = Goal();
         listed_.clear();
         own_.clear();
-        has_told_ = false;
+        has_reported_ = false;
         tell_watchers();
     }
 
@@ -283,7 +283,7 @@ private:
     ros::Time newest_;
     int sent_ = 0;
     int losses_ = 0;
-    bool has_told_ = false;    // since a task took the server
+    bool has_reported_ = false;    // since a task took the server
     ros::Publisher publisher_; // of goals
     ros::Publisher cancel_;
     ros::Subscriber goal_;

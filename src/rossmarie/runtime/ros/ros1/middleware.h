@@ -227,7 +227,7 @@ private:
     Worker worker_{queue_};
 };
 
-// Calls a service; what comes of it is told later, on the queue of the node.
+// Calls a service; what comes of it is reported later, on the queue of the node.
 template <class Service> class Client {
 public:
     using Answer = std::function<void(bool has_answered, const typename Service::Response &)>;

@@ -218,7 +218,7 @@ private:
     bool is_sending_ = false;
     bool is_cancelling_ = false;     // says the server, and the status has not come yet
     bool has_answered_ = false;      // since a task took the server
-    std::deque<ServerName> servers_; // that have told their status, the newest last
+    std::deque<ServerName> servers_; // that have reported their status, the newest last
     int losses_ = 0;
     Steady::time_point asked_{};
 };

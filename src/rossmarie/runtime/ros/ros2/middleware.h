@@ -154,7 +154,7 @@ public:
     }
 
     // A topic of which the last message is kept for those who come later. `lose` is called when
-    // somebody who published it has gone. Who has published a message is told by a number.
+    // somebody who published it has gone. Who has published a message is reported by a number.
     template <class Message>
     void subscribe_latched(const std::string &topic,
                            std::function<void(const Message &, const PublisherName &)> receive,
@@ -264,7 +264,7 @@ private:
     std::vector<rclcpp::ServiceBase::SharedPtr> services_;
 };
 
-// Calls a service; what comes of it is told later.
+// Calls a service; what comes of it is reported later.
 template <class Service> class Client {
 public:
     using Request = typename Service::Request;

@@ -188,7 +188,7 @@ private:
             forward(name);
     }
 
-    // The goal has gone with its server, unless that is one that has not told yet.
+    // The goal has gone with its server, unless that is one that has not reported yet.
     void forsake(const GoalName &name)
     {
         const Entry &entry = entries_[name];

@@ -53,7 +53,7 @@ private:
             return send_when_free();
         if (handle_ && goals_->is_listed(handle_->get_goal_id()))
             return;
-        if (handle_) // a server that has not told yet may have it
+        if (handle_) // a server that has not reported yet may have it
             client_->async_cancel_goal(handle_);
         finish(run_, false, "the server has gone");
     }

@@ -1,4 +1,4 @@
-"""Questions to the skills that run, by the names that users give them: as rules write them."""
+"""Queries to the skills that run, by the names that users give them: as rules write them."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ from rossmarie.ir import Doing, Machine, Quantity
 from rossmarie.ir.skills import SkillMessage, answer
 
 
-class Questions:
-    """The questions of one machine. `named` are the slots of each, by its words,
+class Queries:
+    """The queries of one machine. `named` are the slots of each, by its words,
     `doing Push(Object: Fragile)`: several inputs may ask the same.
     """
 
@@ -33,11 +33,11 @@ class Questions:
         return name in self._channels and hasattr(value, "running")
 
     def answers(self, name: str, message: SkillMessage) -> dict[int, float]:
-        """The answers of a message to all questions on the topic of an input, by slot."""
+        """The answers of a message to all queries on the topic of an input, by slot."""
         asked = self._of_channel[self._channels[name]]
         return {index: answer(self._steps[index], message) for index in asked}
 
     def words(self, index: int) -> str | None:
-        """The words of the question that a slot is; None if it has none of its own."""
+        """The words of the query that a slot is; None if it has none of its own."""
         step = self._steps.get(index)
         return str(step) if isinstance(step, Doing) else None

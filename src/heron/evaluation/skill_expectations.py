@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from heron.evaluation.claim import Claim, Verdict, as_safe, there_is_harm, with_arm
+from heron.evaluation.expectation import Expectation, Verdict, as_safe, there_is_harm, with_arm
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import EXEMPTIONS, WITHOUT_NEED
 from heron.variants import Arm, Encounter
@@ -19,7 +19,7 @@ robot before, and nobody can finish.
 """
 
 
-def claims_of_skills(sample: Sample) -> Iterator[Claim]:
+def expectations_of_skills(sample: Sample) -> Iterator[Expectation]:
     """All that is expected of a variant."""
     is_within = sample.variant in _WITHIN_A_SKILL
     guarded = (Arm.SKILL_AWARE,) if is_within else (Arm.ROSSMARIE, Arm.SKILL_AWARE)
@@ -36,11 +36,11 @@ def claims_of_skills(sample: Sample) -> Iterator[Claim]:
         yield _uses_exemptions(sample)
 
 
-def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> Claim:
+def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> Expectation:
     measure = sample.experiment.measure(f"reaction_{hazard}")
     times = sample.values(arm, measure.name)
     stopped, total = sum(time <= seconds for time in times), sample.count(arm)
-    return Claim(
+    return Expectation(
         f"stops {arm.value} {hazard}",
         f"{sample.experiment.hazards[hazard]}: with {with_arm(arm)} it is acted on within "
         f"{seconds:g} s in every episode",
@@ -49,10 +49,10 @@ def _stops(sample: Sample, hazard: str, seconds: float, arm: Arm) -> Claim:
     )
 
 
-def _finishes(sample: Sample) -> Claim:
+def _finishes(sample: Sample) -> Expectation:
     ours, total = sample.completed(Arm.SKILL_AWARE), sample.count(Arm.SKILL_AWARE)
     theirs, of_them = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
-    return Claim(
+    return Expectation(
         "finishes",
         "with rules that know skills the task is always done, without that it never is",
         f"it is done in {ours} of {total} episodes, and in {theirs} of {of_them}",
@@ -60,10 +60,10 @@ def _finishes(sample: Sample) -> Claim:
     )
 
 
-def _does_not_interfere(sample: Sample) -> Claim:
+def _does_not_interfere(sample: Sample) -> Expectation:
     times = sample.values(Arm.SKILL_AWARE, WITHOUT_NEED.name)
     some = sum(time > 0 for time in times)
-    return Claim(
+    return Expectation(
         "no interference",
         "where there is no hazard, no rule that knows skills interferes",
         f"episodes with interference: {some} of {len(times)}",
@@ -71,10 +71,10 @@ def _does_not_interfere(sample: Sample) -> Claim:
     )
 
 
-def _uses_exemptions(sample: Sample) -> Claim:
+def _uses_exemptions(sample: Sample) -> Expectation:
     counts = sample.values(Arm.SKILL_AWARE, EXEMPTIONS.name)
     used = sum(count >= 2 for count in counts)
-    return Claim(
+    return Expectation(
         "exemptions",
         "both skills use their exemptions, and the log says so",
         f"two uses or more in {used} of {len(counts)} episodes",

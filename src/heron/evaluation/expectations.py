@@ -10,9 +10,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from heron.evaluation.claim import (
+from heron.evaluation.expectation import (
     MARGIN,
-    Claim,
+    Expectation,
     Verdict,
     acts_in_time,
     as_safe,
@@ -22,28 +22,28 @@ from heron.evaluation.claim import (
     there_is_harm,
     with_arm,
 )
-from heron.evaluation.learning_claims import claims_of_learning
-from heron.evaluation.place_claims import claims_of_places
+from heron.evaluation.learning_expectations import expectations_of_learning
+from heron.evaluation.place_expectations import expectations_of_places
 from heron.evaluation.sample import Sample
-from heron.evaluation.skill_claims import claims_of_skills
-from heron.evaluation.tree_claims import claims_of_trees
+from heron.evaluation.skill_expectations import expectations_of_skills
+from heron.evaluation.tree_expectations import expectations_of_trees
 from heron.experiments.experiment import ARM_NAMES, DURATION, INTERVENTIONS, WITHOUT_NEED
 from heron.variants import Arm
 
 
-def claims_of(sample: Sample) -> Iterator[Claim]:
+def expectations_of(sample: Sample) -> Iterator[Expectation]:
     """All that is expected of a variant."""
     if Arm.LEARNED in sample.arms:
-        yield from claims_of_learning(sample)
+        yield from expectations_of_learning(sample)
         return
     if Arm.TREES in sample.arms:
-        yield from claims_of_trees(sample)
+        yield from expectations_of_trees(sample)
         return
     if Arm.PROACTIVE in sample.arms:
-        yield from claims_of_places(sample)
+        yield from expectations_of_places(sample)
         return
     if Arm.SKILL_AWARE in sample.arms:
-        yield from claims_of_skills(sample)
+        yield from expectations_of_skills(sample)
         return
     if not sample.harms:
         yield _everybody_finishes(sample)
@@ -70,10 +70,10 @@ def _others(sample: Sample) -> list[Arm]:
     return [arm for arm in sample.arms if arm not in (Arm.NONE, Arm.ROSSMARIE)]
 
 
-def _better(sample: Sample, gain: str, other: Arm) -> Claim:
+def _better(sample: Sample, gain: str, other: Arm) -> Expectation:
     measure = sample.experiment.measure(gain)
     compared = sample.compared(gain, Arm.ROSSMARIE, other)
-    return Claim(
+    return Expectation(
         f"better {other.value} {gain}",
         f"{measure.label}: more with ROSSMARie than with {with_arm(other)}",
         f"by {between(compared.difference, measure.digits)} {measure.unit}, "
@@ -82,7 +82,7 @@ def _better(sample: Sample, gain: str, other: Arm) -> Claim:
     )
 
 
-def _does_as_much(sample: Sample) -> Claim:
+def _does_as_much(sample: Sample) -> Expectation:
     """Times are compared where both arms always finish."""
     other = Arm.COLLISION_MONITOR
     ours, theirs = sample.completed(Arm.ROSSMARIE), sample.completed(other)
@@ -92,7 +92,7 @@ def _does_as_much(sample: Sample) -> Claim:
         verdict = at_most(found, margin) if ours == sample.count(Arm.ROSSMARIE) else Verdict.FAILS
     else:
         verdict = Verdict.HOLDS if ours >= theirs else Verdict.FAILS
-    return Claim(
+    return Expectation(
         "does as much",
         "ROSSMARie finishes as often as the collision monitor or more often, and if both always "
         "finish, at most a tenth later",
@@ -102,11 +102,11 @@ def _does_as_much(sample: Sample) -> Claim:
     )
 
 
-def _unguarded_is_fastest(sample: Sample) -> Claim:
+def _unguarded_is_fastest(sample: Sample) -> Expectation:
     times = {arm: float(np.median(sample.values(arm, DURATION.name))) for arm in sample.arms}
     completed, total = sample.completed(Arm.NONE), sample.count(Arm.NONE)
     is_fastest = times[Arm.NONE] == min(times.values())
-    return Claim(
+    return Expectation(
         "fastest",
         "without a monitor the robot finishes, and soonest of all",
         f"it finishes in {completed} of {total} episodes, and takes {times[Arm.NONE]:.1f} s; "
@@ -115,10 +115,10 @@ def _unguarded_is_fastest(sample: Sample) -> Claim:
     )
 
 
-def _finishes_with_operator(sample: Sample) -> Claim:
+def _finishes_with_operator(sample: Sample) -> Expectation:
     visits = sample.values(Arm.DEROS, INTERVENTIONS.name)
     completed, total = sample.completed(Arm.DEROS), sample.count(Arm.DEROS)
-    return Claim(
+    return Expectation(
         "operator",
         "with DeROS it finishes, after an operator has come",
         f"it finishes in {completed} of {total} episodes; "
@@ -128,10 +128,10 @@ def _finishes_with_operator(sample: Sample) -> Claim:
     )
 
 
-def _finishes_alone(sample: Sample) -> Claim:
+def _finishes_alone(sample: Sample) -> Expectation:
     visits = sample.values(Arm.ROSSMARIE, INTERVENTIONS.name)
     completed, total = sample.completed(Arm.ROSSMARIE), sample.count(Arm.ROSSMARIE)
-    return Claim(
+    return Expectation(
         "alone",
         "with ROSSMARie it finishes without an operator",
         f"it finishes in {completed} of {total} episodes; "
@@ -140,9 +140,9 @@ def _finishes_alone(sample: Sample) -> Claim:
     )
 
 
-def _sooner(sample: Sample) -> Claim:
+def _sooner(sample: Sample) -> Expectation:
     compared = sample.compared(DURATION.name, Arm.DEROS, Arm.ROSSMARIE)
-    return Claim(
+    return Expectation(
         "sooner",
         "ROSSMARie is done sooner than DeROS",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
@@ -150,11 +150,11 @@ def _sooner(sample: Sample) -> Claim:
     )
 
 
-def _everybody_finishes(sample: Sample) -> Claim:
+def _everybody_finishes(sample: Sample) -> Expectation:
     found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
     words = "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items())
     all_do = all(done == total for done, total in found.values())
-    return Claim(
+    return Expectation(
         "all finish",
         "where there is no hazard, the task is done in every arm",
         words,
@@ -162,14 +162,14 @@ def _everybody_finishes(sample: Sample) -> Claim:
     )
 
 
-def _nobody_interferes(sample: Sample) -> Claim:
+def _nobody_interferes(sample: Sample) -> Expectation:
     guarded = (Arm.DEROS, Arm.ROSSMARIE)
     needless = {arm: sample.values(arm, WITHOUT_NEED.name) for arm in guarded}
     found = {arm: (sum(time > 0 for time in times), len(times)) for arm, times in needless.items()}
     words = "; ".join(
         f"{ARM_NAMES[arm]}: in {some} of {all_}" for arm, (some, all_) in found.items()
     )
-    return Claim(
+    return Expectation(
         "no interference",
         "where there is no hazard, no rule interferes",
         f"episodes with interference: {words}",

@@ -1,4 +1,4 @@
-"""All questions about a machine, the quick ones first."""
+"""All queries about a machine, the quick ones first."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from rossmarie.analysis.release import find_never_cleared
 from rossmarie.ir import Machine, Requirement
 
 QUICK_S = 8.0
-"""The quick questions about one file are given up after this, in seconds of CPU time."""
+"""The quick queries about one file are given up after this, in seconds of CPU time."""
 
 THOROUGH_S = 600.0
-"""The same for all questions."""
+"""The same for all queries."""
 
-Question = Callable[[Inquiry], Iterator[Finding]]
+Query = Callable[[Inquiry], Iterator[Finding]]
 
 
 def ask_all(
@@ -38,17 +38,17 @@ def ask_all(
     within_ns: int,
     on_step: Callable[[str], None] = lambda _: None,
 ) -> Iterator[Finding]:
-    """The findings of the quick questions, or of all; that time ran out is one of them.
+    """The findings of the quick queries, or of all; that time ran out is one of them.
 
-    `within_ns` is how soon a rule may not toggle, in nanoseconds; `on_step` is told each question.
+    `within_ns` is how soon a rule may not toggle, in nanoseconds; `on_step` is told each query.
     """
     if not machine.rules:
         return
     limit_s = THOROUGH_S if thorough else QUICK_S
     inquiry = Inquiry(machine, time.process_time() + limit_s)
-    for name, question in _questions(thorough, within_ns).items():
+    for name, query in _queries(thorough, within_ns).items():
         on_step(name)
-        yield from _in_time(inquiry, name, question, limit_s)
+        yield from _in_time(inquiry, name, query, limit_s)
 
 
 def ask_required(
@@ -64,11 +64,11 @@ def ask_required(
         yield not_proved(required, _not_all_asked(limit_s))
 
 
-def _in_time(inquiry: Inquiry, name: str, question: Question, limit_s: float) -> Iterator[Finding]:
+def _in_time(inquiry: Inquiry, name: str, query: Query, limit_s: float) -> Iterator[Finding]:
     try:
-        yield from question(inquiry)
+        yield from query(inquiry)
     except OutOfTimeError:
-        finding = Undecided(question=name, reason=_not_all_asked(limit_s))
+        finding = Undecided(query=name, reason=_not_all_asked(limit_s))
         yield Finding(finding.at(inquiry.machine.rules[0].span))
 
 
@@ -76,8 +76,8 @@ def _not_all_asked(limit_s: float) -> str:
     return f"not all was asked within {limit_s:g} s; `--thorough` takes its time"
 
 
-def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:
-    quick: dict[str, Question] = {
+def _queries(thorough: bool, within_ns: int) -> dict[str, Query]:
+    quick: dict[str, Query] = {
         "which rules are in conflict?": lambda asked: find_conflicts(asked, thorough=thorough),
         "what is never or always so?": lambda asked: find_decided(asked, thorough=thorough),
         "whose loss does nobody notice?": find_unnoticed,
@@ -87,7 +87,7 @@ def _questions(thorough: bool, within_ns: int) -> dict[str, Question]:
         "which durations do not fit the rates of messages?": find_unfit_durations,
         "which rules set each other off?": find_alternating,
     }
-    slow: dict[str, Question] = {
+    slow: dict[str, Query] = {
         "which rules add nothing?": find_implied,
         "which rules are never cleared?": find_never_cleared,
         "which rules toggle fast?": lambda asked: find_chattering(asked, within_ns),

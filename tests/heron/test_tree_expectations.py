@@ -11,8 +11,8 @@ from support.parts import MUJOCO, require
 require(MUJOCO)
 
 from heron.evaluation import Row
-from heron.evaluation.claim import Verdict
-from heron.evaluation.claims import claims_of
+from heron.evaluation.expectation import Verdict
+from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
 from heron.variants import Arm, Blockage
@@ -46,7 +46,7 @@ def of_obstacles(
         replace(one, numbers=one.numbers | numbers) if one.arm == changed else one for one in rows
     ]
     (sample,) = (one for one in samples_of(BLOCKED, rows) if one.variant == blockage.value)
-    return {claim.key: claim.verdict for claim in claims_of(sample)}
+    return {expectation.key: expectation.verdict for expectation in expectations_of(sample)}
 
 
 def test_what_is_expected_of_trees_is_as_expected() -> None:

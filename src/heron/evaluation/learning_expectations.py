@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from heron.evaluation.claim import Claim, Verdict, between, greater
+from heron.evaluation.expectation import Expectation, Verdict, between, greater
 from heron.evaluation.sample import Sample
-from heron.evaluation.tree_claims import alone, touches_nothing
+from heron.evaluation.tree_expectations import alone, touches_nothing
 from heron.experiments.experiment import DURATION
 from heron.experiments.table import ACTIVATIONS
 from heron.variants import Arm, Trouble
@@ -20,7 +20,7 @@ from heron.variants import Arm, Trouble
 _FIRST, _SECOND = Arm.TREES, Arm.LEARNED
 
 
-def claims_of_learning(sample: Sample) -> Iterator[Claim]:
+def expectations_of_learning(sample: Sample) -> Iterator[Expectation]:
     """All that is expected of a variant."""
     yield from (alone(sample, arm) for arm in sample.arms)
     yield touches_nothing(sample)
@@ -36,10 +36,10 @@ def claims_of_learning(sample: Sample) -> Iterator[Claim]:
     yield _later_where_nothing_was(sample)
 
 
-def _fewer_activations(sample: Sample) -> Claim:
+def _fewer_activations(sample: Sample) -> Expectation:
     compared = sample.compared(ACTIVATIONS.name, _FIRST, _SECOND)
     first, second = (sum(sample.values(arm, ACTIVATIONS.name)) for arm in (_FIRST, _SECOND))
-    return Claim(
+    return Expectation(
         "fewer activations",
         "after learning, rules become active less often",
         f"{first:.0f} times without it, {second:.0f} times after it, p = {compared.chance:.2g}",
@@ -47,10 +47,10 @@ def _fewer_activations(sample: Sample) -> Claim:
     )
 
 
-def _no_activation(sample: Sample) -> Claim:
+def _no_activation(sample: Sample) -> Expectation:
     values = sample.values(_SECOND, ACTIVATIONS.name)
     quiet = sum(value == 0 for value in values)
-    return Claim(
+    return Expectation(
         "no activation",
         "after learning, no rule becomes active, in any episode",
         f"in {quiet} of {len(values)}",
@@ -58,11 +58,11 @@ def _no_activation(sample: Sample) -> Claim:
     )
 
 
-def _sooner(sample: Sample) -> Claim:
+def _sooner(sample: Sample) -> Expectation:
     return _slower(sample, _FIRST, "sooner", "after learning, the base arrives sooner")
 
 
-def _later(sample: Sample) -> Claim:
+def _later(sample: Sample) -> Expectation:
     expected = (
         "after learning, the base arrives later: to a plan, the longer way is one step more, and "
         "takes more time than is lost to rules"
@@ -70,11 +70,11 @@ def _later(sample: Sample) -> Claim:
     return _slower(sample, _SECOND, "later", expected)
 
 
-def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> Claim:
+def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> Expectation:
     """Expect that an arm takes longer than the other one."""
     (other,) = (each for each in sample.arms if each is not arm)
     compared = sample.compared(DURATION.name, arm, other)
-    return Claim(
+    return Expectation(
         key,
         expected,
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
@@ -82,13 +82,13 @@ def _slower(sample: Sample, arm: Arm, key: str, expected: str) -> Claim:
     )
 
 
-def _later_where_nothing_was(sample: Sample) -> Claim:
+def _later_where_nothing_was(sample: Sample) -> Expectation:
     """The price of what is right in most runs only."""
     first, second = (sample.by_seed(arm, DURATION.name) for arm in (_FIRST, _SECOND))
     active = sample.by_seed(_FIRST, ACTIVATIONS.name)
     free = [seed for seed in first.keys() & second.keys() if active.get(seed) == 0]
     later = sum(second[seed] > first[seed] for seed in free)
-    return Claim(
+    return Expectation(
         "later where free",
         "in each run in which nothing stood in the way, the base arrives later after learning",
         f"in {later} of {len(free)}",
@@ -96,10 +96,10 @@ def _later_where_nothing_was(sample: Sample) -> Claim:
     )
 
 
-def _the_same(sample: Sample) -> Claim:
+def _the_same(sample: Sample) -> Expectation:
     first, second = (sample.by_seed(arm, DURATION.name) for arm in (_FIRST, _SECOND))
     same = sum(second.get(seed) == time for seed, time in first.items())
-    return Claim(
+    return Expectation(
         "the same",
         "where no rule has ever become active, learning changes nothing: the base arrives at the "
         "same instant, in every episode",

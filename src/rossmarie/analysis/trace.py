@@ -1,8 +1,8 @@
-"""A course of events in a few legs, unrolled from the start of a trace.
+"""A trace of events in a few legs, unrolled from the start of a trace.
 
 On each leg some channels send the same message over and over for a while, and the others are
 silent. A leg is looked at twice: at its first message and at its end. What the terms say of such a
-course is a proposal: the interpreter has the last word (`shrink`).
+trace is a proposal: the interpreter has the last word (`shrink`).
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from rossmarie.analysis.terms import (
 from rossmarie.analysis.times import SECOND, Times
 from rossmarie.core import View, sampling_row
 from rossmarie.core.expressions import Operand
-from rossmarie.ir.calls import question_at
+from rossmarie.ir.calls import query_at
 
 
 @dataclass(frozen=True)
@@ -164,10 +164,10 @@ class Moment(Encoding):
 
     def count(self, node: ir.Count) -> Number:
         """Those for which it is true."""
-        array = self.asked.elements.truths[node.element]
+        array = self.asked.elements.propositions[node.element]
         assert array is not None
         cells = self.cells(array)
-        found = [self.element_truth(node.element, cell) for cell in cells]
+        found = [self.element_proposition(node.element, cell) for cell in cells]
         pairs = list(zip(cells, found, strict=True))
         ones = [z3.If(z3.And(cell.is_there, one.true), 1, 0) for cell, one in pairs]
         known = [z3.Implies(cell.is_there, z3.Or(one.true, one.false)) for cell, one in pairs]
@@ -180,30 +180,32 @@ class Moment(Encoding):
         return choice(operand.true, choice(matured, literal(True), was), operand)
 
     def elapsed(self, operand: int) -> z3.ArithRef:
-        """For how long a truth has been true, where it is, at the least."""
+        """For how long a proposition has been true, where it is, at the least."""
         if operand not in self._elapsed:
             begun = z3.IntVal(0)
             if self._is_end:
-                # A truth that changed on the way did so after all below it had settled.
+                # A proposition that changed on the way did so after all below it had settled.
                 begun = self.leg.length_ns - self._times.settling(operand)
                 begun = begun - z3.If(self.leg.is_silent, self._times.silence_ns, 0)
             if self._before is not None:
                 gap = self.leg.length_ns if self._is_end else self._times.period_ns
                 longer = self._before.elapsed(operand) + gap
-                begun = z3.If(self._before.truth(operand).true, longer, begun)
+                begun = z3.If(self._before.proposition(operand).true, longer, begun)
             self._elapsed[operand] = begun
         return self._elapsed[operand]
 
     def was(self, operand: int, initially: bool) -> Fact:
-        """The value of a truth before it became true, where it is; before the start, as told."""
+        """The value of a proposition before it became true, where it is; before the start, as
+        reported.
+        """
         if self._before is None:
             return literal(initially)
-        before = self._before.truth(operand)
+        before = self._before.proposition(operand)
         return choice(before.true, self._before.was(operand, initially), before)
 
     def remembered(self, index: int) -> Fact:
         """Its value at the moment before."""
-        return FALSE if self._before is None else self._before.truth(index)
+        return FALSE if self._before is None else self._before.proposition(index)
 
     def recurring(self, _: int, node: ir.Recurs) -> Fact:
         """True if enough of the moments up to here are edges, and near enough."""
@@ -214,32 +216,32 @@ class Moment(Encoding):
         return choice(z3.Sum(near) >= node.count, literal(True), FALSE)
 
     def edges(self, operand: int) -> list[tuple[z3.BoolRef, z3.ArithRef]]:
-        """Say for each moment up to here if a truth became true, and how long ago that is."""
-        now = self.truth(operand).true
+        """Say for each moment up to here if a proposition became true, and how long ago that is."""
+        now = self.proposition(operand).true
         if self._before is None:
             return [(now, z3.IntVal(0))]
         gap = self.leg.length_ns if self._is_end else self._times.period_ns
         earlier = [(is_edge, since + gap) for is_edge, since in self._before.edges(operand)]
-        return [*earlier, (z3.And(self._before.truth(operand).false, now), z3.IntVal(0))]
+        return [*earlier, (z3.And(self._before.proposition(operand).false, now), z3.IntVal(0))]
 
     def oscillating(self, index: int) -> Fact:
         """The value that the messages of the leg give to an oscillation."""
         if self._is_end:
             return choice(self.leg.shakes.get(index, NO), literal(True), FALSE)
-        return FALSE if self._before is None else self._before.truth(index)
+        return FALSE if self._before is None else self._before.proposition(index)
 
 
-class Course:
-    """A few legs, and which rules are active at each of their moments. The legs of a brief course
+class Trace:
+    """A few legs, and which rules are active at each of their moments. The legs of a brief trace
     are single messages.
     """
 
     def __init__(
-        self, asked: Questioned, truths: Sequence[int], legs: int, *, is_brief: bool = False
+        self, asked: Questioned, propositions: Sequence[int], legs: int, *, is_brief: bool = False
     ) -> None:
         self.asked = asked
         self._is_brief = is_brief
-        self.times = Times(asked, truths)
+        self.times = Times(asked, propositions)
         self.legs = [self._leg(number) for number in range(legs)]
         self.moments: list[Moment] = []
         for leg in self.legs:
@@ -250,7 +252,7 @@ class Course:
 
     @property
     def facts(self) -> list[z3.BoolRef]:
-        """The facts of every course; complete once all has been asked of the moments."""
+        """The facts of every trace; complete once all has been asked of the moments."""
         found = [fact for moment in self.moments for fact in moment.facts]
         for leg in self.legs:
             found += self._leg_facts(leg)
@@ -260,7 +262,7 @@ class Course:
 
     @property
     def calm(self) -> list[z3.BoolRef]:
-        """The facts of a course on which every sensor sends what it measures. What only a skill
+        """The facts of a trace on which every sensor sends what it measures. What only a skill
         has is known only while that runs.
         """
         found = []
@@ -279,10 +281,10 @@ class Course:
             return NO
         if (rule, moment) not in self._active:
             declared = self.asked.machine.rules[rule]
-            condition = self.moments[moment].truth(declared.condition)
+            condition = self.moments[moment].proposition(declared.condition)
             cleared = NO
             if declared.release is not None:
-                release = self.moments[moment].truth(declared.release)
+                release = self.moments[moment].proposition(declared.release)
                 cleared = z3.And(condition.false, release.true)
             before = self.is_active(rule, moment - 1)
             self._active[rule, moment] = z3.If(before, z3.Not(cleared), condition.activates)
@@ -308,7 +310,10 @@ class Course:
             slots,
             cells,
             z3.Int(f"leg{number}.length"),
-            {truth: z3.Bool(f"leg{number}.shakes{truth}") for truth in self._shakable()},
+            {
+                proposition: z3.Bool(f"leg{number}.shakes{proposition}")
+                for proposition in self._shakable()
+            },
             Calls(machine, f"leg{number}"),
         )
 
@@ -322,18 +327,18 @@ class Course:
     def _shakable(self) -> Iterator[int]:
         """The oscillations of what a message carries as it is."""
         machine = self.asked.machine
-        for truth in self.times.truths:
-            node = machine.truths[truth].node
+        for proposition in self.times.propositions:
+            node = machine.propositions[proposition].node
             if not isinstance(node, ir.Oscillates):
                 continue
             if isinstance(machine.signals[node.signal].node, ir.Read):
-                yield truth
+                yield proposition
 
     def _skill_facts(self, leg: Leg) -> list[z3.BoolRef]:
         """The answers about skills in one message go together, and so does what is not known."""
         slots = self.asked.machine.slots
         asking = {index: number for index, number in leg.slots.items()
-                  if question_at(slots[index].path) is not None}  # fmt: skip
+                  if query_at(slots[index].path) is not None}  # fmt: skip
         found: list[z3.BoolRef] = []
         for index, number in asking.items():
             found += leg.calls.facts(slots[index], number.value)
@@ -350,8 +355,8 @@ class Course:
             found += shape_facts(cells)
             for cell in cells:
                 found += limit_facts(machine.arrays[index], cell.number.value, rounded=False)
-        for truth, shakes in leg.shakes.items():
-            (channel,) = self.asked.supports.truths[truth].channels
+        for proposition, shakes in leg.shakes.items():
+            (channel,) = self.asked.supports.propositions[proposition].channels
             found.append(z3.Implies(shakes, leg.sends[channel]))
         if self._is_brief:
             return [*found, leg.length_ns == 0]

@@ -1,4 +1,4 @@
-"""What the questions about rules cost, by how many rules there are: writes the table as a page."""
+"""What the queries about rules cost, by how many rules there are: writes the table as a page."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.latches import find_released_latches
-from rossmarie.analysis.questions import ask_all
+from rossmarie.analysis.queries import ask_all
 from rossmarie.analysis.rates import find_unfit_durations
 from rossmarie.analysis.recovery import find_blocked
 from rossmarie.analysis.release import find_never_cleared
@@ -27,7 +27,7 @@ HERE = Path(__file__).parent
 BENCH = HERE.parent / "build" / "bench"
 COUNTS = (3, 10, 30, 100)
 SIMPLE_COUNTS = (8, 30, 100, 300)
-QUESTIONS = {
+QUERIES = {
     "in conflict (quick)": lambda asked: find_conflicts(asked, thorough=False),
     "never or always active, constant parts (quick)": lambda asked: find_decided(
         asked, thorough=False
@@ -91,7 +91,7 @@ def simple_rules(count: int) -> str:
 
 
 def simple_seconds(count: int) -> tuple[float, float]:
-    """CPU time of reading, checking and lowering so many simple rules, and of all quick questions
+    """CPU time of reading, checking and lowering so many simple rules, and of all quick queries
     about them.
     """
     path = BENCH / f"simple_{count}.ross"
@@ -104,15 +104,15 @@ def simple_seconds(count: int) -> tuple[float, float]:
 
 
 def seconds(count: int) -> dict[str, float]:
-    """CPU time of each question about so many rules."""
+    """CPU time of each query about so many rules."""
     BENCH.mkdir(parents=True, exist_ok=True)
-    path = BENCH / f"questions_{count}.ross"
+    path = BENCH / f"queries_{count}.ross"
     path.write_text(rules(count), encoding="utf-8")
     machine = compile_file(path).machine
     took = {}
-    for name, question in QUESTIONS.items():
+    for name, query in QUERIES.items():
         start = time.process_time()
-        list(question(Inquiry(machine)))
+        list(query(Inquiry(machine)))
         took[name] = time.process_time() - start
     return took
 
@@ -121,16 +121,16 @@ def page() -> str:
     """The whole page."""
     found = {count: seconds(count) for count in COUNTS}
     lines = [
-        "# What questions about rules cost",
+        "# What queries about rules cost",
         "",
-        "Written by `benchmarks/questions.py`; do not edit. CPU seconds of one process, on",
+        "Written by `benchmarks/queries.py`; do not edit. CPU seconds of one process, on",
         f"{processor()}. The rules are generated: durations over four inputs,",
         "and every two rules need the same parameter.",
         "",
-        "| Question | " + " | ".join(f"{count} rules" for count in COUNTS) + " |",
+        "| Query | " + " | ".join(f"{count} rules" for count in COUNTS) + " |",
         "|---" * (len(COUNTS) + 1) + "|",
     ]
-    for name in QUESTIONS:
+    for name in QUERIES:
         cells = " | ".join(f"{found[count][name]:.2f}" for count in COUNTS)
         lines.append(f"| {name} | {cells} |")
     quick = (
@@ -152,7 +152,7 @@ def simple_lines() -> list[str]:
         "| | " + " | ".join(f"{count} rules" for count in SIMPLE_COUNTS) + " |",
         "|---" * (len(SIMPLE_COUNTS) + 1) + "|",
         "| read, check and lower | " + " | ".join(f"{each[0]:.2f}" for each in found) + " |",
-        "| all quick questions | " + " | ".join(f"{each[1]:.2f}" for each in found) + " |",
+        "| all quick queries | " + " | ".join(f"{each[1]:.2f}" for each in found) + " |",
     ]
 
 

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from heron.evaluation.claim import MARGIN, Claim, Verdict, at_most, between, greater
+from heron.evaluation.expectation import MARGIN, Expectation, Verdict, at_most, between, greater
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import ARM_NAMES, COMPLETED, DURATION, INTERVENTIONS
 from heron.variants import Arm, Blockage
@@ -18,7 +18,7 @@ from heron.variants import Arm, Blockage
 _TOUCHED = "touched"
 
 
-def claims_of_trees(sample: Sample) -> Iterator[Claim]:
+def expectations_of_trees(sample: Sample) -> Iterator[Expectation]:
     """All that is expected of a variant."""
     yield from (alone(sample, arm) for arm in (Arm.ROSSMARIE, Arm.TREES))
     if sample.variant == Blockage.TROLLEY.value:
@@ -29,11 +29,11 @@ def claims_of_trees(sample: Sample) -> Iterator[Claim]:
     yield touches_nothing(sample)
 
 
-def alone(sample: Sample, arm: Arm) -> Claim:
+def alone(sample: Sample, arm: Arm) -> Expectation:
     """Expect that an arm arrives without an operator."""
     done, visits = sample.values(arm, COMPLETED.name), sample.values(arm, INTERVENTIONS.name)
     found = sum(is_done == 1 and came == 0 for is_done, came in zip(done, visits, strict=True))
-    return Claim(
+    return Expectation(
         f"alone {arm.value}",
         f"with {ARM_NAMES[arm]} the base arrives without an operator, in every episode",
         f"in {found} of {sample.count(arm)}",
@@ -41,10 +41,10 @@ def alone(sample: Sample, arm: Arm) -> Claim:
     )
 
 
-def _needs_operator(sample: Sample) -> Claim:
+def _needs_operator(sample: Sample) -> Expectation:
     visits = sample.values(Arm.NONE, INTERVENTIONS.name)
     came = sum(count >= 1 for count in visits)
-    return Claim(
+    return Expectation(
         "operator",
         "without a monitor an operator has to come, in every episode",
         f"in {came} of {len(visits)}",
@@ -52,9 +52,9 @@ def _needs_operator(sample: Sample) -> Claim:
     )
 
 
-def _sooner(sample: Sample) -> Claim:
+def _sooner(sample: Sample) -> Expectation:
     compared = sample.compared(DURATION.name, Arm.ROSSMARIE, Arm.TREES)
-    return Claim(
+    return Expectation(
         "sooner",
         "with trees the base arrives sooner than with ROSSMARie, which takes the long way",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",
@@ -62,10 +62,10 @@ def _sooner(sample: Sample) -> Claim:
     )
 
 
-def _little_later(sample: Sample) -> Claim:
+def _little_later(sample: Sample) -> Expectation:
     found = sample.compared(DURATION.name, Arm.TREES, Arm.ROSSMARIE).difference
     usual = float(np.median(sample.values(Arm.ROSSMARIE, DURATION.name)))
-    return Claim(
+    return Expectation(
         "little later",
         "with trees, which wait first, the base arrives at most a tenth later than with ROSSMARie",
         f"later by {between(found, DURATION.digits)} s, of {usual:.1f} s",
@@ -73,10 +73,10 @@ def _little_later(sample: Sample) -> Claim:
     )
 
 
-def touches_nothing(sample: Sample) -> Claim:
+def touches_nothing(sample: Sample) -> Expectation:
     """Expect that the base stands before what is in its way."""
     touched = [value > 0 for arm in sample.arms for value in sample.values(arm, _TOUCHED)]
-    return Claim(
+    return Expectation(
         "touches nothing",
         "the base touches no obstacle, in any arm",
         f"it does in {sum(touched)} of {len(touched)} episodes",

@@ -22,11 +22,11 @@ class Verdict(enum.Enum):
 
     HOLDS = "as expected"
     FAILS = "not as expected"
-    OPEN = "not to be told from these episodes"
+    OPEN = "not to be distinguished from these episodes"
 
 
 @dataclass(frozen=True)
-class Claim:
+class Expectation:
     """An expectation, what was found about it, and the verdict. Its key does not change when its
     words do.
     """
@@ -46,12 +46,12 @@ def between(estimate: Estimate, digits: int) -> str:
     return text if np.isnan(estimate.low) or low == high else f"{text} [{low}, {high}]"
 
 
-def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Claim:
+def there_is_harm(sample: Sample, harm: str, guarded: Arm) -> Expectation:
     """Expect more harm without a monitor than with this guard."""
     measure = sample.experiment.measure(harm)
     compared = sample.compared(harm, Arm.NONE, guarded)
     difference = between(compared.difference, measure.digits)
-    return Claim(
+    return Expectation(
         f"harm {guarded.value} {harm}",
         f"{measure.label}: greater without a monitor than with {ARM_NAMES[guarded]}",
         f"by {difference} {measure.unit}, p = {compared.chance:.2g}",
@@ -66,12 +66,12 @@ def greater(difference: float, chance: float) -> Verdict:
     return Verdict.OPEN if difference > 0 else Verdict.FAILS
 
 
-def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) -> Claim:
+def as_safe(sample: Sample, harm: str, other: Arm, ours: Arm = Arm.ROSSMARIE) -> Expectation:
     """Expect no more harm than with another guard."""
     measure = sample.experiment.measure(harm)
     found = sample.compared(harm, ours, other).difference
     margin = MARGIN * float(np.median(sample.values(other, harm)))
-    return Claim(
+    return Expectation(
         f"safe {other.value} {harm}",
         f"{measure.label}: with {with_arm(ours)} at most a tenth more than with {with_arm(other)}",
         f"the difference is {between(found, measure.digits)} {measure.unit}",
@@ -93,7 +93,7 @@ def at_most(found: Estimate, most: float) -> Verdict:
     return Verdict.FAILS if found.low > most else Verdict.OPEN
 
 
-def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Claim:
+def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Expectation:
     """Expect that something is done so soon (s).
 
     An episode without a reaction has no value here; how many have one stands in the table.
@@ -101,7 +101,7 @@ def acts_in_time(sample: Sample, hazard: str, seconds: float) -> Claim:
     measure = sample.experiment.measure(f"reaction_{hazard}")
     values = sample.values(Arm.ROSSMARIE, measure.name)
     found = median(values) if values else None
-    return Claim(
+    return Expectation(
         f"in time {hazard}",
         f"{measure.label}: with ROSSMARie within {seconds:g} s",
         "it never acted" if found is None else f"{between(found, measure.digits)} s",

@@ -1,4 +1,4 @@
-"""A frame that stays is lost only until it has come: tests are written of that, and cover it."""
+"""A frame that stays is stale only until it has come: tests are written of that, and cover it."""
 
 from __future__ import annotations
 
@@ -33,12 +33,12 @@ def test_a_frame_that_has_not_come_is_proposed() -> None:
 def test_it_is_covered_where_it_has_not_come() -> None:
     machine = machine_of(RULES)
     scripts = [each.script for each in propose(machine)]
-    lost = {
+    stale = {
         machine.inputs[goal.subject].name
         for goal in cover(machine, scripts).reached
-        if goal.aspect is Aspect.LOST
+        if goal.aspect is Aspect.STALE
     }
-    assert lost == {"hand", "camera"}
+    assert stale == {"hand", "camera"}
 
 
 def camera(machine: ir.Machine) -> int:

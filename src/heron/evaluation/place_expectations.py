@@ -10,7 +10,15 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from heron.evaluation.claim import MARGIN, Claim, Verdict, at_most, between, greater, there_is_harm
+from heron.evaluation.expectation import (
+    MARGIN,
+    Expectation,
+    Verdict,
+    at_most,
+    between,
+    greater,
+    there_is_harm,
+)
 from heron.evaluation.sample import Sample
 from heron.experiments.experiment import ARM_NAMES, DURATION
 from heron.variants import Arm
@@ -19,7 +27,7 @@ _SENSORS, _SKILLS, _PLACES = Arm.ROSSMARIE, Arm.SKILL_AWARE, Arm.PROACTIVE
 _IMPACT = "impact"
 
 
-def claims_of_places(sample: Sample) -> Iterator[Claim]:
+def expectations_of_places(sample: Sample) -> Iterator[Expectation]:
     """All that is expected of a variant."""
     yield _everybody_arrives(sample)
     if sample.harms:
@@ -32,9 +40,9 @@ def claims_of_places(sample: Sample) -> Iterator[Claim]:
     yield _sooner_than_with_skills(sample)
 
 
-def _everybody_arrives(sample: Sample) -> Claim:
+def _everybody_arrives(sample: Sample) -> Expectation:
     found = {ARM_NAMES[arm]: (sample.completed(arm), sample.count(arm)) for arm in sample.arms}
-    return Claim(
+    return Expectation(
         "arrives",
         "the base arrives in every arm",
         "; ".join(f"{name}: {done} of {total}" for name, (done, total) in found.items()),
@@ -42,10 +50,10 @@ def _everybody_arrives(sample: Sample) -> Claim:
     )
 
 
-def _less(sample: Sample, harm: str) -> Claim:
+def _less(sample: Sample, harm: str) -> Expectation:
     measure = sample.experiment.measure(harm)
     compared = sample.compared(harm, _SENSORS, _PLACES)
-    return Claim(
+    return Expectation(
         f"less {harm}",
         f"{measure.label}: greater with rules that know sensors only than with those that know "
         "places",
@@ -60,9 +68,9 @@ def _hits(sample: Sample, arm: Arm) -> tuple[int, int]:
     return sum(value > 0 for value in sample.values(arm, _IMPACT)), sample.count(arm)
 
 
-def _too_late(sample: Sample) -> Claim:
+def _too_late(sample: Sample) -> Expectation:
     hits, total = _hits(sample, _SENSORS)
-    return Claim(
+    return Expectation(
         "too late",
         "rules that know sensors only are too late in some episodes",
         f"the base hits the child in {hits} of {total}",
@@ -70,9 +78,9 @@ def _too_late(sample: Sample) -> Claim:
     )
 
 
-def _stands_before(sample: Sample, arm: Arm) -> Claim:
+def _stands_before(sample: Sample, arm: Arm) -> Expectation:
     hits, total = _hits(sample, arm)
-    return Claim(
+    return Expectation(
         f"stands {arm.value}",
         f"with {ARM_NAMES[arm]} the base stands before it touches the child, in every episode",
         f"in {total - hits} of {total}",
@@ -80,10 +88,10 @@ def _stands_before(sample: Sample, arm: Arm) -> Claim:
     )
 
 
-def _costs_little(sample: Sample) -> Claim:
+def _costs_little(sample: Sample) -> Expectation:
     found = sample.compared(DURATION.name, _PLACES, _SENSORS).difference
     usual = float(np.median(sample.values(_SENSORS, DURATION.name)))
-    return Claim(
+    return Expectation(
         "costs little",
         "with rules that know places the base arrives at most a tenth later than with those that "
         "know sensors only",
@@ -92,9 +100,9 @@ def _costs_little(sample: Sample) -> Claim:
     )
 
 
-def _sooner_than_with_skills(sample: Sample) -> Claim:
+def _sooner_than_with_skills(sample: Sample) -> Expectation:
     compared = sample.compared(DURATION.name, _SKILLS, _PLACES)
-    return Claim(
+    return Expectation(
         "sooner than skills",
         "and sooner than with rules that know the skill only, and are careful all the way",
         f"by {between(compared.difference, DURATION.digits)} s, p = {compared.chance:.2g}",

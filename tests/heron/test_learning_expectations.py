@@ -11,8 +11,8 @@ from support.parts import MUJOCO, require
 require(MUJOCO)
 
 from heron.evaluation import Row
-from heron.evaluation.claim import Verdict
-from heron.evaluation.claims import claims_of
+from heron.evaluation.expectation import Verdict
+from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
 from heron.variants import Arm, Trouble
@@ -47,7 +47,7 @@ def of_trouble(
         replace(one, numbers=one.numbers | numbers) if one.arm == changed else one for one in rows
     ]
     (sample,) = (one for one in samples_of(SECOND, rows) if one.variant == trouble.value)
-    return {claim.key: claim.verdict for claim in claims_of(sample)}
+    return {expectation.key: expectation.verdict for expectation in expectations_of(sample)}
 
 
 def test_what_is_expected_of_learning_is_as_expected() -> None:

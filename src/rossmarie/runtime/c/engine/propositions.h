@@ -1,7 +1,7 @@
 /* Part of ROSSMARie, the same for all rules. */
 
-/* Truths, who depends on them, and three-valued logic: Kleene's, in which what is lost is unknown,
- * too. Truths and rules are nodes: what depends on a node stands behind it.
+/* Propositions, who depends on them, and three-valued logic: Kleene's, in which what is stale is
+ * unknown, too. Propositions and rules are nodes: what depends on a node stands behind it.
  */
 
 #if NODES <= 64
@@ -42,12 +42,12 @@ INLINE unsigned lowest(uint64_t bits)
 #endif
 }
 
-/* A truth has a value; if that is new, what depends on it is marked. */
-INLINE void set_truth(monitor *m, unsigned node, unsigned value, int64_t t_ns)
+/* A proposition has a value; if that is new, what depends on it is marked. */
+INLINE void set_truth_value(monitor *m, unsigned node, unsigned value, int64_t t_ns)
 {
-    if (value == m->truth[node])
+    if (value == m->truth_value[node])
         return;
-    m->truth[node] = (unsigned char)value;
+    m->truth_value[node] = (unsigned char)value;
     m->since_ns[node] = t_ns;
 #if NODES <= 64
     m->dirty |= node_users[node];
@@ -86,8 +86,8 @@ static inline unsigned char opposite(unsigned char a)
 /* `held since begun`; its memory is what it was when it was last evaluated. */
 static unsigned char since(monitor *m, unsigned k, unsigned held, unsigned begun)
 {
-    const unsigned char before = either(m->truth[begun], m->since_before[k]);
-    m->since_before[k] = either(m->truth[begun], both(m->truth[held], before));
+    const unsigned char before = either(m->truth_value[begun], m->since_before[k]);
+    m->since_before[k] = either(m->truth_value[begun], both(m->truth_value[held], before));
     return m->since_before[k];
 }
 

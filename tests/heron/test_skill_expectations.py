@@ -11,8 +11,8 @@ from support.parts import MUJOCO, require
 require(MUJOCO)
 
 from heron.evaluation import Row
-from heron.evaluation.claim import Verdict
-from heron.evaluation.claims import claims_of
+from heron.evaluation.expectation import Verdict
+from heron.evaluation.expectations import expectations_of
 from heron.evaluation.sample import samples_of
 from heron.experiments import EXPERIMENTS
 from heron.variants import Arm, Encounter
@@ -49,7 +49,7 @@ def of_contacts(
         replace(one, numbers=one.numbers | numbers) if one.arm == changed else one for one in rows
     ]
     (sample,) = (one for one in samples_of(CONTACT, rows) if one.variant == encounter.value)
-    return {claim.key: claim.verdict for claim in claims_of(sample)}
+    return {expectation.key: expectation.verdict for expectation in expectations_of(sample)}
 
 
 def test_what_is_expected_of_skills_is_as_expected() -> None:
@@ -73,16 +73,18 @@ def test_what_is_expected_of_skills_is_as_expected() -> None:
         ("stops skill_aware jam", Encounter.JAMMED, Arm.SKILL_AWARE, {"reaction_jam": 0.4}),
     ],
 )  # fmt: skip
-def test_what_is_not_as_expected_of_skills_is_told(
+def test_what_is_not_as_expected_of_skills_is_reported(
     key: str, encounter: Encounter, arm: Arm, numbers: dict[str, float]
 ) -> None:
     found = of_contacts(encounter, arm, **numbers)
     assert {name for name, verdict in found.items() if verdict is Verdict.FAILS} == {key}
 
 
-def test_a_contact_that_nobody_acts_on_is_told() -> None:
+def test_a_contact_that_nobody_acts_on_is_reported() -> None:
     rows = [touched(arm, Encounter.COLLISION, seed) for seed in range(10) for arm in CONTACT.arms]
     del rows[2].numbers["reaction_collision"]
     (sample,) = (one for one in samples_of(CONTACT, rows) if one.harms)
-    (claim,) = (one for one in claims_of(sample) if one.key == "stops skill_aware collision")
-    assert (claim.found, claim.verdict) == ("in 9 of 10", Verdict.FAILS)
+    (expectation,) = (
+        one for one in expectations_of(sample) if one.key == "stops skill_aware collision"
+    )
+    assert (expectation.found, expectation.verdict) == ("in 9 of 10", Verdict.FAILS)

@@ -1,7 +1,7 @@
 """Expressions that are true, false or unknown.
 
-A name of a condition stands for the truth that the condition was lowered to; conditions are lowered
-once, before whatever refers to them.
+A name of a condition stands for the proposition that the condition was lowered to; conditions are
+lowered once, before whatever refers to them.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _COMPARISONS = {
 }
 
 
-class Truths:
+class Propositions:
     """Lowers conditions of one program. `skills` lowers what they ask of skills."""
 
     def __init__(self, program: CheckedProgram, inputs: Inputs, nodes: Nodes) -> None:
@@ -49,12 +49,14 @@ class Truths:
         self._is_inside = False
 
     def lower(self, node: ast.Expression) -> int:
-        """The truth of a condition of a rule or a contract."""
+        """The proposition of a condition of a rule or a contract."""
         self._lower_conditions(node)
-        return self._truth(node, None)
+        return self._proposition(node, None)
 
     def too_late(self, keeps: CheckedKeeps, shown: Shown) -> int:
-        """The truth that a motion is nearer to some places than the way on which it slows down."""
+        """The proposition that a motion is nearer to some places than the way on which it slows
+        down.
+        """
         function = RegionFunction(Measure.DISTANCE, keeps.region)
         wanted = Shown(keeps.frame, keeps.written.place.span)
         metres = Shown(f"distance from {keeps.region.about}", shown.span, _METRE)
@@ -65,7 +67,9 @@ class Truths:
         return self._nodes.leaf(ir.Compare(ir.Comparison.LESS, distance, needed), shown)
 
     def pose(self, node: ast.Expression) -> tuple[tuple[int, ...], int]:
-        """The signals of a pose, and the truth that it is known: so monitors keep its numbers."""
+        """The signals of a pose, and the proposition that it is known: so monitors keep its
+        numbers.
+        """
         signals = self._numbers.pose(node)
         shown = _shown(node)
         greatest = self._nodes.constant(sys.float_info.max, Shown("the greatest number", node.span))
@@ -99,13 +103,13 @@ class Truths:
 
     def _lower_condition(self, key: ConditionKey, expression: ast.Expression) -> None:
         if key not in self._conditions:
-            self._conditions[key] = self._truth(expression, key[0])
+            self._conditions[key] = self._proposition(expression, key[0])
             self._nodes.name(self._conditions[key], ".".join(key))
 
     # --- expressions -------------------------------------------------------------------------
 
-    def _truth(self, node: ast.Expression, entity: str | None) -> int:
-        """The truth of a node that stands in an entity, or in a rule."""
+    def _proposition(self, node: ast.Expression, entity: str | None) -> int:
+        """The proposition of a node that stands in an entity, or in a rule."""
         constant = self._program.values.get(node)
         if constant is not None:
             return self._nodes.literal(bool(constant.boolean), _shown(node))
@@ -114,9 +118,9 @@ class Truths:
             return self._conditions[key]
         match node:
             case ast.Parenthesized(inner=content):
-                return self._truth(content, entity)
+                return self._proposition(content, entity)
             case ast.Unary(operand=operand):
-                return self._nodes.negation(self._truth(operand, entity), _shown(node))
+                return self._nodes.negation(self._proposition(operand, entity), _shown(node))
             case ast.Binary(operator=ast.BinaryOperator.AND | ast.BinaryOperator.OR):
                 return self._junction(node, entity)
             case ast.Binary():
@@ -126,7 +130,7 @@ class Truths:
             case (ast.Held() | ast.Since() | ast.Once() | ast.Response()) as over_time:
                 return self._over_time(over_time, entity)
             case ast.Oscillates() | ast.Doing() | ast.Call() | ast.ListFold():
-                return self._question(node)
+                return self._query(node)
             case (
                 ast.Number() | ast.Boolean() | ast.Text() | ast.Bracket() | ast.Reference()
                 | ast.Member() | ast.Index() | ast.Sector() | ast.Edges() | ast.Broken()
@@ -135,7 +139,7 @@ class Truths:
                 return self._nodes.leaf(ir.Flag(flag), _shown(node))
 
     def _junction(self, node: ast.Binary, entity: str | None) -> int:
-        operands = tuple(self._truth(part, entity) for part in _parts(node, node.operator))
+        operands = tuple(self._proposition(part, entity) for part in _parts(node, node.operator))
         is_and = node.operator is ast.BinaryOperator.AND
         join = self._nodes.conjunction if is_and else self._nodes.disjunction
         return join(operands, _shown(node), of_elements=self._is_inside)
@@ -147,10 +151,10 @@ class Truths:
     ) -> int:
         match node:
             case ast.Held(condition=condition, duration=duration):
-                operand = self._truth(condition, entity)
+                operand = self._proposition(condition, entity)
                 return self._nodes.held(operand, self._duration_ns(duration), _shown(node))
             case ast.Since(held=held, begun=begun):
-                sides = self._truth(held, entity), self._truth(begun, entity)
+                sides = self._proposition(held, entity), self._proposition(begun, entity)
                 return self._nodes.since(*sides, _shown(node))
             case ast.Once():
                 return self._once(node, entity)
@@ -160,7 +164,7 @@ class Truths:
     def _once(self, node: ast.Once, entity: str | None) -> int:
         """S45: `not (not A for T)`, where `not A` counts as true before the start."""
         calm = f"not {_operand(node.condition)}"
-        operand = self._truth(node.condition, entity)
+        operand = self._proposition(node.condition, entity)
         never = self._nodes.negation(operand, Shown(calm, node.span))
         text = f"{calm} for {words(node.duration.span)}"
         duration_ns = self._duration_ns(node.duration)
@@ -169,7 +173,10 @@ class Truths:
 
     def _response(self, node: ast.Response, entity: str | None) -> int:
         """S46: `not ((not B since (A and not B)) for T)`."""
-        cause, answer = self._truth(node.cause, entity), self._truth(node.answer, entity)
+        cause, answer = (
+            self._proposition(node.cause, entity),
+            self._proposition(node.answer, entity),
+        )
         missing = f"not {_operand(node.answer)}"
         begun = f"{_operand(node.cause)} and {missing}"
         pending = f"({missing} since ({begun}))"
@@ -233,7 +240,7 @@ class Truths:
         (edges,) = _arguments(counted)
         assert isinstance(edges, ast.Edges), "asked before"
         assert edges.window is not None, "checked"
-        operand = self._truth(edges.condition, entity)
+        operand = self._proposition(edges.condition, entity)
         window_ns = self._duration_ns(edges.window)
         number = int(self._program.values[limit].numbers[0])
 
@@ -313,7 +320,7 @@ class Truths:
         )
         return self._nodes.leaf(oscillates, _shown(node))
 
-    def _question(self, node: ast.Oscillates | ast.Doing | ast.Call | ast.ListFold) -> int:
+    def _query(self, node: ast.Oscillates | ast.Doing | ast.Call | ast.ListFold) -> int:
         if isinstance(node, ast.Doing):
             return self.skills.asked(node)
         return self._oscillates(node) if isinstance(node, ast.Oscillates) else self._call(node)
@@ -332,7 +339,7 @@ class Truths:
     def _element(self, node: ast.Expression) -> int:
         """A condition on the elements of an array; named conditions are never part of it."""
         self._is_inside = True
-        element = self._truth(node, None)
+        element = self._proposition(node, None)
         self._is_inside = False
         return element
 
