@@ -50,6 +50,9 @@ Words = Annotated[
     ),
 ]
 
+SaveFile = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="Write the world at the end (.turtle).")
+]
 Timeout = Annotated[
     float | None,
     typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
@@ -71,9 +74,7 @@ def run(
         Path | None,
         typer.Option(metavar="FILE", help="The world at the start (.turtle)."),
     ] = None,
-    save: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write the world at the end (.turtle).")
-    ] = None,
+    save: SaveFile = None,
     simulate: Annotated[
         bool,
         typer.Option(
