@@ -53,6 +53,9 @@ Words = Annotated[
 SaveFile = Annotated[
     Path | None, typer.Option(metavar="FILE", help="Write the world at the end (.turtle).")
 ]
+TraceFile = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="Write what happens, as JSON lines.")
+]
 Timeout = Annotated[
     float | None,
     typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
@@ -87,9 +90,7 @@ def run(
     compatible: Annotated[
         bool, typer.Option("--compatible", help="As SkiROS2 does it, with its defects.")
     ] = False,
-    trace: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write what happens, as JSON lines.")
-    ] = None,
+    trace: TraceFile = None,
     period: Annotated[
         float, typer.Option(metavar="SECONDS", min=0.0, help="From tick to tick.")
     ] = 0.04,
