@@ -28,8 +28,8 @@ TREES = {
 def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
     """What makes the first tick, and each later one."""
     from ezskiros import SkillDescription
+    from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.expansion import Expansions
-    from ezskiros.engine.setting import Setting
     from ezskiros.engine.task import Task
     from ezskiros.engine.world import World
     from ezskiros.ontology import Ontology
@@ -66,13 +66,13 @@ def with_ezskiros(tree: str, nodes: int) -> Callable[[], object]:
     globals().update({each.__name__: each for each in (leaf, whole)})
     library = Library({})
     trees = list(expand(whole, library.skill(Whole)))  # `ezskiros run` checks before it runs
-    setting = Setting(library, World(Ontology(())), expansions=Expansions(trees))
+    execution = ExecutionContext(library, World(Ontology(())), expansions=Expansions(trees))
     call = SkillCall(Whole, None, {}, NOWHERE)
     made: list[Task] = []
 
     def tick() -> object:
         if not made:
-            made.append(Task(call, setting))
+            made.append(Task(call, execution))
         return made[0].tick()
 
     return tick

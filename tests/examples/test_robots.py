@@ -22,7 +22,7 @@ from rossmarie.driver.build import build_files
 from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
 from rossmarie.driver.robots import ROBOTS, Robot, robots
-from rossmarie.driver.testing import Outcome, run_test_file
+from rossmarie.driver.testing import RanTests, run_test_file
 from rossmarie.ir import Change, Verdict
 from rossmarie.recordings import open_recording
 from rossmarie.testing.goals import Aspect
@@ -82,7 +82,7 @@ def test_they_pass_and_reach_all_of_mc_dc(robot: Robot) -> None:
 
 
 @cache
-def outcome(robot: Robot) -> Outcome:
+def outcome(robot: Robot) -> RanTests:
     return run_test_file(robot.rules)
 
 

@@ -19,7 +19,7 @@ from heron.rules import FOLDER
 from heron.scene import WaysParameters
 from heron.skills import EXPORT
 from heron.skills import FOLDER as SKILLS
-from heron.tasks import Outcome
+from heron.tasks import TaskStatus
 from heron.variants import Arm, Blockage
 from rossmarie.driver.analyze import analyze_file
 
@@ -43,14 +43,14 @@ def goes_by_the_yard(found: BlockedEpisode) -> bool:
 
 def test_without_a_monitor_an_operator_clears_the_way() -> None:
     found = episode(Arm.NONE)
-    assert found.outcome is Outcome.COMPLETED
+    assert found.outcome is TaskStatus.COMPLETED
     assert found.measures.interventions == 1
     assert not goes_by_the_yard(found)
 
 
 def test_moving_back_and_replanning_takes_the_other_route() -> None:
     found = episode(Arm.ROSSMARIE)
-    assert found.outcome is Outcome.COMPLETED
+    assert found.outcome is TaskStatus.COMPLETED
     assert found.measures.interventions == 0
     assert found.measures.replanned == 1
     assert goes_by_the_yard(found)
@@ -58,7 +58,7 @@ def test_moving_back_and_replanning_takes_the_other_route() -> None:
 
 def test_a_tree_waits_turns_back_and_marks_the_way_and_the_planner_finds_the_other() -> None:
     found = episode(Arm.TREES)
-    assert found.outcome is Outcome.COMPLETED
+    assert found.outcome is TaskStatus.COMPLETED
     assert found.measures.interventions == 0
     assert found.measures.replanned == 1
     assert goes_by_the_yard(found)
@@ -78,7 +78,7 @@ def test_a_tree_that_waits_long_enough_takes_the_short_way() -> None:
 
 def test_a_second_tree_waits_on_the_second_way() -> None:
     found = episode(Arm.TREES, Blockage.BOTH)
-    assert found.outcome is Outcome.COMPLETED
+    assert found.outcome is TaskStatus.COMPLETED
     assert found.measures.interventions == 0
     assert found.measures.replanned == 2
     assert labels(found).count("give_way") == 2

@@ -17,7 +17,7 @@ from heron.experiments.picking import Standing, pick_up
 from heron.goals import NAVIGATE, Goal
 from heron.robot import Base
 from heron.scene import BaseParameters, CourseParameters, build_navigation, course
-from heron.tasks import Outcome, SkillTask, Status
+from heron.tasks import SkillTask, Status, TaskStatus
 from heron.topics import InProcess
 from heron.variants import Arm, Terrain
 
@@ -76,7 +76,7 @@ def test_the_block_is_picked_up_from_where_the_base_stands(aside: float, is_held
     generators = {name: np.random.default_rng(1) for name in ("picking", "joints")}
     picked = pick_up(Standing(base, [], None), built, task, generators, [])
     assert picked.is_held == is_held
-    assert (task.outcome is Outcome.COMPLETED) == is_held
+    assert (task.outcome is TaskStatus.COMPLETED) == is_held
 
 
 def test_on_level_ground_nothing_is_restricted() -> None:
@@ -97,7 +97,7 @@ def test_the_first_axle_hits_the_bump_and_the_others_are_spared() -> None:
 
 def test_without_a_monitor_the_base_stalls_on_the_gentle_ramp() -> None:
     found = episode(Arm.NONE, Terrain.GENTLE)
-    assert found.outcome is Outcome.GIVEN_UP
+    assert found.outcome is TaskStatus.GIVEN_UP
     assert found.measures.time_over_torque > 30
 
 

@@ -10,7 +10,7 @@ import pytest
 from heron.goals import LOOK_OUT, NAVIGATE, RECOVERY, Goal
 from heron.messages import Message
 from heron.skills.exported import digest
-from heron.tasks import Outcome, SkillContext, SkillTask, Status
+from heron.tasks import SkillContext, SkillTask, Status, TaskStatus
 from heron.topics import SKILL_CONTEXT, InProcess
 
 JUNCTION, HALL, YARD = "heron:Place-3", "heron:Place-4", "heron:Place-5"
@@ -126,7 +126,7 @@ def test_after_a_tree_the_planner_finds_the_other_way(delivery: Delivery) -> Non
     delivery.base.end()
     delivery.tick(3)
     assert delivery.places[-1] == HALL
-    assert delivery.task.outcome is Outcome.COMPLETED
+    assert delivery.task.outcome is TaskStatus.COMPLETED
     assert delivery.task.replanned == 1
 
 
@@ -197,5 +197,5 @@ def test_without_a_way_the_task_is_given_up(delivery: Delivery) -> None:
     delivery.ask()
     delivery.turn_back()
     assert delivery.ended == [True, False]
-    assert delivery.task.outcome is Outcome.GIVEN_UP
+    assert delivery.task.outcome is TaskStatus.GIVEN_UP
     assert delivery.task.replanned == 1

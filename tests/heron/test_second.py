@@ -24,7 +24,7 @@ from heron.experiments.second import TEACHING_SEEDS, knowledge_of, learned
 from heron.rules import FOLDER as RULES
 from heron.scene import WaysParameters
 from heron.skills import FOLDER as SKILLS
-from heron.tasks import Outcome
+from heron.tasks import TaskStatus
 from heron.variants import Arm, Trouble
 from rossmarie.cli.main import app as rossmarie
 
@@ -52,14 +52,14 @@ def knowledge(trouble: Trouble) -> Knowledge:
 def test_without_knowledge_the_fewest_skills_lead_straight_on() -> None:
     found = episode(Arm.TREES)
     assert found.obstacles == ()
-    assert found.outcome is Outcome.COMPLETED
+    assert found.outcome is TaskStatus.COMPLETED
     assert not goes_by_the_yard(found)
     assert [each.label for each in found.tree if each.depth == 0] == ["deliver"]
 
 
 def test_with_knowledge_another_way_leads_to_the_goal() -> None:
     found, first = episode(Arm.LEARNED), episode(Arm.TREES)
-    assert found.outcome is Outcome.COMPLETED
+    assert found.outcome is TaskStatus.COMPLETED
     assert goes_by_the_yard(found)
     assert found.measures.replanned == found.measures.activations == 0
     assert all(each.spans for each in found.tree), "its own tree is none of those that ran"

@@ -13,7 +13,7 @@ from ezskiros.driver import check_paths
 from ezskiros.runner import FaultyError
 from heron.goals import ARM, NAVIGATE, Goal
 from heron.skills import FOLDER
-from heron.tasks import Outcome, SkillTask, Status, skill_task
+from heron.tasks import SkillTask, Status, TaskStatus, skill_task
 from heron.topics import InProcess
 
 PERIOD = SkillTask.period_ns
@@ -61,7 +61,7 @@ def test_the_skills_have_no_findings() -> None:
 
 def test_a_block_is_fetched() -> None:
     task, base, arm = played("Fetch", "navigation.turtle", ["Target=room"])
-    assert task.outcome is Outcome.COMPLETED
+    assert task.outcome is TaskStatus.COMPLETED
     assert base.goals == [{"place": "heron:Table-3"}]
     assert [goal["pose"] for goal in arm.goals] == ["above", "down", "grasp", "above"]
     labels = ["Drive(Target)", "Reach(above)", "Reach(down)", "Grasp(Target)", "Reach(above)"]
@@ -96,13 +96,13 @@ def test_the_tree_knows_what_still_runs() -> None:
 @pytest.mark.parametrize("disliked", ["heron:Table-3", "down", "grasp"])
 def test_what_cannot_be_reached_ends_the_task(disliked: str) -> None:
     task, base, arm = played("Fetch", "navigation.turtle", ["Target=room"], disliked)
-    assert task.outcome is Outcome.GIVEN_UP
+    assert task.outcome is TaskStatus.GIVEN_UP
     assert disliked in (*base.goals, *arm.goals)[-1].values()
 
 
 def test_a_hurried_planner_wants_it_back_too_soon_three_times() -> None:
     task, _, arm = played("PlaceInHaste", "arm.turtle", ["Seconds=0.4"])
-    assert task.outcome is Outcome.COMPLETED
+    assert task.outcome is TaskStatus.COMPLETED
     assert [goal["seconds"] for goal in arm.goals[:-1]] == [2.0, 0.4] * 3
     assert arm.goals[-1] == {"pose": "place"}
 

@@ -14,7 +14,7 @@ from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.part import part_of
 from rossmarie.analysis.published import publications
 from rossmarie.ir import ChannelValues, Reactions
-from rossmarie.ir.reactions import Action, Assignment, Plan, Publish, Task
+from rossmarie.ir.reactions import Action, Assignment, Publish, RecoveryPlan, Task
 from support.drafts import NOWHERE, Draft
 from support.growing import NUMBERS, TICK, durations, timeouts
 
@@ -37,7 +37,7 @@ def publishing(values: list[float], periods: list[int | None]) -> Reactions:
         tuple(Action(f"publish_{rule}", None, NOWHERE) for rule in everywhere),
         ("topic /topic_0",),
         tuple(Task(rule, effects[rule], 0, (), NOWHERE) for rule in everywhere),
-        tuple(Plan(((rule,),), (rule,)) for rule in everywhere),
+        tuple(RecoveryPlan(((rule,),), (rule,)) for rule in everywhere),
         tuple(everywhere),
     )
 

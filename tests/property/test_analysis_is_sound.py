@@ -22,7 +22,7 @@ from rossmarie.analysis.implied import needs
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.latches import LATCHED, RESETTING, Release
 from rossmarie.analysis.rates import never_at_rate
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, TruthValue
@@ -107,7 +107,7 @@ def test_every_evaluation_is_a_state(case: Case) -> None:
             )
             orders = list(inquiry.orders(state))
             answer = ask([*state.facts, *orders], predicate)
-            assert answer.outcome is not Outcome.IMPOSSIBLE, (values, state.facts)
+            assert answer.outcome is not Satisfiability.IMPOSSIBLE, (values, state.facts)
 
 
 @unhurried

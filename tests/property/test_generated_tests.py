@@ -12,7 +12,7 @@ import pytest
 from hypothesis import HealthCheck, example, given, settings
 
 from rossmarie.driver.generating import generate_tests
-from rossmarie.driver.testing import Outcome, run_test_file
+from rossmarie.driver.testing import RanTests, run_test_file
 from support.depth import examples, is_deep
 from support.rule_texts import NAMED, rules
 from support.testing import INPUTS
@@ -46,7 +46,7 @@ def written(folder: Path, text: str) -> Path:
     return path
 
 
-def is_failed(found: Outcome) -> bool:
+def is_failed(found: RanTests) -> bool:
     return any(ran.found for ran in found.ran)
 
 

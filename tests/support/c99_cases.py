@@ -160,8 +160,8 @@ def _reactions(topic: str, action: str) -> ir.Reactions:
             for effect, resource, otherwise, words in effects
         ),
         plans=(
-            reactions.Plan(((0, 1), (2,)), (0, 1, 2)),
-            reactions.Plan(((3, 6),), (3, 4, 5, 6)),
+            reactions.RecoveryPlan(((0, 1), (2,)), (0, 1, 2)),
+            reactions.RecoveryPlan(((3, 6),), (3, 4, 5, 6)),
         ),
         order=(1, 0),
     )

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any
 
 from ezskiros.engine.events import Event, Happened
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.expansion import Expansions
-from ezskiros.engine.setting import Setting
-from ezskiros.engine.task import Outcome, Task, run
+from ezskiros.engine.task import Task, TaskOutcome, run
 from ezskiros.engine.world import World
 from ezskiros.runner import FaultyError, prepare
 from support.ontologies import HALL
@@ -51,7 +51,7 @@ class Clock:
 class Ran:
     """What has come of a run."""
 
-    outcome: Outcome
+    outcome: TaskOutcome
     events: list[Event]
     world: World
     clock: Clock
@@ -99,7 +99,7 @@ class Skills:
             raise FaultyTreeError(found) from None
         events: list[Event] = []
         clock = Clock()
-        setting = Setting(
+        execution = ExecutionContext(
             ready.library,
             ready.world,
             tell=events.append,
@@ -107,7 +107,7 @@ class Skills:
             expansions=Expansions(ready.trees),
             **self.options,
         )
-        return Task(ready.call, setting), events, clock
+        return Task(ready.call, execution), events, clock
 
     def run(self, skill: str, *texts: str, most_ticks: int = 100) -> Ran:
         """Run a skill. It is stopped after so many ticks."""
@@ -117,7 +117,7 @@ class Skills:
             return "too many ticks" if task.ticks >= most_ticks else None
 
         outcome = run(task, wait=clock.wait, why_stop=why_stop)
-        return Ran(outcome, events, task.setting.world, clock, notes_of(events))
+        return Ran(outcome, events, task.execution.world, clock, notes_of(events))
 
 
 def notes_of(events: Sequence[Event]) -> list[str]:

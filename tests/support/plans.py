@@ -92,7 +92,7 @@ class Plans:
 
     fields: int = 1
     tasks: list[reactions.Task] = field(default_factory=list)
-    plans: list[reactions.Plan] = field(default_factory=list)
+    plans: list[reactions.RecoveryPlan] = field(default_factory=list)
 
     def task(
         self, effect: reactions.Effect, *, otherwise: Sequence[int] = (), resource: int = 0
@@ -107,7 +107,9 @@ class Plans:
         tasks = [task for stage in stages for task in stage]
         for task in tasks:
             tasks.extend(self.tasks[task].otherwise)
-        plan = reactions.Plan(tuple(map(tuple, stages)), tuple(sorted(tasks)), tuple(unless))
+        plan = reactions.RecoveryPlan(
+            tuple(map(tuple, stages)), tuple(sorted(tasks)), tuple(unless)
+        )
         self.plans.append(plan)
         return len(self.plans) - 1
 

@@ -18,7 +18,7 @@ from rossmarie.targets import c99
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, harness
 from rossmarie.verification.prover import (
-    Outcome,
+    ProofOutcome,
     Prover,
     ProverError,
     Verdict,
@@ -54,7 +54,7 @@ def asked(
     change: tuple[str, str],
     names: Sequence[str],
     seconds: int = SECONDS,
-) -> Iterator[Outcome]:
+) -> Iterator[ProofOutcome]:
     """The outcomes of the checks of a monitor whose names begin so, after a change of its C."""
     program = harness(machine)
     with prover.workshop() as folder:
@@ -95,7 +95,7 @@ class StandIn(Prover):
         if self.refuses:
             raise ProverError(self.refuses)
 
-    def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> Outcome:
+    def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> ProofOutcome:
         del harness, folder, seconds
         if check.name == self.fails:
             raise ProverError("Usage:\nunknown option\n")
@@ -109,8 +109,8 @@ class StandIn(Prover):
         ):
             reasons = tuple(reason for name, reason in those if name == check.name)
             if reasons:
-                return Outcome(check, verdict, reasons)
-        return Outcome(check, Verdict.PROVED)
+                return ProofOutcome(check, verdict, reasons)
+        return ProofOutcome(check, Verdict.PROVED)
 
     def _hang(self) -> None:
         with subprocess.Popen(["sleep", "120"], start_new_session=True) as beside:

@@ -17,7 +17,7 @@ from types import MappingProxyType
 from py_trees.common import Status
 
 from ezskiros.driver import check_paths
-from ezskiros.engine.setting import Setting
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.task import Task
 from ezskiros.engine.world import World
 from ezskiros.ontology import Ontology
@@ -213,8 +213,8 @@ def noted_here(skills: list[Skill], folder: Path) -> list[str]:
     path.write_text(written(skills))
     known = check_paths([path]).library
     description = next(each for each in known.descriptions() if each.__name__ == "Task")
-    setting = Setting(known, World(Ontology(())), compatible=True)
-    task = Task(SkillCall(description, None, MappingProxyType({}), NOWHERE), setting)
+    execution = ExecutionContext(known, World(Ontology(())), compatible=True)
+    task = Task(SkillCall(description, None, MappingProxyType({}), NOWHERE), execution)
     LOG.clear()
     for _ in range(MOST_TICKS):
         state = task.tick()

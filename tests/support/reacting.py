@@ -57,7 +57,7 @@ class Sprouting:
         self.watches = draw(st.integers(0, 2)) if watches is None else watches
         self.memories = draw(st.lists(memories, max_size=2)) if retraces else []
         self.tasks: list[reactions.Task | None] = []
-        self.plans: list[reactions.Plan] = []
+        self.plans: list[reactions.RecoveryPlan] = []
 
     def rule(self) -> None:
         first = len(self.tasks)
@@ -65,7 +65,7 @@ class Sprouting:
         tasks = tuple(range(first, len(self.tasks)))
         others = range(len(self.plans))  # earlier rules only: then there is no circle
         unless = self.draw(st.lists(st.sampled_from(others), max_size=2)) if others else []
-        self.plans.append(reactions.Plan(tuple(stages), tasks, tuple(unless)))
+        self.plans.append(reactions.RecoveryPlan(tuple(stages), tasks, tuple(unless)))
 
     def made(self) -> ir.Reactions:
         """All that has grown so far."""
@@ -169,7 +169,7 @@ def reacting_machines(draw: st.DrawFn) -> ir.Machine:
     for _ in range(draw(st.sampled_from((1, 2, 3, 3, 4)))):
         sprouting.rule()
     if not sprouting.tasks:
-        sprouting.plans.append(reactions.Plan(((0,),), (0,)))
+        sprouting.plans.append(reactions.RecoveryPlan(((0,),), (0,)))
         sprouting.tasks.append(reactions.Task(0, reactions.Hook("hook"), None, (), NOWHERE))
     return reacting(sprouting.made(), sprouting.watches)
 

@@ -17,8 +17,8 @@ from py_trees.common import Status
 
 from ezskiros import SkillDescription
 from ezskiros.engine.build import behavior
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.grounding import Names
-from ezskiros.engine.setting import Setting
 from ezskiros.engine.world import World
 from ezskiros.ontology import Ontology
 from ezskiros.session import NOWHERE
@@ -91,8 +91,8 @@ def tree(described: str) -> Node:
 
 def traced(root: Node, *, compatible: bool, ticks: int = MOST_TICKS) -> list[str]:
     """What happens, tick by tick, until there is a result."""
-    setting = Setting(Library({}), World(Ontology(())), compatible=compatible)
-    running = behavior(root, Names({}), setting, None)
+    execution = ExecutionContext(Library({}), World(Ontology(())), compatible=compatible)
+    running = behavior(root, Names({}), execution, None)
     found = []
     for _ in range(ticks):
         scripted.log.clear()

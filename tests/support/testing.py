@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rossmarie.driver.pipeline import Compiled, compile_file
-from rossmarie.driver.testing import Outcome, run_tests
+from rossmarie.driver.testing import RanTests, run_tests
 
 INPUTS = """\
 action slow;
@@ -29,12 +29,12 @@ def compiled(folder: Path, text: str) -> Compiled:
     return compile_file(path)
 
 
-def run_text(folder: Path, text: str) -> Outcome:
+def run_text(folder: Path, text: str) -> RanTests:
     """All tests of such rules, run."""
     found = compiled(folder, text)
     return run_tests(found, found.tests)
 
 
-def notes(found: Outcome) -> list[tuple[str, str]]:
+def notes(found: RanTests) -> list[tuple[str, str]]:
     """The title and the note of each failure."""
     return [(finding.title, "; ".join(finding.notes)) for ran in found.ran for finding in ran.found]

@@ -50,12 +50,12 @@ class Context:
     ) -> None:
         from ezskiros.context.snapshot import Snapshots
 
-        setting = task.setting
+        execution = task.execution
         self._snapshots, self._task = Snapshots(export.digest), task
         self._hear = hear
         self._last: Snapshot | None = None
         self._voice: Voice | None = None
-        self._publish = None if setting.simulate else _publish(setting.clock)
+        self._publish = None if execution.simulate else _publish(execution.clock)
 
     @contextmanager
     def reported(self) -> Iterator[None]:
@@ -65,7 +65,7 @@ class Context:
         with ExitStack() as stack:
             if self._publish is not None:
                 self._voice = stack.enter_context(Voice(self._publish))
-            self._task.setting.running.changed = self.tell
+            self._task.execution.running.changed = self.tell
             self.tell()
             yield
         if self._voice is not None and self._voice.problem is not None:
@@ -73,7 +73,7 @@ class Context:
 
     def tell(self) -> None:
         """Tell of what runs now: asked by the thread that ticks."""
-        snapshot = self._snapshots.of(self._task.setting.running, self._task.ahead)
+        snapshot = self._snapshots.of(self._task.execution.running, self._task.ahead)
         if self._voice is not None:
             self._voice.tell(snapshot)
         if snapshot != self._last:

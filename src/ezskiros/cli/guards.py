@@ -13,7 +13,7 @@ from ezskiros.cli.output import output
 
 if TYPE_CHECKING:  # loaded only where it is needed
     from ezskiros.context.guards import Guards
-    from ezskiros.engine.setting import Setting
+    from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.export import Export
 
 
@@ -45,7 +45,7 @@ def _refuse(found: Diagnostic) -> NoReturn:
 
 
 @contextmanager
-def guarded(guards: Guards, setting: Setting) -> Iterator[None]:
+def guarded(guards: Guards, execution: ExecutionContext) -> Iterator[None]:
     """Within, primitives of a task wait for rules; the run ends if nobody can hear of these."""
     from ezskiros.context.guards import ActiveRules
     from ezskiros.context.guards_ros import listen
@@ -56,7 +56,7 @@ def guarded(guards: Guards, setting: Setting) -> Iterator[None]:
         stop = listen(guards, rules)
     except NoRosError as problem:
         output.fail(f"nothing is run: no rule can be heard: {problem}", exit_code=2)
-    setting.guard = rules.reason_to_wait
+    execution.guard = rules.reason_to_wait
     try:
         yield
     finally:

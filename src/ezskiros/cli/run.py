@@ -28,9 +28,9 @@ if TYPE_CHECKING:  # the engine is loaded only where it is needed
     from ezskiros.context.guards import Guards
     from ezskiros.context.snapshot import Snapshot
     from ezskiros.engine.events import Event
+    from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.inference import Solution
-    from ezskiros.engine.setting import Setting
-    from ezskiros.engine.task import Outcome
+    from ezskiros.engine.task import TaskOutcome
     from ezskiros.engine.tracing import Trace
     from ezskiros.export import Export
     from ezskiros.runner import Ready
@@ -104,8 +104,8 @@ def run(
     output.permit(force)
     output.try_file(save, trace)
     name_ontology(ontology)
+    from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.expansion import Expansions
-    from ezskiros.engine.setting import Setting
 
     texts = [each for each in words or [] if _GIVEN.match(each)]
     named = [Path(each) for each in words or [] if not _GIVEN.match(each)]
@@ -115,7 +115,7 @@ def run(
     if not simulate:
         _refuse_half_modules(ready)
     export = export_for(context, ready) if context is not None else None
-    setting = Setting(
+    execution = ExecutionContext(
         ready.library,
         ready.world,
         simulate=simulate,
@@ -123,7 +123,7 @@ def run(
         expansions=Expansions(ready.trees),
     )
     waiting = guards_for(guards, export, simulate=simulate)
-    run = _Run(ready.call, setting, period, timeout, export, waiting)
+    run = _Run(ready.call, execution, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
     if save is not None:
         output.save(save, ready.world.turtle(), Comment.HASH)
@@ -189,7 +189,7 @@ class _Run:
     def __init__(
         self,
         call: SkillCall,
-        setting: Setting,
+        execution: ExecutionContext,
         period: float,
         timeout: float | None,
         export: Export | None,
@@ -201,17 +201,19 @@ class _Run:
         from ezskiros.engine.interruption import InterruptibleTask
         from ezskiros.planning.replanning import replanner
 
-        self._setting, self._period, self._timeout = setting, period, timeout
+        self._execution, self._period, self._timeout = execution, period, timeout
         self._export, self._guards = export, guards
-        self.task = InterruptibleTask(call, setting, replanner(setting.library, setting.world))
+        self.task = InterruptibleTask(
+            call, execution, replanner(execution.library, execution.world)
+        )
         self._console = Console(highlight=False)
         self._live = LiveTree(self._console) if self._console.is_terminal else None
         self._trace: Trace | None = None
         self._context: Context | None = None
-        self._start, self._start_ns = setting.clock(), time.time_ns()
+        self._start, self._start_ns = execution.clock(), time.time_ns()
         self._is_interrupted = False
 
-    def to_the_end(self, *, is_asked: bool, trace: Path | None) -> Outcome:
+    def to_the_end(self, *, is_asked: bool, trace: Path | None) -> TaskOutcome:
         """Run the task until it has a result or is stopped. With an export its context is reported,
         and rules can ask for trees.
         """
@@ -219,14 +221,14 @@ class _Run:
         from ezskiros.engine.tracing import Trace
         from ezskiros.skills.stand_ins import without_stand_ins
 
-        self._setting.tell = self._tell
+        self._execution.tell = self._tell
         if is_asked:
-            self._setting.choose = self._choose
+            self._execution.choose = self._choose
         with ExitStack() as stack:
-            if not self._setting.simulate:
+            if not self._execution.simulate:
                 stack.enter_context(without_stand_ins())
             if self._guards is not None:
-                stack.enter_context(guarded(self._guards, self._setting))
+                stack.enter_context(guarded(self._guards, self._execution))
             if trace is not None:
                 stack.enter_context(output.writing(trace))
                 self._trace = Trace(stack.enter_context(replacing_text(trace)), self._start_ns)
@@ -239,7 +241,7 @@ class _Run:
                 self._context = Context(self._export, self.task, self._note)
                 stack.enter_context(self._context.reported())
                 wait = self._context.wait
-                if not self._setting.simulate:
+                if not self._execution.simulate:
                     stack.enter_context(recoveries(self._export, self.task))
             return run(
                 self.task,
@@ -253,7 +255,7 @@ class _Run:
 
     def _tell(self, event: Event) -> None:
         if self._trace is not None:
-            self._trace.write(event, self.task.ticks, self._setting.clock() - self._start)
+            self._trace.write(event, self.task.ticks, self._execution.clock() - self._start)
         if self._live is not None:
             self._live.tell(event)
         else:
@@ -266,7 +268,7 @@ class _Run:
         if self._trace is not None:
             from ezskiros.context.snapshot import plain
 
-            seconds = self._setting.clock() - self._start
+            seconds = self._execution.clock() - self._start
             self._trace.write_context(plain(snapshot, self._start), self.task.ticks, seconds)
 
     def _after_tick(self) -> None:
@@ -280,7 +282,7 @@ class _Run:
     def _why_stop(self) -> str | None:
         if self._is_interrupted:
             return "it was stopped from the keyboard"
-        if self._timeout is not None and self._setting.clock() - self._start >= self._timeout:
+        if self._timeout is not None and self._execution.clock() - self._start >= self._timeout:
             return f"it had no result after {self._timeout:g} s"
         return None
 
@@ -305,7 +307,7 @@ class _Run:
         """One of several solutions, by its number."""
         if self._live is not None:
             self._live.stop()
-        spelled = self._setting.world.spelled
+        spelled = self._execution.world.spelled
         typer.echo(f"{skill.name} can be run with")
         for number, each in enumerate(solutions, start=1):
             named = ", ".join(f"{name}={spelled(iri)}" for name, iri in each.items())
@@ -318,7 +320,7 @@ class _Run:
         return solutions[number - 1]
 
 
-def _tell(name: str, outcome: Outcome) -> None:
+def _tell(name: str, outcome: TaskOutcome) -> None:
     """Tell how the task ended."""
     took = f"{outcome.ticks} tick{'s' if outcome.ticks != 1 else ''}, {outcome.seconds:.1f} s"
     if outcome.is_success:

@@ -23,7 +23,7 @@ MOST_TICKS = 10
 
 
 @dataclass(frozen=True)
-class Outcome:
+class NodeOutcome:
     """The knowledge when a node has succeeded, on all ways and on each, and when it has failed."""
 
     success: Known
@@ -60,10 +60,10 @@ class Walk:
     held: Sequence[Asked]
     _started: dict[int, list[Asked]] = field(default_factory=dict)
     """By calls: what was known to hold when they started first."""
-    _steps: dict[tuple[object, ...], Outcome] = field(default_factory=dict)
+    _steps: dict[tuple[object, ...], NodeOutcome] = field(default_factory=dict)
     """By calls and what is known, what becomes of it: most later ticks find what others did."""
 
-    def through(self, node: Node, known: Known, place: Place = Place()) -> Outcome:
+    def through(self, node: Node, known: Known, place: Place = Place()) -> NodeOutcome:
         """Follow what is known through a node."""
         match node:
             case SkillCall():
@@ -80,7 +80,7 @@ class Walk:
             case Processor(flow=Flow.NO_FAIL, children=below):
                 inner = self._sequence(below, known, replace(place, is_fatal=False))
                 ways = (*inner.endings, *inner.failures)
-                return Outcome(join(ways, self.judge), ways, ())
+                return NodeOutcome(join(ways, self.judge), ways, ())
             case Processor(flow=Flow.PARALLEL_FF | Flow.PARALLEL_FS as flow, children=below):
                 return self._parallel(below, known, place, is_race=flow is Flow.PARALLEL_FS)
             case Processor():
@@ -88,7 +88,7 @@ class Walk:
 
     # --- skills -----------------------------------------------------------------------------------
 
-    def _skill(self, call: SkillCall, known: Known, place: Place) -> Outcome:
+    def _skill(self, call: SkillCall, known: Known, place: Place) -> NodeOutcome:
         child = self.children.of(call, known)
         self._hold(child, known, place)
         wrong = self._judged(child, known, place)
@@ -102,11 +102,11 @@ class Walk:
             self._steps[key] = self._step(child, bare, wrong, place)
         step = self._steps[key]
         success = step.success.after(known)
-        return Outcome(success, (success,), tuple(each.after(known) for each in step.failures))
+        return NodeOutcome(success, (success,), tuple(each.after(known) for each in step.failures))
 
     def _step(
         self, child: Child, known: Known, wrong: Mapping[Asked, bool], place: Place
-    ) -> Outcome:
+    ) -> NodeOutcome:
         """Follow what is known through a child of which some conditions need not hold."""
         asked, free = child.asked(known), child.inferred(known)
         ready = known.binding(child.bound())
@@ -118,14 +118,16 @@ class Walk:
         after = changed(running, again.changes(How.DONE), self.judge)
         after = after.binding(again.outputs())
         if any(is_false for is_false in wrong.values()):
-            return Outcome(replace(after, is_dead=True), (replace(after, is_dead=True),), (known,))
+            return NodeOutcome(
+                replace(after, is_dead=True), (replace(after, is_dead=True),), (known,)
+            )
         before = self._assuming(ready, about_free, child) if is_found else known
         before = self.judge.merged(before).perhaps_binding(free)
         if place.tick is not None:
             before = join((before, running), self.judge)
         again = self.children.of(child.call, before)
         failure = failed(before, again.changes(How.FAILED), self.judge)
-        return Outcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
+        return NodeOutcome(after, (after,), (failure.by(f"`{child.label}` has failed"),))
 
     def _judged(self, child: Child, known: Known, place: Place) -> dict[Asked, bool]:
         """The conditions of a child that need not hold; whether they are certain not to."""
@@ -178,7 +180,7 @@ class Walk:
 
     def _sequence(
         self, below: Sequence[Node], known: Known, place: Place, *, is_restarting: bool = False
-    ) -> Outcome:
+    ) -> NodeOutcome:
         failures: list[Known] = []
         endings: tuple[Known, ...] = (known,)
         for index, node in enumerate(below):
@@ -189,7 +191,7 @@ class Walk:
             outcome = self.through(node, known, inner)
             known, endings = outcome.success, outcome.endings
             failures += outcome.failures
-        return Outcome(known, endings, tuple(failures))
+        return NodeOutcome(known, endings, tuple(failures))
 
     def _with_serial(self, before: Sequence[Node], place: Place) -> Place:
         """Where each tick starts children of a serial again that are before."""
@@ -204,7 +206,7 @@ class Walk:
 
     def _selector(
         self, below: Sequence[Node], known: Known, place: Place, *, is_restarting: bool = False
-    ) -> Outcome:
+    ) -> NodeOutcome:
         inner = place if len(below) == 1 else replace(place, is_fatal=False)
         endings: list[Known] = []
         failures: tuple[Known, ...] = (known,)
@@ -218,7 +220,7 @@ class Walk:
             endings += [each.by(f"{names} succeeded") for each in outcome.endings]
             endings += [self._partly([node], each, place) for each in stopped]
             failures = outcome.failures
-        return Outcome(join(endings, self.judge), tuple(endings), failures)
+        return NodeOutcome(join(endings, self.judge), tuple(endings), failures)
 
     def _with_selector(self, before: Sequence[Node], place: Place, stopped: list[Known]) -> Place:
         """Where each tick tries children of a selector again that are before; what is known when
@@ -238,7 +240,7 @@ class Walk:
 
     def _parallel(
         self, below: Sequence[Node], known: Known, place: Place, *, is_race: bool
-    ) -> Outcome:
+    ) -> NodeOutcome:
         outcomes = []
         for index, node in enumerate(below):
             others = (*below[:index], *below[index + 1 :])
@@ -257,7 +259,7 @@ class Walk:
         stopped = self._partly(below, known, place).by("a child of the parallel has failed")
         endings = tuple(each.success for each in outcomes)
         if is_race:
-            return Outcome(join(endings, self.judge), endings, (stopped,))
+            return NodeOutcome(join(endings, self.judge), endings, (stopped,))
         merged = endings[0] if endings else known
         for each in endings[1:]:
             merged = replace(
@@ -266,7 +268,7 @@ class Walk:
                 changes={**merged.changes, **each.changes},
                 is_dead=merged.is_dead or each.is_dead,
             )
-        return Outcome(merged, (merged,), (stopped,))
+        return NodeOutcome(merged, (merged,), (stopped,))
 
     def _beside(self, others: Sequence[Node], known: Known) -> Callable[[Known], Known]:
         """The effect on what is known of others that run at the same time."""
@@ -321,18 +323,18 @@ class Walk:
 
     def _decorated(
         self, decoration: Decoration, child: Node, tries: int, known: Known, place: Place
-    ) -> Outcome:
+    ) -> NodeOutcome:
         if decoration is Decoration.INVERTER:
             inner = self.through(child, known, replace(place, is_fatal=False))
             failures = inner.failures or (replace(inner.success, is_dead=True),)
-            return Outcome(join(failures, self.judge), failures, (inner.success,))
+            return NodeOutcome(join(failures, self.judge), failures, (inner.success,))
         outcome = self.through(child, known, place)
         if decoration is Decoration.TIMEOUT:
             late = self._partly([child], known, place).by("the time was over")
             return replace(outcome, failures=(*outcome.failures, late))
         return self._retried(child, tries, outcome, place)
 
-    def _retried(self, child: Node, tries: int, outcome: Outcome, place: Place) -> Outcome:
+    def _retried(self, child: Node, tries: int, outcome: NodeOutcome, place: Place) -> NodeOutcome:
         """Further tries start where one has failed; they may fail in turn."""
         endings, failures = outcome.endings, outcome.failures
         if tries > 1 and place.is_reported:
@@ -345,7 +347,7 @@ class Walk:
             failures = again.failures
             if join(failures, self.judge).facts.keys() == before.facts.keys():
                 break
-        return Outcome(join(endings, self.judge), endings, failures)
+        return NodeOutcome(join(endings, self.judge), endings, failures)
 
     # --- children that are started again ----------------------------------------------------------
 

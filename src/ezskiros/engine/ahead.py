@@ -16,7 +16,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from ezskiros.engine.depth import MOST_DEPTH, deep
-from ezskiros.engine.setting import Setting
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.interface import SkillInterface
@@ -41,7 +41,7 @@ def skills_ahead(root: RunningSkill, then: SkillCall | None = None) -> list[Ahea
         found = _after(root)
         if then is None or not found.may_succeed:
             return list(found.skills)
-        return [*found.skills, *_of_call(then, {}, root.setting, 0)]
+        return [*found.skills, *_of_call(then, {}, root.execution, 0)]
 
 
 class _After(NamedTuple):
@@ -108,7 +108,7 @@ def _beginning(node: Behaviour) -> Iterator[Ahead]:
     """The skills with which something begins that does not run."""
     match node:
         case RunningSkill():
-            yield from _of_call(node.call, node.shared, node.setting, node.depth)
+            yield from _of_call(node.call, node.shared, node.execution, node.depth)
         case composites.Sequence() | composites.Selector():
             if node.children:
                 yield from _beginning(node.children[0])
@@ -120,28 +120,28 @@ def _beginning(node: Behaviour) -> Iterator[Ahead]:
 
 
 def _of_call(
-    call: SkillCall, shared: Mapping[str, Any], setting: Setting, depth: int
+    call: SkillCall, shared: Mapping[str, Any], execution: ExecutionContext, depth: int
 ) -> Iterator[Ahead]:
     """A skill, and those with which its trees begin; with the values that its parent shares."""
-    for plan in setting.plans.of(call):
+    for plan in execution.plans.of(call):
         values = plan.started_with(shared)
         known = {name: value for name, value in values.items() if value is not None}
         yield Ahead(plan.skill, known)
         if plan.implementation is None or not plan.is_compound or depth > MOST_DEPTH:
             continue
-        tree = setting.expansions.fixed(plan.implementation, plan.skill)
+        tree = execution.expansions.fixed(plan.implementation, plan.skill)
         if tree is not None:
-            yield from _of_node(tree.root, values, setting, depth + 1)
+            yield from _of_node(tree.root, values, execution, depth + 1)
 
 
 def _of_node(
-    node: Node, shared: Mapping[str, Any], setting: Setting, depth: int
+    node: Node, shared: Mapping[str, Any], execution: ExecutionContext, depth: int
 ) -> Iterator[Ahead]:
     match node:
         case SkillCall():
-            yield from _of_call(node, shared, setting, depth)
+            yield from _of_call(node, shared, execution, depth)
         case Processor(flow=flow, children=children):
             for each in children if flow in _TOGETHER else children[:1]:
-                yield from _of_node(each, shared, setting, depth)
+                yield from _of_node(each, shared, execution, depth)
         case Decorator(child=child):
-            yield from _of_node(child, shared, setting, depth)
+            yield from _of_node(child, shared, execution, depth)

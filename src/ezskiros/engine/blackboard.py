@@ -13,7 +13,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from typing import Any
 
-from ezskiros.engine.plans import Plan
+from ezskiros.engine.plans import ChildStart
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
 from ezskiros.skills.calls import SkillCall
@@ -54,7 +54,7 @@ class Remaps:
         return {own: key for key, own in self._own.items()}
 
 
-def remaps_of(call: SkillCall, plan: Plan, above: Remaps | None) -> Remaps:
+def remaps_of(call: SkillCall, plan: ChildStart, above: Remaps | None) -> Remaps:
     """The keys of a child: first its call renames them, then what is above it."""
     parameters = {each.name: each.key for each in plan.skill.parameters}
     found = Remaps(parameters.values())
@@ -90,7 +90,7 @@ class Cells:
     """Those of the parameters of one skill."""
 
     def __init__(
-        self, plan: Plan, keys: Mapping[str, str], blackboard: Blackboard, world: World
+        self, plan: ChildStart, keys: Mapping[str, str], blackboard: Blackboard, world: World
     ) -> None:
         self._parameters = [
             (each, keys[each.key], _kind(each), plan.fixed[each.name])

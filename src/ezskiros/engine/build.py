@@ -8,38 +8,42 @@ from py_trees.behaviour import Behaviour
 
 from ezskiros.engine.compatible import CompatibleSkill
 from ezskiros.engine.depth import MOST_DEPTH, TooDeepError
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.grounding import Names
 from ezskiros.engine.processors import decorator, processor
-from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.skills.calls import SkillCall
 from ezskiros.skills.nodes import Decorator, Node, Processor
 
 
-def root_skill(call: SkillCall, setting: Setting, label: str) -> RunningSkill:
+def root_skill(call: SkillCall, execution: ExecutionContext, label: str) -> RunningSkill:
     """The skill of a task, with nothing above it."""
-    return _skill_class(setting)(call, Names({}), setting, label, behavior)
+    return _skill_class(execution)(call, Names({}), execution, label, behavior)
 
 
-def behavior(root: Node, names: Names, setting: Setting, above: RunningSkill | None) -> Behaviour:
+def behavior(
+    root: Node, names: Names, execution: ExecutionContext, above: RunningSkill | None
+) -> Behaviour:
     """Build the behavior that ticks a tree: the children of the skill `above`. Raises
     `TooDeepError`.
     """
-    return _Builder(names, setting, above).build(root, above.depth + 1 if above else 0)
+    return _Builder(names, execution, above).build(root, above.depth + 1 if above else 0)
 
 
-def _skill_class(setting: Setting) -> type[RunningSkill]:
+def _skill_class(execution: ExecutionContext) -> type[RunningSkill]:
     """The class that runs skills: with values as they are meant, or as SkiROS2 has them."""
-    return CompatibleSkill if setting.compatible else RunningSkill
+    return CompatibleSkill if execution.compatible else RunningSkill
 
 
 class _Builder:
     """Builds one tree."""
 
-    def __init__(self, names: Names, setting: Setting, above: RunningSkill | None) -> None:
-        self._names, self._setting, self._above = names, setting, above
+    def __init__(
+        self, names: Names, execution: ExecutionContext, above: RunningSkill | None
+    ) -> None:
+        self._names, self._execution, self._above = names, execution, above
         self._seen: Counter[str] = Counter()
-        self._skill_class = _skill_class(setting)
+        self._skill_class = _skill_class(execution)
 
     def build(self, node: Node, depth: int) -> Behaviour:
         if depth > MOST_DEPTH:
@@ -49,9 +53,9 @@ class _Builder:
                 return self._skill(node, depth)
             case Processor(flow=flow, children=children):
                 below = [self.build(child, depth + 1) for child in children]
-                return processor(flow, below, is_compatible=self._setting.compatible)
+                return processor(flow, below, is_compatible=self._execution.compatible)
             case Decorator():
-                return decorator(node, self.build(node.child, depth + 1), self._setting)
+                return decorator(node, self.build(node.child, depth + 1), self._execution)
         raise AssertionError(node)
 
     def _skill(self, call: SkillCall, depth: int) -> Behaviour:
@@ -61,5 +65,5 @@ class _Builder:
         number = f"#{self._seen[label]}" if self._seen[label] > 1 else ""
         name = f"{label}{number}"
         return self._skill_class(
-            call, self._names, self._setting, name, behavior, self._above, depth
+            call, self._names, self._execution, name, behavior, self._above, depth
         )

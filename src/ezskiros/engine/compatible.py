@@ -9,7 +9,7 @@ from py_trees.common import Status
 
 from ezskiros.engine.blackboard import Blackboard, Cells, Remaps, remaps_of
 from ezskiros.engine.events import Reason
-from ezskiros.engine.plans import Plan
+from ezskiros.engine.plans import ChildStart
 from ezskiros.engine.skill import RunningSkill
 
 
@@ -41,14 +41,14 @@ class CompatibleSkill(RunningSkill):
         assert self._cells is not None, "a skill has cells once it has started"
         return self._cells
 
-    def _plans(self) -> Sequence[Plan]:
+    def _plans(self) -> Sequence[ChildStart]:
         """SkiROS2 tries no other implementation than the first."""
         return super()._plans()[:1]
 
-    def _started_with(self, plan: Plan) -> dict[str, Any]:
+    def _started_with(self, plan: ChildStart) -> dict[str, Any]:
         if self._cells is None:
             self.remaps = remaps_of(self._call, plan, self._remaps_above)
-            world = self._setting.world
+            world = self._execution.world
             self._cells = Cells(plan, self.remaps.by_own(), self.blackboard, world)
         return self._cells.start()
 

@@ -8,9 +8,9 @@ from typing import Any
 
 from ezskiros.engine.conditions import holds, reason
 from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.inference import Solution, infer
-from ezskiros.engine.plans import Plan
-from ezskiros.engine.setting import Setting
+from ezskiros.engine.plans import ChildStart
 from ezskiros.engine.values import WorldThing, wanted
 from ezskiros.engine.world import World
 from ezskiros.skills.interface import Clause, Parameter
@@ -25,7 +25,7 @@ class Names:
     """Those that a child has found in the world: another may have to look again."""
 
 
-def missing(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
+def missing(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
     """Why a skill cannot start with these values."""
     for parameter in plan.needed:
         if values[parameter.name] is None:
@@ -39,7 +39,7 @@ def missing(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
     return None
 
 
-def missing_output(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
+def missing_output(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
     """Find a parameter that a skill had to give a value, and has not."""
     for parameter in plan.outputs:
         if values[parameter.name] is None:
@@ -51,9 +51,11 @@ def missing_output(plan: Plan, values: Mapping[str, Any]) -> Reason | None:
 class Grounding:
     """Finds things for the parameters that are to be inferred, in place in `values`."""
 
-    def __init__(self, plan: Plan, names: Names, values: dict[str, Any], setting: Setting) -> None:
+    def __init__(
+        self, plan: ChildStart, names: Names, values: dict[str, Any], execution: ExecutionContext
+    ) -> None:
         self._plan, self._names, self._values = plan, names, values
-        self._setting, self._world = setting, setting.world
+        self._execution, self._world = execution, execution.world
         self.chosen: tuple[Solution, Sequence[Solution]] | None = None
         """The solution that was taken, if there was a choice, and all that there were."""
 
@@ -66,7 +68,7 @@ class Grounding:
         plan, values = self._plan, self._values
         free = [each for each in plan.inferred if values[each.name] is None]
         problem = self._inferred(free) if free else broken_pre(plan, values, self._world)
-        if problem is None or self._setting.compatible:
+        if problem is None or self._execution.compatible:
             return problem
         shared = dict(plan.shared)
         stale = [
@@ -81,17 +83,17 @@ class Grounding:
 
     def _inferred(self, free: Sequence[Parameter]) -> Reason | None:
         plan, world = self._plan, self._world
-        given, is_equality = bound(self._values), self._setting.compatible
+        given, is_equality = bound(self._values), self._execution.compatible
         found = infer(plan.skill, free, given, world, is_equality=is_equality)
         if found.without_candidates:
             first = found.without_candidates[0]
             text = f"the world has nothing for `{first.name}`, {wanted(first)} ({first.span})"
             return Reason(Code.PRE, text)
         if not found.solutions:
-            return _impossible(plan, free, given, self._setting)
+            return _impossible(plan, free, given, self._execution)
         taken = found.solutions[0]
         if len(found.solutions) > 1:
-            taken = self._setting.choose(plan.skill, found.solutions)
+            taken = self._execution.choose(plan.skill, found.solutions)
             self.chosen = (taken, found.solutions)
         shared = dict(plan.shared)
         for name, iri in taken.items():
@@ -106,7 +108,7 @@ def bound(values: Mapping[str, Any]) -> dict[str, str]:
     return {name: each.iri for name, each in values.items() if type(each) is WorldThing}
 
 
-def broken_pre(plan: Plan, values: Mapping[str, Any], world: World) -> Reason | None:
+def broken_pre(plan: ChildStart, values: Mapping[str, Any], world: World) -> Reason | None:
     """The first pre-condition that does not hold."""
     return broken(plan.skill.pre, "pre-condition does not hold", Code.PRE, values, world)
 
@@ -126,10 +128,13 @@ def broken(
 
 
 def _impossible(
-    plan: Plan, free: Sequence[Parameter], given: Mapping[str, str], setting: Setting
+    plan: ChildStart,
+    free: Sequence[Parameter],
+    given: Mapping[str, str],
+    execution: ExecutionContext,
 ) -> Reason:
     """The first pre-condition with which nothing is left for the free parameters."""
-    skill, world, is_equality = plan.skill, setting.world, setting.compatible
+    skill, world, is_equality = plan.skill, execution.world, execution.compatible
     known = {**given}
     for count in range(1, len(skill.pre) + 1):
         shorter = replace(skill, pre=skill.pre[:count])

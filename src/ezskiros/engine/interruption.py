@@ -25,9 +25,9 @@ from ezskiros.engine.ahead import Ahead, skills_ahead
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Code, Reason
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import Running, with_values_of_now
-from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.engine.task import Task
 from ezskiros.skills.calls import SkillCall
@@ -96,8 +96,8 @@ world is now, and without what rules always stop. The future raises `NoWayError`
 class InterruptibleTask(Task):
     """A task, and the tree that interrupts it."""
 
-    def __init__(self, call: SkillCall, setting: Setting, replan: Replan) -> None:
-        super().__init__(call, setting)
+    def __init__(self, call: SkillCall, execution: ExecutionContext, replan: Replan) -> None:
+        super().__init__(call, execution)
         self.begun: Callable[[RunningSkill], object] = lambda _: None
         """Hears of each tree that takes the place of another: recoveries, and skills of a plan."""
         self._call, self._replan = call, replan
@@ -114,7 +114,7 @@ class InterruptibleTask(Task):
         """The skills of the task that run. While a tree runs in their place, and until they run
         again, they are those that ran when it began.
         """
-        return self.setting.running if self._interrupted is None else self._interrupted
+        return self.execution.running if self._interrupted is None else self._interrupted
 
     @property
     def recovering(self) -> RunningSkill | None:
@@ -128,7 +128,7 @@ class InterruptibleTask(Task):
         Only the thread that ticks may ask.
         """
         replans = self._recovery is not None and self._recovery.afterwards is Afterwards.REPLAN
-        if self.setting.compatible or replans:
+        if self.execution.compatible or replans:
             return None
         own = skills_ahead(self.root, self._left[0] if self._left else None)
         return own if self._tree is None else [*skills_ahead(self._tree), *own]
@@ -208,7 +208,7 @@ class InterruptibleTask(Task):
         assert recovery is not None, "a tree runs"
         self._tree = None
         if status is not Status.SUCCESS:
-            reason = self.setting.last_failure or Reason(Code.EXECUTION, "it failed")
+            reason = self.execution.last_failure or Reason(Code.EXECUTION, "it failed")
             return self._failed(recovery, f"the recovery has failed: {reason.text}")
         if recovery.afterwards is Afterwards.REPLAN:
             self._search = self._replan(self._goal(), recovery.without)
@@ -251,8 +251,8 @@ class InterruptibleTask(Task):
         self.begun(self.root)
 
     def _made(self, call: SkillCall) -> RunningSkill:
-        plan = self.setting.plans.of(call)[0]
-        return root_skill(call, self.setting, plan.label or plan.skill.name)
+        plan = self.execution.plans.of(call)[0]
+        return root_skill(call, self.execution, plan.label or plan.skill.name)
 
     def _stop_task(self) -> None:
         with deep():
@@ -261,7 +261,7 @@ class InterruptibleTask(Task):
     def _failed(self, recovery: Recovery, why: str) -> Status:
         self._recovery = None
         self._stop_task()
-        self.setting.last_failure = Reason(Code.EXECUTION, why)
+        self.execution.last_failure = Reason(Code.EXECUTION, why)
         recovery.done(False, why)
         return Status.FAILURE
 

@@ -19,7 +19,7 @@ from ezskiros.trees.names import Shared, found_out, shared_names
 _BASIC = frozenset((str, float, bool))
 
 
-class Plan(NamedTuple):
+class ChildStart(NamedTuple):
     """The start of a child.
 
     `fixed` are the values that its parameters have by default, or by the call; `shared` has for
@@ -84,10 +84,10 @@ class Plans:
 
     def __init__(self, library: Library) -> None:
         self._library = library
-        self._plans: dict[SkillCall, Sequence[Plan]] = {}
+        self._plans: dict[SkillCall, Sequence[ChildStart]] = {}
         self._known: dict[type, _Known] = {}
 
-    def of(self, call: SkillCall) -> Sequence[Plan]:
+    def of(self, call: SkillCall) -> Sequence[ChildStart]:
         """The plans of a child, at least one: the first that can start is taken. There are several
         if it names no implementation, and if these have pre-conditions of their own.
 
@@ -100,14 +100,16 @@ class Plans:
             plans = self._plans[call] = tuple(self._made(call, known, each) for each in kinds)
         return plans
 
-    def _made(self, call: SkillCall, known: _Known, kind: type[SkillImplementation] | None) -> Plan:
+    def _made(
+        self, call: SkillCall, known: _Known, kind: type[SkillImplementation] | None
+    ) -> ChildStart:
         given = call.arguments
         if known.as_they_are.issuperset(map(type, given.values())):  # as most are
             fixed = {**known.defaults, **given}
             shared = tuple(pair for pair in known.shared if pair[0] not in given)
         else:
             fixed, shared = _looked_at(call, known)
-        return Plan(
+        return ChildStart(
             skill=known.refined.get(kind, known.skill),
             implementation=kind,
             label=kind.__name__ if kind else "",

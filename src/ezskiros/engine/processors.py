@@ -15,7 +15,7 @@ from py_trees.behaviour import Behaviour
 from py_trees.common import Status
 
 from ezskiros.engine.events import Code, Reason
-from ezskiros.engine.setting import Setting
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.skills.nodes import Decoration, Decorator, Flow
 from ezskiros.skills.values import Symbol
 
@@ -42,17 +42,17 @@ def processor(
             return _Parallel(flow, children, restarts=is_compatible)
 
 
-def decorator(node: Decorator, child: Behaviour, setting: Setting) -> Behaviour:
+def decorator(node: Decorator, child: Behaviour, execution: ExecutionContext) -> Behaviour:
     """A decorator around a child."""
     name, limit = node.decoration.value, node.limit or 0
     assert not isinstance(limit, Symbol), "a tree that starts is built for values"
     match node.decoration:
         case Decoration.INVERTER:
-            return _Inverter(name, child, node, setting)
+            return _Inverter(name, child, node, execution)
         case Decoration.RETRY:
             return _Retry(name, child, int(limit))
         case Decoration.TIMEOUT:
-            return _Timeout(child, limit, node, setting)
+            return _Timeout(child, limit, node, execution)
 
 
 class _Alone(Behaviour):
@@ -81,38 +81,42 @@ class _Retry(_Alone, decorators.Retry): ...
 class _Inverter(_Alone, decorators.Inverter):
     """Says why it fails: its child does not."""
 
-    def __init__(self, name: str, child: Behaviour, node: Decorator, setting: Setting) -> None:
+    def __init__(
+        self, name: str, child: Behaviour, node: Decorator, execution: ExecutionContext
+    ) -> None:
         super().__init__(name, child)
-        self._node, self._setting = node, setting
+        self._node, self._execution = node, execution
 
     def update(self) -> Status:
         """The opposite."""
         status = super().update()
         if status is Status.FAILURE:
             text = f"what is inverted has succeeded ({self._node.span})"
-            self._setting.last_failure = Reason(Code.EXECUTION, text)
+            self._execution.last_failure = Reason(Code.EXECUTION, text)
         return status
 
 
 class _Timeout(_Alone, decorators.Decorator):
     """Fails when its child has no result in time, by the clock of the task."""
 
-    def __init__(self, child: Behaviour, seconds: float, node: Decorator, setting: Setting) -> None:
+    def __init__(
+        self, child: Behaviour, seconds: float, node: Decorator, execution: ExecutionContext
+    ) -> None:
         super().__init__(node.decoration.value, child)
-        self._seconds, self._node, self._setting, self._end = seconds, node, setting, 0.0
+        self._seconds, self._node, self._execution, self._end = seconds, node, execution, 0.0
 
     def initialise(self) -> None:
         """Time starts to run."""
-        self._end = self._setting.clock() + self._seconds
+        self._end = self._execution.clock() + self._seconds
 
     def update(self) -> Status:
         """The result of the child, if it comes in time."""
         status = self.decorated.status
-        if status is not Status.RUNNING or self._setting.clock() < self._end:
+        if status is not Status.RUNNING or self._execution.clock() < self._end:
             return status
         self.decorated.stop(Status.INVALID)
         text = f"no result within {self._seconds:g} s ({self._node.span})"
-        self._setting.last_failure = Reason(Code.EXECUTION, text)
+        self._execution.last_failure = Reason(Code.EXECUTION, text)
         return Status.FAILURE
 
 

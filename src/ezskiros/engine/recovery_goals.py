@@ -60,10 +60,10 @@ class TaskHost:
     """A task of our engine."""
 
     def __init__(self, task: InterruptibleTask) -> None:
-        library = task.setting.library
+        library = task.execution.library
         interfaces = ((each, library.skill(each)) for each in library.descriptions())
         self.known = {found.name: (each, found) for each, found in interfaces if found is not None}
-        self.world, self.recover = task.setting.world, task.recover
+        self.world, self.recover = task.execution.world, task.recover
         self._task = task
 
     @property

@@ -9,13 +9,13 @@ from typing import Any
 
 from ezskiros.engine.conditions import make
 from ezskiros.engine.grounding import bound
-from ezskiros.engine.plans import Plan
+from ezskiros.engine.plans import ChildStart
 from ezskiros.engine.values import WorldThing
 from ezskiros.engine.world import World
 from ezskiros.skills.interface import Parameter
 
 
-def simulate(plan: Plan, values: dict[str, Any], world: World) -> None:
+def simulate(plan: ChildStart, values: dict[str, Any], world: World) -> None:
     """Let a skill have its effects, in `values` and in the world.
 
     A parameter that the skill gives its value gets a new thing of its class; or false, 0, an empty

@@ -16,6 +16,7 @@ from py_trees.common import Status
 from ezskiros.engine import user_code
 from ezskiros.engine.depth import MOST_DEPTH, TooDeepError
 from ezskiros.engine.events import Code, Event, Happened, Reason
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.grounding import (
     Grounding,
     Names,
@@ -23,8 +24,7 @@ from ezskiros.engine.grounding import (
     missing,
     missing_output,
 )
-from ezskiros.engine.plans import Plan
-from ezskiros.engine.setting import Setting
+from ezskiros.engine.plans import ChildStart
 from ezskiros.engine.simulation import simulate
 from ezskiros.engine.values import Values
 from ezskiros.engine.waiting import reason_to_wait
@@ -33,7 +33,7 @@ from ezskiros.skills.implementation import SkillImplementation
 from ezskiros.skills.nodes import Node
 from ezskiros.trees.tree import Tree
 
-Build = Callable[[Node, Names, Setting, "RunningSkill"], Behaviour]
+Build = Callable[[Node, Names, ExecutionContext, "RunningSkill"], Behaviour]
 """Makes what ticks the tree of a compound, from its root. Raises `TooDeepError`."""
 
 
@@ -46,7 +46,7 @@ class RunningSkill(Behaviour):
         self,
         call: SkillCall,
         names: Names,
-        setting: Setting,
+        execution: ExecutionContext,
         label: str,
         build: Build,
         above: RunningSkill | None = None,
@@ -54,7 +54,7 @@ class RunningSkill(Behaviour):
     ) -> None:
         super().__init__(label)
         self.depth, self.above = depth, above
-        self._call, self._names, self._setting, self._build = call, names, setting, build
+        self._call, self._names, self._execution, self._build = call, names, execution, build
         self._values: dict[str, Any] = {}
         self._instance: SkillImplementation | None = None
         self._instances: dict[type[SkillImplementation] | None, SkillImplementation] = {}
@@ -87,9 +87,9 @@ class RunningSkill(Behaviour):
         return self._names.values
 
     @property
-    def setting(self) -> Setting:
-        """The setting in which it runs."""
-        return self._setting
+    def execution(self) -> ExecutionContext:
+        """The context in which it runs."""
+        return self._execution
 
     @property
     def tree(self) -> Behaviour | None:
@@ -123,7 +123,7 @@ class RunningSkill(Behaviour):
         """One tick of a skill that has started."""
         if self._holds:
             reported = "hold-condition is broken"
-            world = self._setting.world
+            world = self._execution.world
             problem = broken(self._holds, reported, Code.HOLD, self._values, world)
             if problem is not None:
                 self._preempted()
@@ -131,7 +131,7 @@ class RunningSkill(Behaviour):
         if self._tree is not None:
             return self._tick_tree(self._tree)
         if self._instance is None:
-            simulate(self._plan, self._values, self._setting.world)
+            simulate(self._plan, self._values, self._execution.world)
             return self._succeed(Code.END, "simulated")
         return self._execute(self._instance)
 
@@ -158,7 +158,7 @@ class RunningSkill(Behaviour):
             return Status.RUNNING
         if tree.status is Status.SUCCESS:
             return self._succeed(Code.END, "End")
-        problem = self._setting.last_failure or Reason(Code.END, "")
+        problem = self._execution.last_failure or Reason(Code.END, "")
         return self._end(problem)
 
     def _execute(self, instance: SkillImplementation) -> Status:
@@ -184,10 +184,10 @@ class RunningSkill(Behaviour):
         """Ask the guard in front of it; what it waits for is reported when that is something
         else.
         """
-        if self._setting.guard is None:
+        if self._execution.guard is None:
             return False
         before, plans = self._waits_for, self._plans()
-        self._waits_for = reason_to_wait(self._setting.guard, plans)
+        self._waits_for = reason_to_wait(self._execution.guard, plans)
         if self._waits_for not in ("", before):
             self._plan = plans[0]
             self._tell(Happened.RUNNING, 0, f"waits: {self._waits_for}")
@@ -202,11 +202,11 @@ class RunningSkill(Behaviour):
         if plan.inferred or plan.skill.pre:
             self._share()
         if plan.locked:
-            problem = self._setting.locks.lock(self, plan.locked, values)
+            problem = self._execution.locks.lock(self, plan.locked, values)
             if problem is not None:
                 return problem
-        now = self._setting.clock()
-        self._setting.running.start(self, plan.skill, now, lambda: self._values)
+        now = self._execution.clock()
+        self._execution.running.start(self, plan.skill, now, lambda: self._values)
         problem = self._begin()
         if problem is None:
             self._tell(Happened.STARTED, 0, "Start")
@@ -229,27 +229,27 @@ class RunningSkill(Behaviour):
             problems.append((plan.label, problem))
         return _none_can(problems)
 
-    def _plans(self) -> Sequence[Plan]:
+    def _plans(self) -> Sequence[ChildStart]:
         """The plans by which the skill may start, in the order in which they are tried."""
-        return self._setting.plans.of(self._call)
+        return self._execution.plans.of(self._call)
 
-    def _ground(self, plan: Plan, values: dict[str, Any]) -> Reason | None:
+    def _ground(self, plan: ChildStart, values: dict[str, Any]) -> Reason | None:
         """Infer parameters; the reason if the pre-conditions do not hold then, else None."""
         if not plan.inferred and not plan.skill.pre:
             return None
-        grounding = Grounding(plan, self._names, values, self._setting)
+        grounding = Grounding(plan, self._names, values, self._execution)
         problem = grounding.ground()
         if grounding.chosen:
             self._tell_choice(*grounding.chosen)
         return problem
 
-    def _started_with(self, plan: Plan) -> dict[str, Any]:
+    def _started_with(self, plan: ChildStart) -> dict[str, Any]:
         return plan.started_with(self._names.values)
 
     def _begin(self) -> Reason | None:
         """Bind the implementation, and start it."""
         plan = self._plan
-        if plan.implementation is None and not self._setting.simulate:
+        if plan.implementation is None and not self._execution.simulate:
             return Reason(Code.START, f"nothing implements `{plan.skill.name}`")
         self._instance = self._instances.get(plan.implementation)
         if plan.is_compound:
@@ -258,7 +258,7 @@ class RunningSkill(Behaviour):
                 return problem
         else:
             self._tree = None
-            if self._setting.simulate:
+            if self._execution.simulate:
                 return None
         if self._instance is None:
             problem = self._make()
@@ -279,23 +279,23 @@ class RunningSkill(Behaviour):
             made = kind()
         except (Exception, SystemExit) as problem:
             return user_code.raised(problem, "__init__", Code.START)
-        made.world, made.now = self._setting.world_model, self._setting.clock
+        made.world, made.now = self._execution.world_model, self._execution.clock
         problem_reported = user_code.initialized(made)
         if problem_reported is None:
             self._instance = self._instances[kind] = made
         return problem_reported
 
     def _expand(self) -> Reason | None:
-        plan, setting = self._plan, self._setting
+        plan, execution = self._plan, self._execution
         assert plan.implementation is not None
-        found = setting.expansions.tree(plan.implementation, plan.skill, self._values)
+        found = execution.expansions.tree(plan.implementation, plan.skill, self._values)
         if isinstance(found, Reason):
             return found
         if found is not self._expanded or self._tree is None:
             self._expanded = found
             self._tree_names = Names(self._values)
             try:
-                self._tree = self._build(found.root, self._tree_names, setting, self)
+                self._tree = self._build(found.root, self._tree_names, execution, self)
             except TooDeepError:
                 text = f"the tree has more than {MOST_DEPTH} levels: does a skill call itself?"
                 return Reason(Code.START, text)
@@ -315,7 +315,7 @@ class RunningSkill(Behaviour):
             problem = missing_output(plan, values)
         if problem is None and plan.skill.post:
             reported = "post-condition does not hold"
-            problem = broken(plan.skill.post, reported, Code.POST, values, self._setting.world)
+            problem = broken(plan.skill.post, reported, Code.POST, values, self._execution.world)
         if problem is not None:
             self._share()
             return self._fail(problem)
@@ -325,7 +325,7 @@ class RunningSkill(Behaviour):
         for own, shared in plan.found_out:
             self._names.values[shared] = values[own]
         self._release()
-        self._setting.running.end(self)
+        self._execution.running.end(self)
         self._tell(Happened.SUCCEEDED, code, text)
         return Status.SUCCESS
 
@@ -338,21 +338,21 @@ class RunningSkill(Behaviour):
 
     def _fail(self, problem: Reason) -> Status:
         self._release()
-        self._setting.running.end(self)
-        self._setting.last_failure = problem
+        self._execution.running.end(self)
+        self._execution.last_failure = problem
         self._tell(Happened.FAILED, problem.code, problem.text)
         return Status.FAILURE
 
     def _release(self) -> None:
         if self._plan.locked:
-            self._setting.locks.release(self)
+            self._execution.locks.release(self)
 
     def _preempted(self) -> Reason | None:
         if self._tree is not None:
             self._tree.stop(Status.INVALID)
         self._release()
         problem = user_code.preempt(self._instance) if self._instance is not None else None
-        self._setting.running.end(self)
+        self._execution.running.end(self)
         return problem
 
     # --- values, and what is reported
@@ -360,7 +360,7 @@ class RunningSkill(Behaviour):
 
     def _held(self) -> Any:
         """The conditions that are asked at every tick; SkiROS2 asks them of compounds only."""
-        is_asked = not self._setting.compatible or self._plan.is_compound
+        is_asked = not self._execution.compatible or self._plan.is_compound
         return self._plan.skill.hold if is_asked else ()
 
     def _share(self) -> None:
@@ -369,7 +369,7 @@ class RunningSkill(Behaviour):
             self._names.values[shared] = self._values[own]
 
     def _tell_choice(self, taken: Any, solutions: Any) -> None:
-        spelled = self._setting.world.spelled
+        spelled = self._execution.world.spelled
         texts = [
             ", ".join(f"{name}={spelled(iri)}" for name, iri in each.items()) for each in solutions
         ]
@@ -381,7 +381,7 @@ class RunningSkill(Behaviour):
         plan = self._plan
         values = self._values if happened is Happened.STARTED else {}
         name, label = plan.skill.name, plan.label
-        self._setting.tell(Event(happened, self.path, name, label, code, str(text), values))
+        self._execution.tell(Event(happened, self.path, name, label, code, str(text), values))
 
 
 def _none_can(problems: Sequence[tuple[str, Reason]]) -> Reason:

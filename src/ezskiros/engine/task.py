@@ -12,7 +12,7 @@ from dslkit import garbage
 from ezskiros.engine.build import root_skill
 from ezskiros.engine.depth import deep
 from ezskiros.engine.events import Reason
-from ezskiros.engine.setting import Setting
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.user_code import kept_alive
 from ezskiros.skills.calls import SkillCall
 
@@ -21,7 +21,7 @@ PERIOD = 0.04
 
 
 @dataclass(frozen=True)
-class Outcome:
+class TaskOutcome:
     """The outcome of a task; `reason` says why it has no success."""
 
     is_success: bool
@@ -33,11 +33,11 @@ class Outcome:
 class Task:
     """A skill with the tree below it. `ticks` says how often it was ticked."""
 
-    def __init__(self, call: SkillCall, setting: Setting) -> None:
-        plan = setting.plans.of(call)[0]
-        self.setting = setting
+    def __init__(self, call: SkillCall, execution: ExecutionContext) -> None:
+        plan = execution.plans.of(call)[0]
+        self.execution = execution
         self.ticks = 0
-        self.root = root_skill(call, setting, plan.label or plan.skill.name)
+        self.root = root_skill(call, execution, plan.label or plan.skill.name)
 
     def tick(self) -> Status:
         """One tick."""
@@ -60,13 +60,13 @@ def run(
     wait: Callable[[float], object] = time.sleep,
     why_stop: Callable[[], str | None] = lambda: None,
     after_tick: Callable[[], object] = lambda: None,
-) -> Outcome:
+) -> TaskOutcome:
     """Tick a task once a period until it has a result.
 
     Before each tick `why_stop` is asked: if it gives a reason, the task is preempted. `wait` waits
     for some seconds.
     """
-    clock = task.setting.clock
+    clock = task.execution.clock
     start = clock()
     status, reason = Status.RUNNING, None
     with kept_alive():
@@ -81,5 +81,5 @@ def run(
             if status is Status.RUNNING:
                 wait(max(0.0, due - clock()))
     if status is Status.FAILURE:
-        reason = task.setting.last_failure
-    return Outcome(status is Status.SUCCESS, task.ticks, clock() - start, reason)
+        reason = task.execution.last_failure
+    return TaskOutcome(status is Status.SUCCESS, task.ticks, clock() - start, reason)

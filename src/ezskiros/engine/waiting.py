@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ezskiros.engine.plans import Plan
-from ezskiros.engine.setting import Guard
+from ezskiros.engine.execution_context import Guard
+from ezskiros.engine.plans import ChildStart
 
 
-def reason_to_wait(guard: Guard, plans: Sequence[Plan]) -> str:
+def reason_to_wait(guard: Guard, plans: Sequence[ChildStart]) -> str:
     """The reason for which a skill waits; empty if it may start. A compound never waits: the
     primitives of its tree do.
     """

@@ -42,7 +42,7 @@ class HostedSkill:
 
 
 @dataclass(frozen=True)
-class Setting:
+class HostContext:
     """The things that an implementation needs while it runs."""
 
     implementation: type[SkillImplementation]
@@ -66,21 +66,21 @@ def hosted_skill(skill: SkillInterface, ontology: Ontology, module: str) -> Host
 
 def setting_of(
     implementation: type[SkillImplementation], hosted: HostedSkill, library: Library
-) -> Setting:
-    """The setting of an implementation that SkiROS2 may load."""
+) -> HostContext:
+    """The context of an implementation that SkiROS2 may load."""
     skill, refined = hosted.skill, library.as_done_by(implementation)
     own = refined.pre[len(skill.pre) :] if refined else ()
     lowered = conditions_of(skill, own, hosted.ontology.model)
-    return Setting(implementation, hosted, library, lowered)
+    return HostContext(implementation, hosted, library, lowered)
 
 
-def implementation_class(setting: Setting) -> Any:
+def implementation_class(execution: HostContext) -> Any:
     """An implementation as a class of SkiROS2, as if its module had defined it."""
-    found = setting.implementation
+    found = execution.implementation
     bases: tuple[Any, ...] = (Primitive, api().PrimitiveBase)
     if hasattr(found, "expandBT"):
         bases = (Compound, api().SkillBase)
-    parts = {"setting": setting, "__doc__": found.__doc__, "__module__": found.__module__}
+    parts = {"execution": execution, "__doc__": found.__doc__, "__module__": found.__module__}
     return type(found.__name__, bases, parts)
 
 
@@ -145,7 +145,7 @@ class Hosted:
     which a node of a tree keeps.
     """
 
-    setting: ClassVar[Setting]
+    execution: ClassVar[HostContext]
     setDescription: Callable[..., None]  # noqa: N815
     _setProgress: Callable[[str, int], None]  # noqa: N815
     child: Any = None
@@ -154,14 +154,14 @@ class Hosted:
 
     def createDescription(self) -> None:  # noqa: N802
         """Called by SkiROS2 when it loads an implementation."""
-        self.setDescription(self.setting.hosted.description(), type(self).__name__)
+        self.setDescription(self.execution.hosted.description(), type(self).__name__)
         # SkiROS2 for ROS 1 has no such switch: its planner takes all skills.
-        if not self.setting.implementation.available_for_planning:
+        if not self.execution.implementation.available_for_planning:
             getattr(self, "setAvailableForPlanning", lambda _is_available: None)(False)
 
     def modifyDescription(self, skill: Any) -> None:  # noqa: N802
         """Called by SkiROS2 when it loads an implementation, and when a child gets it."""
-        for each in self.setting.own_conditions:
+        for each in self.execution.own_conditions:
             condition = _condition(self, each)
             if isinstance(skill, Child):
                 skill.rename(condition)
@@ -170,16 +170,16 @@ class Hosted:
     def onStart(self) -> bool:  # noqa: N802
         """Start with the instance of the node."""
         users = {} if self.child is None else self.child.users
-        user = users.get(self.setting.implementation)
+        user = users.get(self.execution.implementation)
         is_new = user is None
         if user is None:
-            user = self.setting.implementation()
-        self.running = Running(self.setting.hosted, user, self)
-        skiros2_context.start(self, self.setting.hosted.skill, self.running.values)
+            user = self.execution.implementation()
+        self.running = Running(self.execution.hosted, user, self)
+        skiros2_context.start(self, self.execution.hosted.skill, self.running.values)
         # SkiROS2 calls `onInit` when it loads a primitive: then there is no node of a tree yet.
         is_willing = not (is_new and self.running.call("onInit", failed=False) is False)
         if is_willing:
-            users[self.setting.implementation] = user
+            users[self.execution.implementation] = user
             is_willing = bool(self.running.call("onStart", failed=False))
         if not is_willing:
             skiros2_context.end(self)
@@ -220,10 +220,10 @@ class Compound(Hosted):
 
     def expand(self, skill: Any) -> None:
         """Build the tree below the node that SkiROS2 runs this skill in."""
-        known = self.setting.hosted.skill
-        tree = build(self.setting.implementation, known, _values(known, self.params))
+        known = self.execution.hosted.skill
+        tree = build(self.execution.implementation, known, _values(known, self.params))
         outer = skill.keys if isinstance(skill, Child) else {}
-        root = hosted(tree, Scope(known, skill.id, outer), self.setting.library)
+        root = hosted(tree, Scope(known, skill.id, outer), self.execution.library)
         if isinstance(root, HostedCall):
             root = HostedNode(Flow.SERIAL_STAR.value, (root,))
         made = processor(root.processor, root.limit)

@@ -14,7 +14,7 @@ from ezskiros.migrate.calls import last_name, method
 from ezskiros.migrate.description import Finding
 
 
-class Plan:
+class ProcessorChoice:
     """The processors of the trees in some statements; `argument` is what `expand` calls `skill`.
 
     `chosen` are the processors by the identity of the call that adds the children, `dropped` the

@@ -17,7 +17,7 @@ from ezskiros.migrate.skills import Skill
 from ezskiros.migrate.tree_children import Children
 from ezskiros.migrate.tree_context import Context, Place
 from ezskiros.migrate.tree_methods import MAKERS, inlined, knows_robot, made_by
-from ezskiros.migrate.tree_processors import Plan
+from ezskiros.migrate.tree_processors import ProcessorChoice
 
 OLD, NEW = "expand", "expandBT"
 
@@ -74,7 +74,7 @@ class TreeUses(ParameterUses):
         while self._children.params in used_names(node) - {self._argument}:
             self._children.params += "_"
         self._done.add(id(plain[1].name))
-        plan = Plan(self._argument, node.body.body)
+        plan = ProcessorChoice(self._argument, node.body.body)
         self._chosen, self._dropped = plan.chosen, plan.dropped
         self._done |= plan.done
         self.findings += plan.findings

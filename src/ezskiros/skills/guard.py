@@ -86,7 +86,7 @@ class Refusal:
 
 
 @dataclass
-class Guard:
+class Refusals:
     """The calls that one run of code under check was refused."""
 
     is_import: bool
@@ -112,10 +112,10 @@ class Guard:
         return [*self.replaced, *self.stopped]
 
 
-_guards: list[Guard] = []
+_guards: list[Refusals] = []
 
 
-def current() -> Guard | None:
+def current() -> Refusals | None:
     """The guard of the code under check that runs now."""
     return _guards[-1] if _guards else None
 
@@ -224,14 +224,14 @@ def _guarding_python() -> Iterator[None]:
 
 
 @contextmanager
-def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Guard]:
+def guarded(seconds: float, *, is_import: bool = False) -> Iterator[Refusals]:
     """Within, side effects raise `SideEffectError`, and code that takes more than `seconds` of the
     processor is ended by `TimeOverError` (in the main thread of systems that have timers).
 
     What else runs on the machine does not count, but code that only waits does not go on for ever.
     """
     _install()
-    guard = Guard(is_import)
+    guard = Refusals(is_import)
     _guards.append(guard)
     try:
         with guarding_sleep(), _guarding_threads(), _guarding_python(), _limited(seconds):

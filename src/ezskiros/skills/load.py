@@ -30,8 +30,8 @@ from ezskiros.skills.calls import SkillClass
 from ezskiros.skills.description import SkillDescription
 from ezskiros.skills.encoding import UnreadableError
 from ezskiros.skills.guard import (
-    Guard,
     ProcessEndError,
+    Refusals,
     SideEffectError,
     TimeOverError,
     guarded,
@@ -163,7 +163,7 @@ def _module(file: Path, endless: dict[str, str]) -> ModuleType | None:
     return module
 
 
-def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Guard, Collector]:
+def _imported(name: str) -> tuple[ModuleType | None, BaseException | None, Refusals, Collector]:
     """A module, or why it cannot be imported; what it was refused, and what was found."""
     module, problem = None, None
     with session.trying() as found, guarded(SECONDS, is_import=True) as guard:

@@ -15,7 +15,7 @@ from heron.cli.filming import write_film
 from heron.cli.live import node_of
 from heron.films.insertion import film_of_insertion
 from heron.learning.arms import ARM_NAMES
-from heron.learning.insertion import Outcome
+from heron.learning.insertion import InsertionOutcome
 from heron.learning.learned import Learned, read_learned
 from heron.operation import LiveArm, LivePolicy
 from heron.ros1 import Ros1Error
@@ -63,7 +63,7 @@ def _read(output: CommandLine, policy: Path) -> Learned:
         output.fail(str(error), exit_code=2)
 
 
-def _print_outcome(outcome: Outcome, title: str) -> None:
+def _print_outcome(outcome: InsertionOutcome, title: str) -> None:
     done = "inserted" if outcome.inserted else "not inserted"
     table = Table("measure", "value", title=title, title_justify="left")
     table.columns[1].justify = "right"

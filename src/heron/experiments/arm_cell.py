@@ -9,7 +9,7 @@ from heron.experiments.arm_operator import ArmOperator
 from heron.experiments.runner import Node, run
 from heron.guard import Guard, Occurrence
 from heron.robot import Arm
-from heron.tasks import Outcome, SkillTask
+from heron.tasks import SkillTask, TaskStatus
 
 
 @dataclass
@@ -26,7 +26,7 @@ class ArmCell:
         """Until the task is over."""
         task = self.task
         until_ns = round(longest_s * 1e9)
-        run(self.arm, self.nodes, until_ns, lambda: task.outcome is not Outcome.RUNNING)
+        run(self.arm, self.nodes, until_ns, lambda: task.outcome is not TaskStatus.RUNNING)
 
     @property
     def visits(self) -> int:

@@ -29,10 +29,10 @@ from heron.tasks import (
     LookOut,
     LookOutParameters,
     NavigationParameters,
-    Outcome,
     PlaceNavigation,
     SkillContext,
     SkillTask,
+    TaskStatus,
     TreeSkill,
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
@@ -88,7 +88,7 @@ class BlockedEpisode:
     variant: Blockage | Trouble
     seed: int
     obstacles: tuple[Obstacle, ...]
-    outcome: Outcome
+    outcome: TaskStatus
     measures: BlockedMeasures
     reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
@@ -140,7 +140,7 @@ def delivered(
         robot.physics,
         robot.nodes,
         round(LONGEST_S * 1e9),
-        lambda: robot.task.outcome is not Outcome.RUNNING,
+        lambda: robot.task.outcome is not TaskStatus.RUNNING,
     )
     trace = robot.witness.trace()
     return BlockedEpisode(
@@ -213,7 +213,7 @@ def _measured(robot: _Robot, trace: Trace) -> BlockedMeasures:
     distance = trace.columns["distance"]
     present = hazards(trace)
     return BlockedMeasures(
-        is_completed=robot.task.outcome is Outcome.COMPLETED,
+        is_completed=robot.task.outcome is TaskStatus.COMPLETED,
         duration=robot.physics.now_ns * 1e-9,
         interventions=robot.operator.visits,
         activations=_activations(robot.guard),

@@ -36,7 +36,7 @@ from heron.robot import (
 from heron.robot.physics import Floats
 from heron.robot.pressing import Pressing, Push, PushParameters, Wipe, WipeParameters
 from heron.scene import ArmParameters, CellParameters, PersonParameters, build_cell
-from heron.tasks import Outcome, SkillContext, SkillTask, TreeSkill
+from heron.tasks import SkillContext, SkillTask, TaskStatus, TreeSkill
 from heron.topics import Carrier, InProcess, Remapped
 from heron.variants import Arm, Encounter
 from rossmarie.ir import Change, OrderKind
@@ -94,7 +94,7 @@ class ContactEpisode:
     encounter: Encounter
     seed: int
     cell: CellParameters
-    outcome: Outcome
+    outcome: TaskStatus
     measures: ContactMeasures
     reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
@@ -235,7 +235,7 @@ def _measured(cell: _Cell, found: CellParameters, trace: Trace) -> ContactMeasur
     wiped = float(trace.columns["wiped"][-1])
     is_pushed = math.dist(cell.witness.box, found.mark) < _NEAR_MARK
     return ContactMeasures(
-        is_completed=cell.task.outcome is Outcome.COMPLETED and is_pushed and wiped == 1.0,
+        is_completed=cell.task.outcome is TaskStatus.COMPLETED and is_pushed and wiped == 1.0,
         duration=cell.arm.now_ns * 1e-9,
         interventions=cell.visits,
         pushed=float(trace.columns["pushed"][-1]),

@@ -26,9 +26,9 @@ from heron.scene.person import LEGS, PERSON
 from heron.tasks import (
     Navigation,
     NavigationParameters,
-    Outcome,
     SkillContext,
     SkillTask,
+    TaskStatus,
     TreeSkill,
 )
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
@@ -72,7 +72,7 @@ class CorridorEpisode:
     passage: Passage
     seed: int
     dash: Dash | None
-    outcome: Outcome
+    outcome: TaskStatus
     measures: CorridorMeasures
     reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
@@ -107,7 +107,7 @@ def run_corridor(
         robot.physics,
         robot.nodes,
         round(LONGEST_S * 1e9),
-        lambda: robot.task.outcome is not Outcome.RUNNING,
+        lambda: robot.task.outcome is not TaskStatus.RUNNING,
     )
     trace = robot.witness.trace()
     return CorridorEpisode(
@@ -174,7 +174,7 @@ def _measured(robot: _Robot, dash: Dash | None, trace: Trace) -> CorridorMeasure
         return None if dash is None else float(speed[near].max(initial=0.0))
 
     return CorridorMeasures(
-        is_completed=robot.task.outcome is Outcome.COMPLETED,
+        is_completed=robot.task.outcome is TaskStatus.COMPLETED,
         duration=robot.physics.now_ns * 1e-9,
         interventions=0,
         nearest=None if dash is None else float(distance.min()),

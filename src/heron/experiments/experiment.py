@@ -13,7 +13,7 @@ from heron.appearance import Camera
 from heron.experiments.observer import Observer
 from heron.experiments.settings import Settings
 from heron.experiments.trace import Trace
-from heron.tasks import Outcome, TreeSkill
+from heron.tasks import TaskStatus, TreeSkill
 from heron.variants import ARMS, VARIANTS, Arm
 
 
@@ -57,7 +57,7 @@ class Episode(Protocol):
         """The seed of all that was left to chance."""
 
     @property
-    def outcome(self) -> Outcome:
+    def outcome(self) -> TaskStatus:
         """The outcome of the task."""
 
     @property

@@ -32,7 +32,7 @@ from heron.robot import (
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, PersonParameters, RoomParameters, build_room
 from heron.scene.scene import STEP_NS
-from heron.tasks import Outcome, SkillTask, TreeSkill
+from heron.tasks import SkillTask, TaskStatus, TreeSkill
 from heron.topics import InProcess
 from heron.variants import Arm, Person
 
@@ -79,7 +79,7 @@ class HumanEpisode:
     person: Person
     seed: int
     walk: Walk
-    outcome: Outcome
+    outcome: TaskStatus
     measures: HumanMeasures
     reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
@@ -183,7 +183,7 @@ def _measured(cell: _Cell, trace: Trace) -> HumanMeasures:
     present = hazards(trace)
     led = trace.columns["speed"][is_led & (trace.columns["is_restricted"] > 0)]
     return HumanMeasures(
-        is_completed=cell.task.outcome is Outcome.COMPLETED,
+        is_completed=cell.task.outcome is TaskStatus.COMPLETED,
         duration=cell.arm.now_ns * 1e-9,
         interventions=cell.visits,
         nearest=float(distance.min()),

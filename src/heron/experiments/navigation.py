@@ -29,7 +29,7 @@ from heron.experiments.trace import BaseWitness, Trace
 from heron.guard import BaseCollisionMonitor, Guard, InProcessLink, Link, unfiltered
 from heron.robot import Base, Imu, ImuParameters
 from heron.scene import BaseParameters, Course, CourseParameters, build_navigation, course
-from heron.tasks import Navigation, NavigationParameters, Outcome, SkillTask, TreeSkill
+from heron.tasks import Navigation, NavigationParameters, SkillTask, TaskStatus, TreeSkill
 from heron.topics import COMMAND, Carrier, InProcess, Remapped
 from heron.variants import Arm, Terrain
 
@@ -47,7 +47,7 @@ class NavigationEpisode:
     terrain: Terrain
     seed: int
     course: Course
-    outcome: Outcome
+    outcome: TaskStatus
     measures: NavigationMeasures
     reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
@@ -92,7 +92,7 @@ def run_navigation(
     robot = _assembled(arm, built, settings, generators, link or InProcessLink())
     _drive(robot, observers)
     measures = _measured(robot, built)
-    if robot.navigation.outcome is Outcome.COMPLETED:
+    if robot.navigation.outcome is TaskStatus.COMPLETED:
         picked = pick_up(robot.standing(), built, robot.task, generators, observers)
         duration = measures.duration + picked.seconds
         measures = replace(measures, is_completed=picked.is_held, duration=duration)
@@ -169,7 +169,8 @@ def _drive(robot: _Robot, observers: Sequence[Observer]) -> None:
         [*robot.nodes, *looking_on],
         round(LONGEST_S * 1e9),
         lambda: (
-            robot.navigation.outcome is Outcome.COMPLETED or robot.task.outcome is Outcome.GIVEN_UP
+            robot.navigation.outcome is TaskStatus.COMPLETED
+            or robot.task.outcome is TaskStatus.GIVEN_UP
         ),
     )
 

@@ -36,7 +36,7 @@ from heron.robot import (
 from heron.robot.arm_controller import PLACE
 from heron.robot.physics import Floats
 from heron.scene import ArmParameters, TableParameters, build_placing
-from heron.tasks import Outcome, SkillTask, TreeSkill
+from heron.tasks import SkillTask, TaskStatus, TreeSkill
 from heron.topics import Carrier, InProcess, Remapped
 from heron.variants import Arm, Table
 
@@ -79,7 +79,7 @@ class PlacingEpisode:
     seed: int
     parameters: TableParameters
     skill: tuple[str, ...]
-    outcome: Outcome
+    outcome: TaskStatus
     measures: PlacingMeasures
     reported: tuple[tuple[float, str], ...]
     onsets: Mapping[str, float]
@@ -210,7 +210,7 @@ def _measured(cell: _Cell, trace: Trace, variant: Table, table: TableParameters)
     is_acting = trace.columns["is_restricted"] > 0
     present = _hazards(trace, table)
     return PlacingMeasures(
-        is_completed=cell.task.outcome is Outcome.COMPLETED and _is_placed(cell, table),
+        is_completed=cell.task.outcome is TaskStatus.COMPLETED and _is_placed(cell, table),
         duration=cell.arm.now_ns * 1e-9,
         interventions=cell.visits,
         attempts=cell.controller.attempts,

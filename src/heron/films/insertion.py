@@ -14,7 +14,7 @@ from heron.films.clip import ACTIVE, DONE, MUTED, NO_WORDS, Caption, time_words,
 from heron.films.film import Film
 from heron.learning.arms import ARM_NAMES, is_guarded
 from heron.learning.environment import PegInHole
-from heron.learning.insertion import FIELDS, PERIOD_NS, Outcome
+from heron.learning.insertion import FIELDS, PERIOD_NS, InsertionOutcome
 from heron.learning.look import CAMERA, moment
 from heron.learning.runs import environment
 from heron.scene.insertion import build_insertion
@@ -49,7 +49,7 @@ class InsertionClip:
     """One episode of the task, over. There is an instant to show each step, and the first."""
 
     arm: LearningArm
-    outcome: Outcome
+    outcome: InsertionOutcome
     film: Film
     instants: Sequence[Shown]
 
@@ -117,12 +117,12 @@ def _latest_first(active: Sequence[str], before: Sequence[str]) -> list[str]:
     return [name for name in active if name not in before] + still
 
 
-def _shown(seen: Floats, outcome: Outcome, active: Sequence[str]) -> Shown:
+def _shown(seen: Floats, outcome: InsertionOutcome, active: Sequence[str]) -> Shown:
     force, person = float(np.linalg.norm(seen[_FORCE])), float(seen[_PERSON])
     return Shown(force, person, _harms(outcome), tuple(active))
 
 
-def _harms(outcome: Outcome) -> tuple[str, ...]:
+def _harms(outcome: InsertionOutcome) -> tuple[str, ...]:
     """The harms so far, the worst first."""
     found = [name for name in _HARMS if name in outcome.violations]
     words = {**_HARMS, "touched": "broke the fragile part"} if outcome.broken else _HARMS

@@ -121,7 +121,7 @@ class Repeated:
 
 
 @dataclass
-class Setting:
+class TemporaryParameter:
     """A parameter that has another value for as long as a task has it."""
 
     parameter: Callable[[], Parameter]
@@ -212,7 +212,9 @@ class Workshop:
                 return _command(effect, self.filters[effect.command])
             case SetParameter(value=float() | int() as value):
                 name = f"{effect.node}.{effect.parameter}"
-                return Setting(lambda: self.carrier.parameter(name), float(value), report)
+                return TemporaryParameter(
+                    lambda: self.carrier.parameter(name), float(value), report
+                )
             case SendGoal():
                 goal = {".".join(map(str, each.path)): each.value for each in effect.assignments}
                 return Sending(self.relays[effect.server], goal, _resends(effect), report)

@@ -9,7 +9,7 @@ from typing import Any
 import gymnasium
 
 from heron.learning.environment import MOVES, PegInHole
-from heron.learning.insertion import FIELDS, PERIOD_NS, READINGS, Outcome
+from heron.learning.insertion import FIELDS, PERIOD_NS, READINGS, InsertionOutcome
 from heron.rules import FOLDER
 from heron.variants import LearningArm
 from rossmarie import Monitor, load
@@ -76,7 +76,7 @@ class EndedAtViolation(gymnasium.Wrapper[Any, Any, Any, Any]):
     def step(self, action: Any) -> Any:
         """Take a step."""
         observation, reward, terminated, truncated, info = super().step(action)
-        outcome: Outcome = self._task.insertion.outcome
+        outcome: InsertionOutcome = self._task.insertion.outcome
         if outcome.violations and not terminated:
             terminated = True
             info = {**info, "outcome": outcome}

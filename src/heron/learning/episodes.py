@@ -12,7 +12,7 @@ import gymnasium
 import numpy as np
 from numpy.typing import NDArray
 
-from heron.learning.insertion import VIOLATIONS, Outcome
+from heron.learning.insertion import VIOLATIONS, InsertionOutcome
 
 
 class Episode(NamedTuple):
@@ -60,7 +60,7 @@ class Tally:
         is_executed = bool(np.all(reported["executed"] == reported["proposed"]))
         self.executed_outside += reported["intervened"] and is_executed
 
-    def episode(self, steps: int, seconds: float, outcome: Outcome) -> Episode:
+    def episode(self, steps: int, seconds: float, outcome: InsertionOutcome) -> Episode:
         """The episode, which is over."""
         found = {name: int(name in outcome.violations) for name in VIOLATIONS}
         return Episode(

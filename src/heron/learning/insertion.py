@@ -62,7 +62,7 @@ class TaskParameters:
 
 
 @dataclass
-class Outcome:
+class InsertionOutcome:
     """The outcome of an episode: lengths in m, forces in N, times in s."""
 
     inserted: bool = False
@@ -94,7 +94,7 @@ class Insertion:
     def __init__(self, task: TaskParameters) -> None:
         self.task = task
         self.arm = PegArm(task.scene)
-        self.outcome = Outcome()
+        self.outcome = InsertionOutcome()
         self.elapsed_ns = 0
         """The time in the episode."""
         self._visit = Visit(math.inf, 1.0, 0.0)
@@ -123,7 +123,7 @@ class Insertion:
 
     def begin(self, chance: np.random.Generator) -> None:
         """Begin an episode at one of the five places."""
-        self.outcome = Outcome()
+        self.outcome = InsertionOutcome()
         self.elapsed_ns = 0
         self._visit = visit(chance, LONGEST_S)
         self._offset = np.append(chance.normal(0.0, self.task.error, 2), 0.0)

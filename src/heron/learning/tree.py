@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.expansion import Expansions
-from ezskiros.engine.setting import Setting
 from ezskiros.engine.task import Task
 from ezskiros.runner import Ready, prepare
 from heron.learning.environment import GREATEST, LEAST
@@ -49,13 +49,13 @@ class InsertionTree:
         action of the skill that runs.
         """
         ready, reached = self._ready, hand.Hand()
-        setting = Setting(
+        execution = ExecutionContext(
             ready.library,
             ready.world,
             clock=lambda: reached.seconds,
             expansions=Expansions(ready.trees),
         )
-        task = Task(replace(ready.call, arguments=MappingProxyType(dict(numbers))), setting)
+        task = Task(replace(ready.call, arguments=MappingProxyType(dict(numbers))), execution)
 
         def act(seen: Floats) -> Floats:
             x, y, z = (seen[:3] - _HOLE).tolist()

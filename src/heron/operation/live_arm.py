@@ -10,7 +10,7 @@ from gymnasium.utils import seeding
 
 from heron.learning.arm import READING_NS, Command
 from heron.learning.environment import GREATEST
-from heron.learning.insertion import Insertion, Outcome, TaskParameters
+from heron.learning.insertion import Insertion, InsertionOutcome, TaskParameters
 from heron.learning.on_topics import PUSH, VELOCITY, Readings
 from heron.messages import Message
 from heron.operation.pace import Pace
@@ -42,7 +42,7 @@ class LiveArm:
         node.subscribe(VELOCITY.name, VELOCITY.type, self._hear_velocity)
         node.subscribe(PUSH.name, PUSH.type, self._hear_push)
 
-    def run(self) -> Outcome:
+    def run(self) -> InsertionOutcome:
         """Stand until a command moves the arm; from there on, the episode lasts until the peg is
         inserted or no time is left. Raises `Ros1Error` if nobody commands within 30 s, or whoever
         did is gone.

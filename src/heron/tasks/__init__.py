@@ -2,7 +2,7 @@
 
 from heron.tasks.look_out import LookOut, LookOutParameters
 from heron.tasks.navigation import Navigation, NavigationParameters
-from heron.tasks.outcome import Outcome
+from heron.tasks.outcome import TaskStatus
 from heron.tasks.place_navigation import PlaceNavigation
 from heron.tasks.skill_context import SkillContext
 from heron.tasks.skill_task import SkillTask
@@ -13,11 +13,11 @@ __all__ = [
     "LookOutParameters",
     "Navigation",
     "NavigationParameters",
-    "Outcome",
     "PlaceNavigation",
     "SkillContext",
     "SkillTask",
     "Span",
     "Status",
+    "TaskStatus",
     "TreeSkill",
 ]

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from heron import messages
 from heron.goals import NAVIGATE, Goal
 from heron.messages import Message
-from heron.tasks.outcome import Outcome
+from heron.tasks.outcome import TaskStatus
 from heron.topics import COMMAND, POSE, REPLAN, Carrier
 
 Point = tuple[float, float]
@@ -56,7 +56,7 @@ class Navigation:
         self._progress_ns = 0
         self._command = carrier.publisher(COMMAND)
         self._done: Callable[[bool], None] | None = None
-        self.outcome = Outcome.RUNNING
+        self.outcome = TaskStatus.RUNNING
         self.replanned = 0
         self.period_ns = round(1e9 / parameters.rate)
         carrier.subscribe(POSE, self._locate)
@@ -82,7 +82,7 @@ class Navigation:
         self._look_for_progress(now_ns)
         self._pass_points()
         if self._next == len(self._routes[0]):
-            self._end(Outcome.COMPLETED)
+            self._end(TaskStatus.COMPLETED)
             return
         self._command(self._pursue())
 
@@ -146,13 +146,13 @@ class Navigation:
         if math.dist(here, self._progress_at) > self._parameters.progress:
             self._progress_at, self._progress_ns = here, now_ns
         elif now_ns - self._progress_ns > self._parameters.patience * 1e9:
-            self._end(Outcome.GIVEN_UP)
+            self._end(TaskStatus.GIVEN_UP)
 
-    def _end(self, outcome: Outcome) -> None:
+    def _end(self, outcome: TaskStatus) -> None:
         self.outcome = outcome
         done, self._done = self._done, None
         if done is not None:
-            done(outcome is Outcome.COMPLETED)
+            done(outcome is TaskStatus.COMPLETED)
 
 
 def _along(start: Point, end: Point, here: Point) -> float:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 
 
-class Outcome(enum.Enum):
+class TaskStatus(enum.Enum):
     """A task is under way, or over."""
 
     RUNNING = "running"

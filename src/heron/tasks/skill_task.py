@@ -9,11 +9,11 @@ from py_trees.common import Status
 
 from ezskiros.engine.ahead import Ahead
 from ezskiros.engine.events import Event
+from ezskiros.engine.execution_context import ExecutionContext
 from ezskiros.engine.expansion import Expansions
 from ezskiros.engine.interruption import InterruptibleTask, NoWayError, Way
 from ezskiros.engine.prohibitions import Prohibition
 from ezskiros.engine.running import RunningSkills
-from ezskiros.engine.setting import Setting
 from ezskiros.engine.skill import RunningSkill
 from ezskiros.learning.lessons import Cost
 from ezskiros.planning.replanning import way
@@ -23,12 +23,12 @@ from heron.goals import RECOVERY
 from heron.skills import FOLDER
 from heron.skills.exported import digest
 from heron.skills.servers import CARRIER
-from heron.tasks.outcome import Outcome
+from heron.tasks.outcome import TaskStatus
 from heron.tasks.recovery import RecoveryServer
 from heron.tasks.tree import Begun, TreeSkill, tree_over_time
 from heron.topics import Carrier
 
-_OUTCOMES = {Status.SUCCESS: Outcome.COMPLETED, Status.FAILURE: Outcome.GIVEN_UP}
+_OUTCOMES = {Status.SUCCESS: TaskStatus.COMPLETED, Status.FAILURE: TaskStatus.GIVEN_UP}
 _LONGEST_SEARCH_S = 60.0
 """Time stands still meanwhile: a busy computer may take this long."""
 
@@ -56,7 +56,7 @@ class SkillTask:
         self._carrier = carrier
         self.now_ns = self._offset_ns = 0
         """The time of the episode, at the last tick."""
-        setting = Setting(
+        execution = ExecutionContext(
             ready.library,
             ready.world,
             tell=lambda event: self._events.append((self.now_ns * 1e-9, event)),
@@ -64,7 +64,7 @@ class SkillTask:
             expansions=Expansions(ready.trees),
         )
         self._costs = costs or ()
-        self._task = InterruptibleTask(ready.call, setting, self._way)
+        self._task = InterruptibleTask(ready.call, execution, self._way)
         if costs is not None:
             self._task.go_by(self._planned(ready.call))
         self._events: list[tuple[float, Event]] = []
@@ -72,14 +72,14 @@ class SkillTask:
         self._task.begun = self._note
         self.replanned = 0
         """The number of times that another way to the goal was found."""
-        self.outcome = Outcome.RUNNING
+        self.outcome = TaskStatus.RUNNING
         self._recovery = RecoveryServer(digest(), self._task)
         carrier.serve(RECOVERY, self._recovery)
 
     @property
     def running(self) -> RunningSkills:
         """The skills that run now."""
-        return self._task.setting.running
+        return self._task.execution.running
 
     @property
     def ahead(self) -> list[Ahead] | None:
@@ -105,11 +105,11 @@ class SkillTask:
     def tick(self, now_ns: int) -> None:
         """One period later."""
         self.now_ns = now_ns + self._offset_ns
-        if self.now_ns < self._BEGIN_NS or self.outcome is not Outcome.RUNNING:
+        if self.now_ns < self._BEGIN_NS or self.outcome is not TaskStatus.RUNNING:
             return
         token = CARRIER.set(self._carrier)
         try:
-            self.outcome = _OUTCOMES.get(self._task.tick(), Outcome.RUNNING)
+            self.outcome = _OUTCOMES.get(self._task.tick(), TaskStatus.RUNNING)
         finally:
             CARRIER.reset(token)
 
@@ -131,12 +131,12 @@ class SkillTask:
 
     def _planned(self, call: SkillCall, without: Sequence[Prohibition] = ()) -> Way:
         """The skills that lead to the goal from where the world is now. Raises `NoWayError`."""
-        setting = self._task.setting
-        start = setting.world.copy()
+        execution = self._task.execution
+        start = execution.world.copy()
         return way(
-            setting.library,
+            execution.library,
             call,
-            setting.world,
+            execution.world,
             start,
             without,
             costs=self._costs,

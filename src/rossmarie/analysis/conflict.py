@@ -17,7 +17,7 @@ from rossmarie.analysis.errors import (
 )
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, both_active
-from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Machine, overruled
 
 Needs = Mapping[int, frozenset[int]]
@@ -95,7 +95,7 @@ def _judged(
     names = (rules[0].name, rules[1].name)
     place = NeedsItToo().at(rules[0].head)
     span = rules[1].head
-    if result.outcome is Outcome.IMPOSSIBLE:
+    if result.outcome is Satisfiability.IMPOSSIBLE:
         never = NeverTogether(first=names[0], second=names[1], resource=needed)
         return Finding(never.at(span, place))
     notes: tuple[Remark, ...] = ()

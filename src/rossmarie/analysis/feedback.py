@@ -20,7 +20,7 @@ from rossmarie.analysis.hints import hints
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.published import Publication, publications, values_of
 from rossmarie.analysis.shrink import Replays, shortened
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.terms import constant
 from rossmarie.analysis.trace import Leg, Trace
 from rossmarie.analysis.witness import Witness
@@ -147,7 +147,7 @@ class Circle:
             for moment, predicate in enumerate((becomes_active, is_cleared)):
                 state = ClosedState(self._part.asked, self._carried())
                 predicates.append(state.at(2 * place + moment, predicate(state, place)))
-        return ask([], z3.And(predicates)).outcome is Outcome.IMPOSSIBLE
+        return ask([], z3.And(predicates)).outcome is Satisfiability.IMPOSSIBLE
 
     def _carried(self) -> Published:
         found: dict[int, Carried] = {}

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 from rossmarie.analysis.errors import InTime, NotInTime, NotProved
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, has_value
-from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Requirement, TruthValue
 
 
@@ -24,7 +24,7 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
     below = inquiry.below(required.proposition)
     last = len(below.machine.propositions) - 1
     result = below.decide(has_value(last, TruthValue.TRUE))
-    if result.outcome is Outcome.IMPOSSIBLE:
+    if result.outcome is Satisfiability.IMPOSSIBLE:
         proved = InTime(rule=required.rule, text=required.text)
         yield Finding(proved.at(required.span))
     elif result.witness is None:

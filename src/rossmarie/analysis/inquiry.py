@@ -15,7 +15,7 @@ from rossmarie.analysis.encoding import Questioned
 from rossmarie.analysis.hints import hints
 from rossmarie.analysis.part import part_below, part_of
 from rossmarie.analysis.shrink import Replays, shortened
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import Predicate, Witness
@@ -48,7 +48,7 @@ class Asked:
 class Result:
     """The answer, with the witness of what is POSSIBLE."""
 
-    outcome: Outcome
+    outcome: Satisfiability
     witness: Witness | None = None
 
 
@@ -78,13 +78,15 @@ class Inquiry:
         self.check_time()
         state = ArbitraryState(self.asked)
         term = query.in_state(state)
-        if ask(state.facts, term).outcome is Outcome.IMPOSSIBLE:
-            return Result(Outcome.IMPOSSIBLE)
+        if ask(state.facts, term).outcome is Satisfiability.IMPOSSIBLE:
+            return Result(Satisfiability.IMPOSSIBLE)
         witness = self.witness(query, _ATTEMPTS[:1])
         if witness is None and self._is_refuted(state, term):
-            return Result(Outcome.IMPOSSIBLE)
+            return Result(Satisfiability.IMPOSSIBLE)
         witness = witness or self.witness(query, _ATTEMPTS[1:])
-        return Result(Outcome.UNDECIDED if witness is None else Outcome.POSSIBLE, witness)
+        return Result(
+            Satisfiability.UNDECIDED if witness is None else Satisfiability.POSSIBLE, witness
+        )
 
     # --- proofs ------------------------------------------------------------------------------
 
@@ -102,14 +104,14 @@ class Inquiry:
         self.check_time()
         state = ArbitraryState(self.asked, settled=settled)
         term = predicate(state)
-        return not state.awaited and ask(state.facts, term).outcome is Outcome.POSSIBLE
+        return not state.awaited and ask(state.facts, term).outcome is Satisfiability.POSSIBLE
 
     def _is_refuted(self, state: ArbitraryState, term: z3.BoolRef) -> bool:
         outcome = ask(state.facts, term).outcome
-        if outcome is Outcome.POSSIBLE and 1 < len(state.awaited) <= _MOST_AWAITED:
+        if outcome is Satisfiability.POSSIBLE and 1 < len(state.awaited) <= _MOST_AWAITED:
             orders = list(self.orders(state))
             outcome = ask([*state.facts, *orders], term).outcome
-        return outcome is Outcome.IMPOSSIBLE
+        return outcome is Satisfiability.IMPOSSIBLE
 
     def orders(self, state: ArbitraryState) -> Iterator[z3.BoolRef]:
         """The propositions that are true only while another is, and have not been true for

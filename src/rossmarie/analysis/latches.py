@@ -14,7 +14,7 @@ from rossmarie.analysis.conflict import ordered_pairs
 from rossmarie.analysis.errors import LatchReleased, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Asked, Inquiry, Result
-from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.solver import Satisfiability
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import View
@@ -50,10 +50,10 @@ def _judged(inquiry: Inquiry, rule: int, latched: int, resets: Sequence[int]) ->
     undecided: Finding | None = None
     for task in resets:
         result = part.decide(Release(part.machine, _is_at_once(machine, rule, task)).asked)
-        if result.outcome is Outcome.POSSIBLE:
+        if result.outcome is Satisfiability.POSSIBLE:
             yield _released(machine, rule, latched, task, result)
             return
-        if result.outcome is Outcome.UNDECIDED:
+        if result.outcome is Satisfiability.UNDECIDED:
             undecided = undecided or _open(machine, rule, latched)
     if undecided is not None:
         yield undecided

@@ -8,7 +8,7 @@ from rossmarie.analysis.activity import propositions_of
 from rossmarie.analysis.errors import RecoveryBlocked, Undecided
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, Result, both_active
-from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.solver import Satisfiability
 from rossmarie.ir import Machine
 from rossmarie.ir.reactions import Bound, Limit, Publish, Task
 
@@ -22,7 +22,7 @@ def find_blocked(inquiry: Inquiry) -> Iterator[Finding]:
             if value is None:
                 continue
             result = _both(inquiry, rule, other)
-            if result.outcome is not Outcome.IMPOSSIBLE:
+            if result.outcome is not Satisfiability.IMPOSSIBLE:
                 yield _blocked(machine, rule, other, task, limit_task, bound, value, result)
                 break
 
@@ -58,10 +58,10 @@ def _cut(machine: Machine, publish: Publish, bound: Bound) -> float | None:
 
 def _both(inquiry: Inquiry, rule: int, other: int) -> Result:
     if rule == other:
-        return Result(Outcome.POSSIBLE)
+        return Result(Satisfiability.POSSIBLE)
     plans = inquiry.machine.reactions.plans
     if other in plans[rule].unless or rule in plans[other].unless:
-        return Result(Outcome.IMPOSSIBLE)
+        return Result(Satisfiability.IMPOSSIBLE)
     pair = inquiry.about(rule, other)
     return pair.decide(both_active(pair.machine))
 
@@ -84,7 +84,7 @@ def _blocked(
     field = machine.reactions.commands[publish.command].fields[bound.field]
     path = ".".join(str(step) for step in field.path)
     place = RecoveryBlocked.Limit().at(limit_task.span)
-    if result.outcome is Outcome.UNDECIDED:
+    if result.outcome is Satisfiability.UNDECIDED:
         query = f"can rule `{name}` publish {path} on {publish.topic} while {by} makes it 0?"
         open_one = Undecided(query=query, reason="whether both can be active is open")
         return Finding(open_one.at(task.span, place))

@@ -11,7 +11,7 @@ from rossmarie.analysis.activity import is_cleared, propositions_of
 from rossmarie.analysis.errors import NoWayOut, Undecided
 from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.inquiry import Asked, Inquiry
-from rossmarie.analysis.solver import Outcome
+from rossmarie.analysis.solver import Satisfiability
 from rossmarie.analysis.state import ArbitraryState
 from rossmarie.analysis.trace import Trace
 from rossmarie.analysis.witness import View
@@ -37,9 +37,9 @@ def find_never_cleared(inquiry: Inquiry) -> Iterator[Finding]:
             )
         )
         span = rule.head
-        if result.outcome is Outcome.IMPOSSIBLE:
+        if result.outcome is Satisfiability.IMPOSSIBLE:
             yield Finding(NoWayOut(rule=rule.name).at(span))
-        elif result.outcome is Outcome.UNDECIDED:
+        elif result.outcome is Satisfiability.UNDECIDED:
             query = f"can rule `{rule.name}` be cleared once it is active?"
             reason = "no short trace of events does so, and no proof excludes it"
             yield Finding(Undecided(query=query, reason=reason).at(span))

@@ -18,7 +18,7 @@ LIMIT_MS = 20_000
 _BY_CTRL_C = "interrupted from keyboard"
 
 
-class Outcome(enum.Enum):
+class Satisfiability(enum.Enum):
     """The outcome of a query."""
 
     POSSIBLE = "possible"
@@ -30,11 +30,11 @@ class Outcome(enum.Enum):
 class Answer:
     """The outcome, with a model where it is POSSIBLE."""
 
-    outcome: Outcome
+    outcome: Satisfiability
     model: z3.ModelRef | None = None
 
 
-_OUTCOMES = {"sat": Outcome.POSSIBLE, "unsat": Outcome.IMPOSSIBLE}
+_OUTCOMES = {"sat": Satisfiability.POSSIBLE, "unsat": Satisfiability.IMPOSSIBLE}
 
 
 class Solver:
@@ -49,8 +49,8 @@ class Solver:
         """Ask whether the predicates can be so, all of them."""
         self._solver.push()
         self._solver.add(predicates)
-        outcome = _OUTCOMES.get(str(check(self._solver)), Outcome.UNDECIDED)
-        model = self._solver.model() if outcome is Outcome.POSSIBLE else None
+        outcome = _OUTCOMES.get(str(check(self._solver)), Satisfiability.UNDECIDED)
+        model = self._solver.model() if outcome is Satisfiability.POSSIBLE else None
         self._solver.pop()
         return Answer(outcome, model)
 

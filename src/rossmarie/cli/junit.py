@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import xml.etree.ElementTree as ET
 
-from rossmarie.driver.testing import Outcome
+from rossmarie.driver.testing import RanTests
 
 
-def junit_text(tested: Outcome) -> str:
+def junit_text(tested: RanTests) -> str:
     """A test suite with a case for each test; a failed one has the findings on it."""
     failed = sum(bool(ran.found) for ran in tested.ran)
     attributes = {"name": "rossmarie", "tests": str(len(tested.ran)), "failures": str(failed)}

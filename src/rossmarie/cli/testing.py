@@ -17,7 +17,7 @@ from rossmarie.cli.saving import refuse_report
 from rossmarie.driver import RulesError
 from rossmarie.driver.coverage import Exercised, cover_recordings, coverage_report
 from rossmarie.driver.generating import generate_tests
-from rossmarie.driver.testing import Outcome, UnknownTestError, run_test_file, tests_beside
+from rossmarie.driver.testing import RanTests, UnknownTestError, run_test_file, tests_beside
 from rossmarie.ir import near_name
 from rossmarie.report.coverage import write_coverage
 from rossmarie.report.margins import write_margins
@@ -62,7 +62,7 @@ def _write(rules: Path, systems: Sequence[Path], message_folders: Sequence[Path]
         typer.echo(reported)
 
 
-def report(tested: Outcome) -> None:
+def report(tested: RanTests) -> None:
     """Print the findings, the counts and the coverage."""
     found = [finding for ran in tested.ran for finding in ran.found]
     output.print_findings([*tested.findings, *found])

@@ -112,9 +112,9 @@ def _exemption(exemption: ir.Exemption) -> Json:
     }
 
 
-def _plan(machine: ir.Machine, rule: int) -> reactions.Plan:
+def _plan(machine: ir.Machine, rule: int) -> reactions.RecoveryPlan:
     plans = machine.reactions.plans
-    return plans[rule] if plans else reactions.Plan((), ())
+    return plans[rule] if plans else reactions.RecoveryPlan((), ())
 
 
 def _effects(machine: ir.Machine, rule: int, out: Path) -> Iterator[Json]:

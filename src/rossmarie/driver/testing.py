@@ -40,7 +40,7 @@ class Ran:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class RanTests:
     """All tests that ran, what they cover together, and the findings beside them. `has_c` is False
     if there was no C to run; `reasons` says of goals why they cannot be reached.
     """
@@ -74,7 +74,7 @@ def run_test_file(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
     in_c: bool = True,
-) -> Outcome:
+) -> RanTests:
     """Run the tests of a rules file and of the file of tests beside it, on the interpreter and, if
     `in_c`, in C; those whose names match one of `names`, in which `*` stands for anything. What
     they cover is told of `tested_rules`.
@@ -122,7 +122,7 @@ def run_tests(
     findings: tuple[Diagnostic, ...] = (),
     *,
     in_c: bool = True,
-) -> Outcome:
+) -> RanTests:
     """Run scripts on the machine that they belong to."""
     machine = compiled.machine
     native = _native(machine) if scripts and in_c else None
@@ -135,7 +135,7 @@ def run_tests(
     coverage = cover(machine, scripts)
     missing = [goal for goal in coverage.goals if goal not in coverage.reached]
     reasons = unreachable(machine, missing)
-    return Outcome(machine, ran, coverage, findings, monitor is not None, reasons)
+    return RanTests(machine, ran, coverage, findings, monitor is not None, reasons)
 
 
 def _native(machine: Machine) -> NativeMonitor | str:

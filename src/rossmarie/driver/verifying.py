@@ -21,7 +21,7 @@ from rossmarie.report.safety.proved import bound_of, verification_results
 from rossmarie.targets import c99
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness, harness
-from rossmarie.verification.prover import PROGRAMS, Outcome, Prover, ProverError, Verdict
+from rossmarie.verification.prover import PROGRAMS, ProofOutcome, Prover, ProverError, Verdict
 from rossmarie.verification.reactor_harness import reactor_harness
 
 
@@ -110,16 +110,20 @@ def _unasked(queries: Queries) -> Iterator[str]:
         yield "samples of windows"
 
 
-def _outcome(prover: Prover, folder: Path, seconds: int, asked: tuple[Harness, Check]) -> Outcome:
+def _outcome(
+    prover: Prover, folder: Path, seconds: int, asked: tuple[Harness, Check]
+) -> ProofOutcome:
     program, check = asked
     try:
         return prover.run(program, check, folder, seconds)
     except ProverError as error:
-        return Outcome(check, Verdict.UNDECIDED, (f"the prover fails: {complaint(error)}",))
+        return ProofOutcome(check, Verdict.UNDECIDED, (f"the prover fails: {complaint(error)}",))
 
 
-def _ended(check: Check) -> Outcome:
-    return Outcome(check, Verdict.UNDECIDED, ("the system ended the prover; memory may be short",))
+def _ended(check: Check) -> ProofOutcome:
+    return ProofOutcome(
+        check, Verdict.UNDECIDED, ("the system ended the prover; memory may be short",)
+    )
 
 
 def complaint(error: ProverError) -> str:

@@ -108,7 +108,7 @@ from rossmarie.ir.path import (
 from rossmarie.ir.reactions import NO_REACTIONS, Reactions
 from rossmarie.ir.requirements import Braking, Requirement
 from rossmarie.ir.serial import UnreadableMachine, machine_from_json, machine_to_json
-from rossmarie.ir.settings import Setting, farthest, is_setting, setting_numbers, settings_of
+from rossmarie.ir.settings import NodeParameter, farthest, is_setting, setting_numbers, settings_of
 from rossmarie.ir.signs import Comparison
 from rossmarie.ir.support import (
     ElementArrays,
@@ -198,6 +198,7 @@ __all__ = [
     "Machine",
     "MalformedMachine",
     "Margin",
+    "NodeParameter",
     "Not",
     "Once",
     "Or",
@@ -226,7 +227,6 @@ __all__ = [
     "Sampling",
     "ScanFields",
     "Sector",
-    "Setting",
     "Signal",
     "SignalNode",
     "Since",

@@ -249,7 +249,7 @@ class Action:
 
 
 @dataclass(frozen=True)
-class Plan:
+class RecoveryPlan:
     """The plan of a rule: stages one after the other; the tasks of a stage side by side.
 
     `tasks` are all of it in the order in which they stand in the file, escalations included. It is
@@ -284,7 +284,7 @@ class Reactions:
     actions: tuple[Action, ...]
     resources: tuple[str, ...]
     tasks: tuple[Task, ...]
-    plans: tuple[Plan, ...]
+    plans: tuple[RecoveryPlan, ...]
     order: tuple[int, ...]
     priorities: tuple[tuple[int, int], ...] = ()
     memories: tuple[Memory, ...] = ()

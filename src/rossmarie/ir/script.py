@@ -23,7 +23,7 @@ SettingValue = float | bool | str | tuple[float | bool, ...] | None
 
 
 @dataclass(frozen=True)
-class Setting:
+class FieldValue:
     """One field of the messages of a topic gets a value; `path` leads there from the message,
     `input` is by which input the user named it. With an `angle` (`roll`, `pitch` or `yaw`), `path`
     leads to an orientation, of which the other two angles stay as they are. `unit` is only how the
@@ -63,7 +63,7 @@ class ScriptedArrival:
     period_ns: int | None
     inputs: tuple[str, ...]
     topics: tuple[str, ...]
-    settings: tuple[Setting, ...]
+    settings: tuple[FieldValue, ...]
     running: Running | None = None
 
     @property

@@ -24,7 +24,7 @@ AT_ZERO = 1e9
 
 
 @dataclass(frozen=True)
-class Setting:
+class NodeParameter:
     """A parameter of the node, in SI: between `usual` and `farthest`, which is greater if `is_up`,
     and shown in `unit`.
     """
@@ -53,20 +53,20 @@ def is_setting(channel: Channel) -> bool:
     return channel.topic.startswith(PREFIX)
 
 
-def settings_of(machine: Machine) -> tuple[Setting, ...]:
+def settings_of(machine: Machine) -> tuple[NodeParameter, ...]:
     """All parameters of the node, in the order of their channels."""
     found = {each.channel: each for each in _settings(machine)}
     return tuple(found[channel] for channel in sorted(found))
 
 
-def _settings(machine: Machine) -> Iterator[Setting]:
+def _settings(machine: Machine) -> Iterator[NodeParameter]:
     for signal in machine.signals:
         numbers = setting_numbers(machine, signal.node)
         if numbers is not None:
             slot, usual, far = numbers
             used = machine.inputs[machine.slots[slot].input]
             name = machine.channels[used.channel].topic.removeprefix(PREFIX)
-            yield Setting(name, used.channel, usual, far, machine.slots[slot].unit)
+            yield NodeParameter(name, used.channel, usual, far, machine.slots[slot].unit)
 
 
 def setting_numbers(machine: Machine, node: SignalNode) -> tuple[int, float, float] | None:

@@ -38,7 +38,7 @@ def verify_reactions(machine: Machine) -> None:
     require(planned == list(range(len(found.tasks))), "plans", "not each task once")
 
 
-def _verify_plan(found: reactions.Reactions, plan: reactions.Plan, where: str) -> None:
+def _verify_plan(found: reactions.Reactions, plan: reactions.RecoveryPlan, where: str) -> None:
     """Each task of the plan has one beginning: a place in a stage, or the failure of another."""
     begun: set[int] = set()
     waiting = [task for stage in plan.stages for task in stage]

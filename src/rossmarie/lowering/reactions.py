@@ -117,7 +117,7 @@ class Plans:
 
     # --- plans -------------------------------------------------------------------------------
 
-    def _plan(self, rule: ast.Rule, unless: tuple[int, ...]) -> reactions.Plan:
+    def _plan(self, rule: ast.Rule, unless: tuple[int, ...]) -> reactions.RecoveryPlan:
         first = len(self._drafts)
         stages: list[tuple[int, ...]] = []
         escalations: deque[_Escalation] = deque()
@@ -133,7 +133,7 @@ class Plans:
             following = self._begin(one.action, one.last_resort, escalations)
             self._drafts[one.task].otherwise = following
         planned = tuple(range(first, len(self._drafts)))
-        return reactions.Plan(tuple(stage for stage in stages if stage), planned, unless)
+        return reactions.RecoveryPlan(tuple(stage for stage in stages if stage), planned, unless)
 
     def _begin(
         self, action: str, last_resort: str | None, escalations: deque[_Escalation]

@@ -91,7 +91,7 @@ Step: TypeAlias = Stretch | Text | Numbers | Records
 
 
 @dataclass(frozen=True)
-class Plan:
+class ReadPlan:
     """The steps through the messages of a type, and all slots and arrays that they fill; those of
     `texts` are filled with the numbers of texts. `is_cdr` says that four bytes stand in front, from
     behind which all is aligned; a plan for ROS 1 aligns nothing.

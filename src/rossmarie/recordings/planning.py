@@ -16,7 +16,7 @@ from rossmarie.recordings.plan import (
     Number,
     Numbers,
     Part,
-    Plan,
+    ReadPlan,
     Records,
     Row,
     Step,
@@ -62,7 +62,7 @@ class _NotPlannedError(Exception):
 
 def plan_for(
     store: Typestore, message_type: str, encoding: str, wanted: extraction.Wanted
-) -> Plan | None:
+) -> ReadPlan | None:
     """The plan for messages of a type; None if there is none. `encoding` is `ros1` or `cdr`; all
     that is wanted is in the definition.
     """
@@ -84,7 +84,7 @@ def plan_for(
     except _NotPlannedError:
         return None
     is_text = {index: slot.kind is Kind.TEXT for index, slot in wanted.slots.items()}
-    return Plan(
+    return ReadPlan(
         is_cdr,
         planner.steps(),
         slots=tuple(index for index in wanted.slots if not is_text[index]),

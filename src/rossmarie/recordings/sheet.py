@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.recordings.gathering import values_at
-from rossmarie.recordings.plan import Part, Plan, Target
+from rossmarie.recordings.plan import Part, ReadPlan, Target
 
 _SHORT = 64
 """Bytes of texts that are looked at all at once."""
@@ -44,7 +44,7 @@ class Sheet:
     """
 
     def __init__(
-        self, plan: Plan, texts: Mapping[bytes, float], content: bytes, count: int
+        self, plan: ReadPlan, texts: Mapping[bytes, float], content: bytes, count: int
     ) -> None:
         self._plan = plan
         self._texts = texts

@@ -15,7 +15,7 @@ from rossmarie.recordings.plan import (
     Number,
     Numbers,
     Part,
-    Plan,
+    ReadPlan,
     Records,
     Row,
     Step,
@@ -38,7 +38,7 @@ _MOST_RECORDS = 256
 
 
 def walk(
-    plan: Plan,
+    plan: ReadPlan,
     texts: Mapping[bytes, float],
     content: bytes,
     starts: NDArray[np.int64],

@@ -18,7 +18,7 @@ from rossmarie.core import sampling_row
 from rossmarie.report.coverage import print_table
 from rossmarie.verification.check import Check
 from rossmarie.verification.errors import PartRefuted
-from rossmarie.verification.prover import Outcome, Verdict
+from rossmarie.verification.prover import ProofOutcome, Verdict
 
 _MESSAGES = "messages"
 _GROUPS = {
@@ -38,7 +38,7 @@ class Proofs:
     """
 
     machine: ir.Machine
-    outcomes: tuple[Outcome, ...]
+    outcomes: tuple[ProofOutcome, ...]
     unasked: tuple[str, ...]
     tools: Mapping[str, str]
 
@@ -60,11 +60,11 @@ class Proofs:
         """Say whether nothing is left to show."""
         return self.is_inductive and not self.unasked
 
-    def having(self, verdict: Verdict) -> tuple[Outcome, ...]:
+    def having(self, verdict: Verdict) -> tuple[ProofOutcome, ...]:
         """The outcomes with this verdict."""
         return tuple(outcome for outcome in self.outcomes if outcome.verdict is verdict)
 
-    def reasons(self, outcome: Outcome) -> tuple[str, ...]:
+    def reasons(self, outcome: ProofOutcome) -> tuple[str, ...]:
         """Its reasons, each once."""
         return tuple(dict.fromkeys(outcome.reasons))
 
@@ -119,7 +119,7 @@ def _table(proofs: Proofs, *, styled: bool) -> Table:
     table.add_column("Of the generated C", overflow="fold", min_width=20)
     table.add_column("Proved", justify="right", no_wrap=True)
     table.add_column("Not proved", overflow="fold")
-    groups: dict[str, list[Outcome]] = {}
+    groups: dict[str, list[ProofOutcome]] = {}
     for outcome in proofs.outcomes:
         groups.setdefault(_group(outcome.check), []).append(outcome)
     for name, outcomes in groups.items():
@@ -133,12 +133,12 @@ def _group(check: Check) -> str:
     return _GROUPS.get(check.name.partition("_")[0], _OTHERS)
 
 
-def _counts(outcomes: Sequence[Outcome]) -> str:
+def _counts(outcomes: Sequence[ProofOutcome]) -> str:
     proved = sum(outcome.verdict is Verdict.PROVED for outcome in outcomes)
     return f"{proved}/{len(outcomes)}"
 
 
-def _left(outcomes: Sequence[Outcome]) -> str:
+def _left(outcomes: Sequence[ProofOutcome]) -> str:
     return "; ".join(
         f"{outcome.verdict.value}: {outcome.check.about}"
         for outcome in outcomes

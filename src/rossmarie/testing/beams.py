@@ -16,7 +16,7 @@ from rossmarie import ir
 from rossmarie.analysis.terms import constant
 from rossmarie.core import Function
 from rossmarie.ir.beams import USUAL_DISTANCES, scan_path
-from rossmarie.ir.script import Setting
+from rossmarie.ir.script import FieldValue
 
 SIDES = (0, 90, -180, -90)
 """The angles in degrees at which the first point can be."""
@@ -78,7 +78,7 @@ def _by_side(side: z3.ArithRef, terms: Sequence[z3.ArithRef]) -> z3.ArithRef:
 
 def readings(
     machine: ir.Machine, array: ir.Array, distances: Sequence[float], side: float
-) -> Iterator[Setting]:
+) -> Iterator[FieldValue]:
     """The settings after which a scan has points at these distances in m, and no others."""
     path = scan_path(array.path)
     assert path is not None, "it is of a scan"
@@ -90,4 +90,4 @@ def readings(
         degree = SIDES[int(side)] + part
         pairs.append((ir.Sector(math.radians(degree - 0.5), math.radians(1.0)), distance))
     for sector, value in pairs:
-        yield Setting(used.name, topic, (*path, "ranges", sector), value, None, "m")
+        yield FieldValue(used.name, topic, (*path, "ranges", sector), value, None, "m")

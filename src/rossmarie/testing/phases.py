@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from rossmarie import ir
 from rossmarie.ir.beams import USUAL_DISTANCES, is_of_scan
 from rossmarie.ir.carried import carries, holds_flags
-from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
+from rossmarie.ir.script import FieldValue, Script, ScriptedArrival, ScriptedReset, SettingValue
 from rossmarie.testing.beams import is_column, readings
 from rossmarie.testing.goals import visible_step
 from rossmarie.testing.skills import reported_by_skills
@@ -132,8 +132,8 @@ class Stage:
     # --- what changes ------------------------------------------------------------------------
 
     def _changes(self, phase: Phase, before: Values, start_ns: int) -> Iterator[ScriptedArrival]:
-        later: list[tuple[int, list[Setting]]] = []
-        settings: list[Setting] = []
+        later: list[tuple[int, list[FieldValue]]] = []
+        settings: list[FieldValue] = []
         moved: set[int] = set()
         for variable, value in phase.values.items():
             moves = list(self._moves(variable, value, phase.values))
@@ -154,18 +154,18 @@ class Stage:
                 settings += self._array(array, *reported)
         if settings:
             yield self._sent(start_ns, settings)
-        merged: dict[int, list[Setting]] = {}
+        merged: dict[int, list[FieldValue]] = {}
         for offset_ns, each in later:
             merged.setdefault(offset_ns, []).extend(each)
         for offset_ns, each in sorted(merged.items()):
             yield self._sent(start_ns + offset_ns, each)
 
-    def _sent(self, at_ns: int, settings: list[Setting]) -> ScriptedArrival:
+    def _sent(self, at_ns: int, settings: list[FieldValue]) -> ScriptedArrival:
         inputs = tuple(dict.fromkeys(setting.input for setting in settings))
         topics = tuple(dict.fromkeys(setting.topic for setting in settings))
         return ScriptedArrival(at_ns, at_ns, None, inputs, topics, tuple(settings))
 
-    def _setting(self, variable: Variable, value: float) -> Iterator[Setting]:
+    def _setting(self, variable: Variable, value: float) -> Iterator[FieldValue]:
         if variable.kind == "slot":
             yield self._of_slot(variable.index, value)
         elif variable.kind == "angle":
@@ -177,7 +177,7 @@ class Stage:
                 name = self.machine.inputs[slot.input].name
                 unit = self.world.unit(variable).symbol
                 angle = _ANGLES[node.function]
-                yield Setting(name, self._topic(slot.input), slot.path[:-1], value, angle, unit)
+                yield FieldValue(name, self._topic(slot.input), slot.path[:-1], value, angle, unit)
 
     def _value_of(self, kind: ir.Kind, number: float) -> SettingValue:
         match kind:
@@ -188,12 +188,12 @@ class Stage:
             case ir.Kind.REAL:
                 return number
 
-    def _of_slot(self, index: int, number: float) -> Setting:
+    def _of_slot(self, index: int, number: float) -> FieldValue:
         slot = self.machine.slots[index]
         value = self._value_of(slot.kind, number)
         name = self.machine.inputs[slot.input].name
         unit = self.world.unit(Variable("slot", index)).symbol
-        return Setting(name, self._topic(slot.input), slot.path, value, None, unit)
+        return FieldValue(name, self._topic(slot.input), slot.path, value, None, unit)
 
     def _elements(self, array: int, values: Values) -> tuple[float, ...]:
         """All elements of an array, none if no rule at hand reads one; others are zero, or as far
@@ -210,7 +210,7 @@ class Stage:
         side = None if its_list is None else values.get(Variable("side", its_list))
         return self._elements(array, values), side or 0.0
 
-    def _array(self, index: int, elements: tuple[float, ...], side: float) -> Iterator[Setting]:
+    def _array(self, index: int, elements: tuple[float, ...], side: float) -> Iterator[FieldValue]:
         """An array as a whole; of a list, a field of one element after the other, but of points of
         a scan the readings.
         """
@@ -223,18 +223,18 @@ class Stage:
         unit = self.world.unit(Variable("element", index)).symbol
         if array.list is None:
             value = tuple(each != 0.0 for each in elements) if holds_flags(array) else elements
-            yield Setting(name, topic, array.path, value, None, unit)
+            yield FieldValue(name, topic, array.path, value, None, unit)
             return
         kind = ir.Kind.FLAG if holds_flags(array) else array.kind
         for place, number in enumerate(elements):
             path = tuple(place if step == ir.EACH else step for step in array.path)
-            yield Setting(name, topic, path, self._value_of(kind, number), None, unit)
+            yield FieldValue(name, topic, path, self._value_of(kind, number), None, unit)
 
     # --- what takes several messages ---------------------------------------------------------
 
     def _moves(
         self, variable: Variable, value: float, values: Values
-    ) -> Iterator[tuple[int, list[Setting]]]:
+    ) -> Iterator[tuple[int, list[FieldValue]]]:
         """The settings to make, each with the time after the beginning of a phase."""
         slot = self._slot_of(variable)
         if slot < 0:

@@ -32,7 +32,7 @@ from rossmarie.ir import (
 from rossmarie.ir.beams import is_of_scan, scan_path
 from rossmarie.ir.carried import raw_of
 from rossmarie.ir.path import extent
-from rossmarie.ir.script import Script, ScriptedArrival, ScriptedReset, Setting, SettingValue
+from rossmarie.ir.script import FieldValue, Script, ScriptedArrival, ScriptedReset, SettingValue
 from rossmarie.ir.skills import RunningSkill, SkillContext, answer
 from rossmarie.testing.frames import asked_frames
 from rossmarie.testing.orientation import UPRIGHT, with_angle
@@ -106,7 +106,7 @@ class _Sender:
             if channel.topic in topics
         }
 
-    def _set(self, setting: Setting) -> None:
+    def _set(self, setting: FieldValue) -> None:
         self._begin_list(setting)
         if setting.angle is not None and isinstance(setting.value, float):
             self._turn(setting, setting.angle, setting.value)
@@ -118,7 +118,7 @@ class _Sender:
         else:
             self.values[setting.topic, setting.path] = setting.value
 
-    def _begin_list(self, setting: Setting) -> None:
+    def _begin_list(self, setting: FieldValue) -> None:
         """Without elements, or not known, a list forgets those that it had; with an element it is
         known.
         """
@@ -133,7 +133,7 @@ class _Sender:
             elif inside:
                 self.values.pop((topic, path), None)
 
-    def _turn(self, setting: Setting, angle: str, value: float) -> None:
+    def _turn(self, setting: FieldValue, angle: str, value: float) -> None:
         places = [(setting.topic, (*setting.path, part)) for part in "xyzw"]
         found = [
             self.values.get(place, usual) for place, usual in zip(places, UPRIGHT, strict=True)
@@ -141,7 +141,7 @@ class _Sender:
         x, y, z, w = (each if isinstance(each, float) else math.nan for each in found)
         self.values.update(zip(places, with_angle((x, y, z, w), angle, value), strict=True))
 
-    def _set_element(self, setting: Setting, element: int | Listed) -> None:
+    def _set_element(self, setting: FieldValue, element: int | Listed) -> None:
         whole = (setting.topic, setting.path[:-1])
         old = self.values.get(whole)
         elements = list(old) if isinstance(old, tuple) else []

@@ -11,7 +11,7 @@ from rossmarie import ir
 from rossmarie.analysis.witness import Witness, other_text, views
 from rossmarie.interpreter import arithmetic
 from rossmarie.ir.carried import holds_flags
-from rossmarie.ir.script import Script, ScriptedArrival, Setting, SettingValue
+from rossmarie.ir.script import FieldValue, Script, ScriptedArrival, SettingValue
 from rossmarie.testing.frames import asked_frames
 from rossmarie.testing.goals import edges
 from rossmarie.testing.orientation import ANGLES, UPRIGHT
@@ -71,7 +71,7 @@ class _Teller:
         instants: dict[int, list[int]] = {}
         reported: list[ScriptedArrival] = []
         for sending in witness.events:
-            settings: list[Setting] = []
+            settings: list[FieldValue] = []
             for channel, values in sending.messages.items():
                 instants.setdefault(channel, []).append(sending.at_ns)
                 settings += self._news(channel, values)
@@ -110,7 +110,7 @@ class _Teller:
 
     # --- fields ------------------------------------------------------------------------------
 
-    def _news(self, channel: int, values: ir.ChannelValues) -> Iterator[Setting]:
+    def _news(self, channel: int, values: ir.ChannelValues) -> Iterator[FieldValue]:
         """The settings that are not as they were in the message before."""
         for setting in self._settings(channel, values):
             key = (setting.topic, setting.path, setting.angle)
@@ -119,7 +119,7 @@ class _Teller:
                 yield setting
             self.last[key] = setting.value
 
-    def _settings(self, channel: int, values: ir.ChannelValues) -> Iterator[Setting]:
+    def _settings(self, channel: int, values: ir.ChannelValues) -> Iterator[FieldValue]:
         machine = self.machine
         topic = machine.channels[channel].topic
         turned: set[int] = set()
@@ -131,7 +131,7 @@ class _Teller:
         for its_list in machine.lists:  # a witness sends them without elements
             used = machine.inputs[its_list.input]
             if used.channel == channel:
-                yield Setting(used.name, topic, its_list.path, ())
+                yield FieldValue(used.name, topic, its_list.path, ())
         for index, elements in values.arrays.items():
             array = machine.arrays[index]
             if array.list is not None:
@@ -140,13 +140,15 @@ class _Teller:
             reported = tuple(each != 0.0 for each in si) if holds_flags(array) else tuple(si)
             unit = self._unit(ir.Element(index), array.unit)
             name = machine.inputs[array.input].name
-            yield Setting(name, topic, array.path, reported, None, unit)
+            yield FieldValue(name, topic, array.path, reported, None, unit)
         for index, raw in values.slots.items():
             if index not in turned:
                 slot = machine.slots[index]
                 unit = self._unit(ir.Read(index), slot.unit)
                 value = self._value(slot, raw)
-                yield Setting(machine.inputs[slot.input].name, topic, slot.path, value, None, unit)
+                yield FieldValue(
+                    machine.inputs[slot.input].name, topic, slot.path, value, None, unit
+                )
 
     def _value(self, slot: ir.Slot, raw: float) -> SettingValue:
         if math.isnan(raw):
@@ -159,13 +161,13 @@ class _Teller:
             case ir.Kind.REAL:
                 return raw * slot.scale + slot.offset
 
-    def _turned(self, slot: int, topic: str, parts: tuple[float, ...]) -> Iterator[Setting]:
+    def _turned(self, slot: int, topic: str, parts: tuple[float, ...]) -> Iterator[FieldValue]:
         found = self.machine.slots[slot]
         name = self.machine.inputs[found.input].name
         for angle, function in ANGLES.items():
             shown = round(_DEGREES.from_si(arithmetic.apply(function, parts)), _DIGITS) + 0.0
             value = _DEGREES.to_si(shown)
-            yield Setting(name, topic, found.path[:-1], value, angle, _DEGREES.symbol)
+            yield FieldValue(name, topic, found.path[:-1], value, angle, _DEGREES.symbol)
 
     def _orientations(self) -> Iterator[tuple[int, ...]]:
         """The slots of each orientation of which the rules compute an angle."""

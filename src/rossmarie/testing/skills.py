@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from rossmarie import ir
 from rossmarie.ir.calls import covering, query_at
-from rossmarie.ir.script import Running, ScriptedArrival, ScriptedReset, Setting
+from rossmarie.ir.script import FieldValue, Running, ScriptedArrival, ScriptedReset
 
 Event = ScriptedArrival | ScriptedReset
 
@@ -45,7 +45,7 @@ def _contexts(machine: ir.Machine) -> frozenset[str]:
     )
 
 
-def _note(flags: Sequence[Setting], wanted: dict[ir.Doing, bool]) -> bool:
+def _note(flags: Sequence[FieldValue], wanted: dict[ir.Doing, bool]) -> bool:
     """Note the answers; False if one of them is that nobody knows."""
     for setting in flags:
         step = query_at(setting.path)

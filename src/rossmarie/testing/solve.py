@@ -24,7 +24,7 @@ from rossmarie import ir
 from rossmarie.analysis.calls import Calls
 from rossmarie.analysis.fields import field_facts, kind_facts, ramp_facts
 from rossmarie.analysis.formulas import Formulas, exactly
-from rossmarie.analysis.solver import Outcome, ask
+from rossmarie.analysis.solver import Satisfiability, ask
 from rossmarie.analysis.terms import constant, constants_in, exact_number, extreme, holds, within
 from rossmarie.core import (
     AnyFunction,
@@ -320,7 +320,7 @@ class World:
 
     def is_impossible(self, wanted: Sequence[z3.BoolRef]) -> bool:
         """Say whether no values at all, in real arithmetic, make all of `wanted` hold."""
-        return ask(self._side, *wanted).outcome is Outcome.IMPOSSIBLE
+        return ask(self._side, *wanted).outcome is Satisfiability.IMPOSSIBLE
 
     def _bounds(self) -> Iterator[z3.BoolRef]:
         for variable, term in self.variables.items():

@@ -9,7 +9,7 @@ from dslkit.source import Span
 from rossmarie import ir
 from rossmarie.ir import EACH, Listed, Path, path_text
 from rossmarie.ir.beams import scan_path
-from rossmarie.ir.script import Script, ScriptedArrival, Setting
+from rossmarie.ir.script import FieldValue, Script, ScriptedArrival
 from rossmarie.testing.errors import SettingUnread
 from rossmarie.testing.scans import FIELDS
 
@@ -18,7 +18,7 @@ def unread(machine: ir.Machine, scripts: Sequence[Script]) -> Iterator[Diagnosti
     """A finding for each setting of which nothing is read: of a vector not a single number."""
     fields = read_fields(machine)
     for script in scripts:
-        written: dict[Span, list[Setting]] = {}
+        written: dict[Span, list[FieldValue]] = {}
         for event in script.events:
             for setting in event.settings if isinstance(event, ScriptedArrival) else ():
                 if setting.span is not None:
@@ -45,7 +45,7 @@ def read_fields(machine: ir.Machine) -> dict[str, list[Path]]:
     return found
 
 
-def _is_read(setting: Setting, fields: Sequence[Path]) -> bool:
+def _is_read(setting: FieldValue, fields: Sequence[Path]) -> bool:
     """A field, one around it or one in it is read: an element or all of an array, an angle. An
     element by a declared name rests on all, by the length of the array. A sector rests on all
     fields of its scan.

@@ -18,7 +18,7 @@ from rossmarie.core.expressions import (
     Primitive,
 )
 from rossmarie.ir.carried import carries
-from rossmarie.ir.script import Script, ScriptedArrival, Setting
+from rossmarie.ir.script import FieldValue, Script, ScriptedArrival
 
 _PLAIN = frozenset({View.SECONDS, View.COUNT, View.CONSTANT})
 """Views that are no sample, and any number."""
@@ -152,7 +152,7 @@ def is_carried(machine: ir.Machine, script: Script) -> bool:
     return True
 
 
-def _field_of(setting: Setting, machine: ir.Machine) -> ir.Path:
+def _field_of(setting: FieldValue, machine: ir.Machine) -> ir.Path:
     """The path of the field that is set, of whichever element of a list."""
     for each in machine.lists:
         size = len(each.path)
@@ -161,7 +161,7 @@ def _field_of(setting: Setting, machine: ir.Machine) -> ir.Path:
     return setting.path
 
 
-def _settings(script: Script) -> Iterator[Setting]:
+def _settings(script: Script) -> Iterator[FieldValue]:
     for event in script.events:
         if isinstance(event, ScriptedArrival):
             yield from event.settings

@@ -11,7 +11,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 from rossmarie import ir
-from rossmarie.ir.script import Expectation, Script, ScriptedArrival, ScriptedReset, Setting
+from rossmarie.ir.script import Expectation, FieldValue, Script, ScriptedArrival, ScriptedReset
 from rossmarie.testing.findings import seconds
 from rossmarie.units import DIMENSIONLESS, Unit, parse_unit
 
@@ -67,7 +67,7 @@ def _sent(machine: ir.Machine, event: ScriptedArrival, bases: Bases) -> Iterator
         yield event.running.text
 
 
-def _field(setting: Setting, bases: Bases) -> str:
+def _field(setting: FieldValue, bases: Bases) -> str:
     base = bases[setting.input]
     is_sector = isinstance(setting.path[-1], ir.Sector)
     if is_sector and base[-1:] in ((str(ir.RETURNS),), (str(ir.INVALID),)):
@@ -78,7 +78,7 @@ def _field(setting: Setting, bases: Bases) -> str:
     return text if setting.angle is None else f"{text}.{setting.angle}"
 
 
-def _value(machine: ir.Machine, setting: Setting) -> str:
+def _value(machine: ir.Machine, setting: FieldValue) -> str:
     value = setting.value
     if isinstance(value, bool):
         return _word(value)
@@ -93,7 +93,7 @@ def _value(machine: ir.Machine, setting: Setting) -> str:
     return "unknown" if value is None or math.isnan(value) else f"{_number(value, unit)}{symbol}"
 
 
-def _unit(machine: ir.Machine, setting: Setting) -> Unit:
+def _unit(machine: ir.Machine, setting: FieldValue) -> Unit:
     if setting.unit:
         return parse_unit(setting.unit)
     if setting.angle is not None:
@@ -114,7 +114,7 @@ def _leads_to(path: ir.Path, written: ir.Path) -> bool:
     )
 
 
-def _is_list(machine: ir.Machine, setting: Setting) -> bool:
+def _is_list(machine: ir.Machine, setting: FieldValue) -> bool:
     lists = [(_topic(machine, each), each.path) for each in machine.lists]
     return (setting.topic, setting.path) in lists
 

@@ -31,7 +31,7 @@ from rossmarie.types.ros_messages import (
     message_value,
     std_msgs_data,
 )
-from rossmarie.types.rules import Fault, Outcome, faults_of_position, unit_faults, way_of
+from rossmarie.types.rules import Fault, OperatorType, faults_of_position, unit_faults, way_of
 
 __all__ = [
     "AXES",
@@ -52,7 +52,7 @@ __all__ = [
     "MessageDefinitionError",
     "Motion",
     "Operator",
-    "Outcome",
+    "OperatorType",
     "Point",
     "Quantity",
     "Quaternion",

@@ -14,7 +14,7 @@ from functools import partial
 
 from rossmarie.types import rules
 from rossmarie.types.model import Boolean, Quantity, Type, Unknown
-from rossmarie.types.rules import Outcome, Rule
+from rossmarie.types.rules import OperatorType, Rule
 from rossmarie.units import DIMENSIONLESS
 
 
@@ -73,7 +73,7 @@ class Signature:
     rule: Rule
 
 
-def apply(operator: Operator, *operands: Type) -> Outcome:
+def apply(operator: Operator, *operands: Type) -> OperatorType:
     """The outcome of an operator; `SIGNATURES` says how many operands it takes.
 
     `oscillates` takes the value, the window and perhaps the swing; `for` a condition and a
@@ -89,7 +89,7 @@ def apply(operator: Operator, *operands: Type) -> Outcome:
     return rules.fault(*dict.fromkeys(outcome.faults)) if outcome.faults else outcome
 
 
-def _absorbed(operator: Operator, operands: tuple[Type, ...]) -> Outcome:
+def _absorbed(operator: Operator, operands: tuple[Type, ...]) -> OperatorType:
     """`and` and `or` do not depend on the unknown operand, so the others are still looked at."""
     known = [operand for operand in operands if not isinstance(operand, Unknown)]
     if operator in (Operator.AND, Operator.OR):

@@ -47,14 +47,14 @@ class Fault(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Outcome:
+class OperatorType:
     """The type of the result, and what is wrong with the operands; with faults it is `Unknown`."""
 
     type: Type
     faults: tuple[Fault, ...] = ()
 
 
-Rule = Callable[..., Outcome]
+Rule = Callable[..., OperatorType]
 """From the types of the operands, of which none is `Unknown`."""
 
 
@@ -68,12 +68,12 @@ def unit_faults(left: Quantity, right: Quantity) -> tuple[Fault, ...]:
     return () if left.unit.dimension == right.unit.dimension else (Fault.UNITS,)
 
 
-def fault(*faults: Fault) -> Outcome:
+def fault(*faults: Fault) -> OperatorType:
     """Nothing, with what is wrong."""
-    return Outcome(Unknown(), faults)
+    return OperatorType(Unknown(), faults)
 
 
-def _unfit(*operands: Type) -> Outcome:
+def _unfit(*operands: Type) -> OperatorType:
     """The finding on operands of which at least one is no number."""
     if any(isinstance(operand, (Interval, Box)) for operand in operands):
         return fault(Fault.RANGE)
@@ -81,45 +81,45 @@ def _unfit(*operands: Type) -> Outcome:
     return fault(Fault.VECTOR if numbers else Fault.OPERANDS)
 
 
-def elementwise(rule: Rule, *operands: Type) -> Outcome:
+def elementwise(rule: Rule, *operands: Type) -> OperatorType:
     """The outcome for arrays that follows from a rule for scalars."""
     if not any(isinstance(operand, Array) for operand in operands):
         return rule(*operands)
     elements = (operand.element if isinstance(operand, Array) else operand for operand in operands)
     outcome = rule(*elements)
     if isinstance(outcome.type, (Quantity, Boolean)):
-        return Outcome(Array(outcome.type), outcome.faults)
+        return OperatorType(Array(outcome.type), outcome.faults)
     return fault(*(outcome.faults or (Fault.OPERANDS,)))
 
 
 # --- booleans --------------------------------------------------------------------------------
 
 
-def logical(*operands: Type) -> Outcome:
+def logical(*operands: Type) -> OperatorType:
     """`and`, `or` and `not`: of booleans."""
     fits = all(isinstance(operand, Boolean) for operand in operands)
-    return Outcome(Boolean()) if fits else fault(Fault.OPERANDS)
+    return OperatorType(Boolean()) if fits else fault(Fault.OPERANDS)
 
 
-def held(condition: Type, duration: Type) -> Outcome:
+def held(condition: Type, duration: Type) -> OperatorType:
     """`C for d`."""
     faults = (*logical(condition).faults, *ordered(duration, _SECONDS).faults)
-    return Outcome(Boolean(), faults)
+    return OperatorType(Boolean(), faults)
 
 
-def fold(result: Type, elements: Type) -> Outcome:
+def fold(result: Type, elements: Type) -> OperatorType:
     """`any`, `all` and `count` of the propositions of an array."""
     fits = isinstance(elements, Array) and isinstance(elements.element, Boolean)
-    return Outcome(result) if fits else fault(Fault.OPERANDS)
+    return OperatorType(result) if fits else fault(Fault.OPERANDS)
 
 
 # --- comparison ------------------------------------------------------------------------------
 
 
-def ordered(left: Type, right: Type) -> Outcome:
+def ordered(left: Type, right: Type) -> OperatorType:
     """`a < b` and the like: of numbers whose units fit."""
     if isinstance(left, Quantity) and isinstance(right, Quantity):
-        return Outcome(Boolean(), unit_faults(left, right))
+        return OperatorType(Boolean(), unit_faults(left, right))
     if isinstance(left, Vector) and isinstance(right, Quantity):
         return fault(Fault.VECTOR, *unit_faults(left.element, right))
     if isinstance(left, Quantity) and isinstance(right, Vector):
@@ -127,31 +127,33 @@ def ordered(left: Type, right: Type) -> Outcome:
     return _unfit(left, right)
 
 
-def equal(left: Type, right: Type) -> Outcome:
+def equal(left: Type, right: Type) -> OperatorType:
     """`==` and `!=`: of booleans, of texts, or of numbers."""
     for kind in (Boolean, Text):
         if isinstance(left, kind) and isinstance(right, kind):
-            return Outcome(Boolean())
+            return OperatorType(Boolean())
     return ordered(left, right)
 
 
-def contained(value: Type, container: Type) -> Outcome:
+def contained(value: Type, container: Type) -> OperatorType:
     """`in`: a range, or the places of a class."""
     if isinstance(container, Quantity):
         return fault(Fault.NOT_A_RANGE, *ordered(value, container).faults)
     if isinstance(container, Interval) and isinstance(value, (Quantity, Vector)):
         return ordered(value, container.element)
     if isinstance(container, Box) and isinstance(value, Vector):
-        return Outcome(Boolean(), unit_faults(value.element, container.element))
+        return OperatorType(Boolean(), unit_faults(value.element, container.element))
     if isinstance(container, Region) and container.has_area:
-        return Outcome(Boolean(), faults_of_position(value))
+        return OperatorType(Boolean(), faults_of_position(value))
     return fault(Fault.OPERANDS)
 
 
 # --- arithmetic ------------------------------------------------------------------------------
 
 
-def additive(unit_rule: Callable[[Unit, Unit], Unit | None], left: Type, right: Type) -> Outcome:
+def additive(
+    unit_rule: Callable[[Unit, Unit], Unit | None], left: Type, right: Type
+) -> OperatorType:
     """A sum or difference; `unit_rule` gives None where temperatures make no sense."""
     if isinstance(left, Vector) and isinstance(right, Vector):
         return _as_vector(additive(unit_rule, left.element, right.element))
@@ -159,9 +161,9 @@ def additive(unit_rule: Callable[[Unit, Unit], Unit | None], left: Type, right: 
         return ordered(left, right)
     faults = unit_faults(left, right)
     if faults or left.unit is None or right.unit is None:
-        return Outcome(Quantity(None), faults)
+        return OperatorType(Quantity(None), faults)
     unit = unit_rule(left.unit, right.unit)
-    return fault(Fault.TEMPERATURE) if unit is None else Outcome(Quantity(unit))
+    return fault(Fault.TEMPERATURE) if unit is None else OperatorType(Quantity(unit))
 
 
 def unit_of_sum(left: Unit, right: Unit) -> Unit | None:
@@ -178,18 +180,20 @@ def unit_of_difference(left: Unit, right: Unit) -> Unit | None:
     return left
 
 
-def _multiplicative(unit_rule: Callable[[Unit, Unit], Unit], left: Type, right: Type) -> Outcome:
+def _multiplicative(
+    unit_rule: Callable[[Unit, Unit], Unit], left: Type, right: Type
+) -> OperatorType:
     """A product or quotient; one with a factor of unstated unit is of unstated unit."""
     if not (isinstance(left, Quantity) and isinstance(right, Quantity)):
         return _unfit(left, right)
     if left.unit is None or right.unit is None:
-        return Outcome(Quantity(None))
+        return OperatorType(Quantity(None))
     if left.unit.offset or right.unit.offset:
         return fault(Fault.TEMPERATURE)
-    return Outcome(Quantity(unit_rule(left.unit, right.unit)))
+    return OperatorType(Quantity(unit_rule(left.unit, right.unit)))
 
 
-def product(left: Type, right: Type) -> Outcome:
+def product(left: Type, right: Type) -> OperatorType:
     """`a * b`; of a vector, each component."""
     if isinstance(left, Vector) and isinstance(right, Quantity):
         return _as_vector(_multiplicative(multiply, left.element, right))
@@ -198,70 +202,70 @@ def product(left: Type, right: Type) -> Outcome:
     return _multiplicative(multiply, left, right)
 
 
-def quotient(left: Type, right: Type) -> Outcome:
+def quotient(left: Type, right: Type) -> OperatorType:
     """`a / b`; of a vector, each component."""
     if isinstance(left, Vector) and isinstance(right, Quantity):
         return _as_vector(_multiplicative(divide, left.element, right))
     return _multiplicative(divide, left, right)
 
 
-def negative(value: Type) -> Outcome:
+def negative(value: Type) -> OperatorType:
     """`-a`; of a vector, each component."""
     return _as_vector(magnitude(value.element)) if isinstance(value, Vector) else magnitude(value)
 
 
-def magnitude(value: Type) -> Outcome:
+def magnitude(value: Type) -> OperatorType:
     """A number with the same unit, which no temperature has."""
     if not isinstance(value, Quantity):
         return _unfit(value)
-    return fault(Fault.TEMPERATURE) if value.unit and value.unit.offset else Outcome(value)
+    return fault(Fault.TEMPERATURE) if value.unit and value.unit.offset else OperatorType(value)
 
 
-def _as_vector(outcome: Outcome) -> Outcome:
+def _as_vector(outcome: OperatorType) -> OperatorType:
     if isinstance(outcome.type, Quantity) and not outcome.faults:
-        return Outcome(Vector(outcome.type))
+        return OperatorType(Vector(outcome.type))
     return outcome
 
 
 # --- functions -------------------------------------------------------------------------------
 
 
-def norm(value: Type) -> Outcome:
+def norm(value: Type) -> OperatorType:
     """The length of a vector."""
     return magnitude(value.element) if isinstance(value, Vector) else fault(Fault.OPERANDS)
 
 
-def hypot(left: Type, right: Type) -> Outcome:
+def hypot(left: Type, right: Type) -> OperatorType:
     """The length of two components."""
     if isinstance(left, Quantity) and isinstance(right, Quantity):
         return additive(lambda one, other: None if other.offset else one, left, right)
     return _unfit(left, right)
 
 
-def wave(angle: Type) -> Outcome:
+def wave(angle: Type) -> OperatorType:
     """The sine or the cosine of an angle."""
     is_angle = isinstance(angle, Quantity) and not unit_faults(angle, _RADIANS)
-    return Outcome(Quantity(DIMENSIONLESS)) if is_angle else fault(Fault.OPERANDS)
+    return OperatorType(Quantity(DIMENSIONLESS)) if is_angle else fault(Fault.OPERANDS)
 
 
-def distance(left: Type, right: Type) -> Outcome:
+def distance(left: Type, right: Type) -> OperatorType:
     """The distance of two points, or of a point from the places of a class."""
     if isinstance(left, Vector) and isinstance(right, Vector):
         return additive(unit_of_difference, left.element, right.element)
     if isinstance(right, Region):
-        return Outcome(_METRES, faults_of_position(left))
+        return OperatorType(_METRES, faults_of_position(left))
     return fault(Fault.OPERANDS)
 
 
-def stopping(motion: Type, *speed: Type) -> Outcome:
+def stopping(motion: Type, *speed: Type) -> OperatorType:
     """The way on which a motion slows down to a speed, or stops."""
     if not isinstance(motion, Motion):
         return fault(Fault.OPERANDS)
     faults = (fault for each in speed for fault in ordered(each, _SPEED).faults)
-    return Outcome(_METRES, tuple(faults))
+    return OperatorType(_METRES, tuple(faults))
 
 
-def braking_distance(speed: Type, deceleration: Type, latency: Type) -> Outcome:
+def braking_distance(speed: Type, deceleration: Type, latency: Type) -> OperatorType:
     """The way of a speed: of one in m/s in m, of one in rad/s in rad."""
     if not (
         isinstance(speed, Quantity)
@@ -276,7 +280,7 @@ def braking_distance(speed: Type, deceleration: Type, latency: Type) -> Outcome:
         *unit_faults(deceleration, Quantity(divide(way, _SQUARE_SECOND))),
         *unit_faults(latency, _SECONDS),
     )
-    return Outcome(Quantity(way), faults)
+    return OperatorType(Quantity(way), faults)
 
 
 def way_of(speed: Quantity) -> Unit | None:
@@ -290,7 +294,7 @@ def speed_of(way: Unit) -> Unit:
     return divide(way, parse_unit("s"))
 
 
-def time_to(left: Type, closing_speed: Type) -> Outcome:
+def time_to(left: Type, closing_speed: Type) -> OperatorType:
     """The time in which what is left is run through."""
     if not (isinstance(left, Quantity) and isinstance(closing_speed, Quantity)):
         return _unfit(left, closing_speed)
@@ -298,7 +302,7 @@ def time_to(left: Type, closing_speed: Type) -> Outcome:
         return fault(Fault.UNSTATED_UNIT)
     if left.unit.offset or closing_speed.unit.offset:
         return fault(Fault.TEMPERATURE)
-    return Outcome(_SECONDS, unit_faults(closing_speed, Quantity(speed_of(left.unit))))
+    return OperatorType(_SECONDS, unit_faults(closing_speed, Quantity(speed_of(left.unit))))
 
 
 def faults_of_position(value: Type) -> tuple[Fault, ...]:
@@ -308,59 +312,59 @@ def faults_of_position(value: Type) -> tuple[Fault, ...]:
     return () if is_position else (Fault.OPERANDS,)
 
 
-def extreme(*values: Type) -> Outcome:
+def extreme(*values: Type) -> OperatorType:
     """The least or greatest of one array, or of several scalars."""
     if len(values) == 1:
         (array,) = values
         if isinstance(array, Array) and isinstance(array.element, Quantity):
-            return Outcome(array.element)
+            return OperatorType(array.element)
         return fault(Fault.OPERANDS)
     faults = tuple(fault for value in values[1:] for fault in ordered(values[0], value).faults)
     unstated = Quantity(None) in values
-    return Outcome(Quantity(None) if unstated else values[0], faults)
+    return OperatorType(Quantity(None) if unstated else values[0], faults)
 
 
-def angle(value: Type) -> Outcome:
+def angle(value: Type) -> OperatorType:
     """An angle of an orientation."""
     fits = isinstance(value, Quaternion)
-    return Outcome(Quantity(parse_unit("rad"))) if fits else fault(Fault.OPERANDS)
+    return OperatorType(Quantity(parse_unit("rad"))) if fits else fault(Fault.OPERANDS)
 
 
-def rate(value: Type) -> Outcome:
+def rate(value: Type) -> OperatorType:
     """The change of a number in a second."""
     if not isinstance(value, Quantity):
         return _unfit(value)
     unit = value.unit and divide(unit_of_differences(value.unit), parse_unit("s"))
-    return Outcome(Quantity(unit))
+    return OperatorType(Quantity(unit))
 
 
-def previous(value: Type) -> Outcome:
+def previous(value: Type) -> OperatorType:
     """The number or vector that was there before."""
-    return Outcome(value) if isinstance(value, (Quantity, Vector)) else _unfit(value)
+    return OperatorType(value) if isinstance(value, (Quantity, Vector)) else _unfit(value)
 
 
-def filtered(value: Type, window: Type) -> Outcome:
+def filtered(value: Type, window: Type) -> OperatorType:
     """A number, smoothed over a time."""
     if not isinstance(value, Quantity):
         return _unfit(value)
-    return Outcome(value, ordered(window, _SECONDS).faults)
+    return OperatorType(value, ordered(window, _SECONDS).faults)
 
 
-def changed(value: Type) -> Outcome:
+def changed(value: Type) -> OperatorType:
     """Say whether something is not as it was."""
     if isinstance(value, (Quantity, Vector, Boolean)):
-        return Outcome(Boolean())
+        return OperatorType(Boolean())
     return _unfit(value)
 
 
-def age(_value: Type) -> Outcome:
+def age(_value: Type) -> OperatorType:
     """The time since the last message."""
-    return Outcome(_SECONDS)
+    return OperatorType(_SECONDS)
 
 
-def oscillating(value: Type, window: Type, *swing: Type) -> Outcome:
+def oscillating(value: Type, window: Type, *swing: Type) -> OperatorType:
     """Say whether a number goes up and down."""
     if not isinstance(value, Quantity):
         return _unfit(value)
     faults = [fault for width in swing for fault in ordered(value, width).faults]
-    return Outcome(Boolean(), (*faults, *ordered(window, _SECONDS).faults))
+    return OperatorType(Boolean(), (*faults, *ordered(window, _SECONDS).faults))

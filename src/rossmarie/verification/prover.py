@@ -90,7 +90,7 @@ class Verdict(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Outcome:
+class ProofOutcome:
     """The verdict on a check, and the sentences that do not hold, or why there is no verdict."""
 
     check: Check
@@ -143,7 +143,7 @@ class Prover:
         (folder / f"{harness.name}.c").write_text(harness.text, encoding="utf-8")
         self._must(["goto-cc", "-c", "-o", f"{harness.name}.goto", f"{harness.name}.c"], folder)
 
-    def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> Outcome:
+    def run(self, harness: Harness, check: Check, folder: Path, seconds: int) -> ProofOutcome:
         """Ask about a check in a folder with its program. No single query is given more than so
         many seconds of a processor.
         """
@@ -154,7 +154,7 @@ class Prover:
         query = _Query([*command, "--slice-formula"], folder, seconds)
         answers = self._answers(query, names, is_arithmetic=check.is_arithmetic)
         reasons = tuple(reason for answer in answers for reason in answer[1])
-        return Outcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
+        return ProofOutcome(check, max((answer[0] for answer in answers), key=_weight), reasons)
 
     def _compile(self, harness: Harness, check: Check, folder: Path) -> str:
         """Translate what a check calls; gives the name of the file."""

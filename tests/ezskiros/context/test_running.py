@@ -118,8 +118,8 @@ def followed(
     except FaultyTreeError:  # a check sees that it never succeeds, or that a part is never reached
         reject()
     known, goals = Followed(), set[str]()
-    task.setting.tell = known.hear
-    running = task.setting.running
+    task.execution.tell = known.hear
+    running = task.execution.running
     running.changed = lambda: goals.update(each.goal for each in running)
 
     def look() -> None:
@@ -174,4 +174,4 @@ def test_a_broken_hold_condition_ends_it(tmp_path: Path) -> None:
     outcome = run(task, wait=clock.wait)
     assert not outcome.is_success
     assert events[-1].happened is Happened.FAILED
-    assert list(task.setting.running) == []
+    assert list(task.execution.running) == []

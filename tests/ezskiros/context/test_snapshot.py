@@ -56,7 +56,7 @@ def pushing(folder: Path, scene: str = SCENE, *texts: str) -> Task:
 
 
 def reported(task: Task) -> dict[str, Any]:
-    (only,) = plain(Snapshots("digest").of(task.setting.running, None))["running"]
+    (only,) = plain(Snapshots("digest").of(task.execution.running, None))["running"]
     assert isinstance(only, dict)
     return only
 
@@ -114,7 +114,7 @@ def test_a_thing_of_two_classes_is_reported_twice(tmp_path: Path) -> None:
 
 def test_a_property_is_what_it_is_now(tmp_path: Path) -> None:
     task = pushing(tmp_path)
-    world = task.setting.world
+    world = task.execution.world
     skiros = "http://rvmi.aau.dk/ontologies/skiros.owl#"
 
     def weights() -> list[float | None]:
@@ -131,7 +131,7 @@ def test_a_property_is_what_it_is_now(tmp_path: Path) -> None:
 
 def test_a_thing_that_is_gone_is_of_the_class_of_the_parameter(tmp_path: Path) -> None:
     task = pushing(tmp_path)
-    world = task.setting.world
+    world = task.execution.world
     world.remove("http://rvmi.aau.dk/ontologies/skiros.owl#Product-1")
     found = reported(task)
     assert found["arguments"][0]["type"] == "skiros.Product"
@@ -142,7 +142,7 @@ def test_a_thing_that_is_gone_is_of_the_class_of_the_parameter(tmp_path: Path) -
 def test_two_snapshots_of_the_same_are_equal(tmp_path: Path) -> None:
     task = pushing(tmp_path)
     snapshots = Snapshots("digest")
-    first, second = (snapshots.of(task.setting.running, None) for _ in range(2))
+    first, second = (snapshots.of(task.execution.running, None) for _ in range(2))
     assert first == second
     assert first.digest == "digest"
     assert math.isnan(asdict(first)["running"][0]["arguments"][0]["number"])

@@ -96,7 +96,7 @@ class Scene:
         return recovery
 
     def call(self, skill: str) -> SkillCall:
-        found = {each.__name__: each for each in self.task.setting.library.descriptions()}
+        found = {each.__name__: each for each in self.task.execution.library.descriptions()}
         return SkillCall(found[skill], None, MappingProxyType({}), NOWHERE)
 
     def ticks(self, most: int) -> Status:
@@ -128,7 +128,7 @@ def begin(tmp_path: Path) -> Begin:
     def begun(skill: str, search: Future[Way] | None = None) -> Scene:
         search = search or Future()
         plain, events, _ = Skills(tmp_path, SOURCE).task(skill)
-        return Scene(InterruptibleTask(plain.root.call, plain.setting, lambda *_: search), events)
+        return Scene(InterruptibleTask(plain.root.call, plain.execution, lambda *_: search), events)
 
     return begun
 
@@ -203,7 +203,7 @@ def test_another_plan_is_for_the_goal_of_the_task_and_not_for_that_of_a_step(
         asked.append(call.skill.__name__)
         return Future()
 
-    scene = Scene(InterruptibleTask(plain.root.call, plain.setting, replan), events)
+    scene = Scene(InterruptibleTask(plain.root.call, plain.execution, replan), events)
     scene.task.go_by([scene.call("Patient")])
     scene.ticks(2)
     scene.ask("Clear", Afterwards.REPLAN)
@@ -219,7 +219,7 @@ def test_a_task_whose_goal_is_met_is_over(begin: Begin) -> None:
     scene.ask("Clear", Afterwards.REPLAN)
     assert scene.ticks(4) is Status.SUCCESS
     assert scene.reported == [(True, "")]
-    assert [*scene.task.setting.running] == []
+    assert [*scene.task.execution.running] == []
 
 
 def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
@@ -231,7 +231,7 @@ def test_without_a_plan_the_task_has_failed(begin: Begin) -> None:
     assert scene.ticks(5) is Status.FAILURE
     why = "no plan leads to the goal of the task: all ways are blocked"
     assert scene.reported == [(False, why)]
-    assert [*scene.task.setting.running] == []
+    assert [*scene.task.execution.running] == []
 
 
 def test_a_rule_that_is_released_ends_no_search(begin: Begin) -> None:
@@ -277,7 +277,7 @@ def test_a_recovery_that_fails_ends_the_task(begin: Begin) -> None:
     assert scene.ticks(1) is Status.FAILURE
     assert scene.reported == [(False, "the recovery has failed: it is broken")]
     assert scene.task.root.status is Status.INVALID
-    assert [*scene.task.setting.running] == []
+    assert [*scene.task.execution.running] == []
 
 
 def test_a_rule_that_is_released_ends_the_tree(begin: Begin) -> None:
@@ -334,7 +334,7 @@ def test_a_task_that_is_stopped_stops_its_tree(begin: Begin) -> None:
     scene.ticks(1)
     scene.task.preempt()
     assert scene.reported == [(False, "the task is stopped")]
-    assert [*scene.task.setting.running] == []
+    assert [*scene.task.execution.running] == []
 
 
 def test_a_tree_is_asked_for_from_any_thread(begin: Begin) -> None:
@@ -353,4 +353,4 @@ def test_the_context_tells_of_the_tree(begin: Begin) -> None:
     scene.ticks(3)
     scene.ask("Clear")
     scene.ticks(1)
-    assert [each.skill.name for each in scene.task.setting.running] == ["Both", "Clear", "Go"]
+    assert [each.skill.name for each in scene.task.execution.running] == ["Both", "Clear", "Go"]

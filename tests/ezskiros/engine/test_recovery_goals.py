@@ -61,7 +61,7 @@ class Robot:
         plain, self.events, _ = Skills(folder, SOURCE, SCENE).task(
             "Drive", "Target=kitchen", "Speed=0.25", "Gear=FAST"
         )
-        self.task = InterruptibleTask(plain.root.call, plain.setting, lambda *_: Future())
+        self.task = InterruptibleTask(plain.root.call, plain.execution, lambda *_: Future())
         self.goals = RecoveryGoals(DIGEST, TaskHost(self.task))
         self.reported: list[tuple[bool, str]] = []
         self.task.tick()
@@ -127,7 +127,7 @@ def test_values_are_those_of_the_skill_that_another_tree_interrupts(robot: Robot
     passed = [f"{name}=@Drive.{name}" for name in ("Target", "Speed", "Quietly", "Gear")]
     robot.begin("Target=store", *GIVEN)
     robot.task.tick()
-    assert [str(each.values()["Target"]) for each in robot.task.setting.running][-1:] == [
+    assert [str(each.values()["Target"]) for each in robot.task.execution.running][-1:] == [
         "skiros:Location-2"
     ]
     robot.begin(*passed)
@@ -142,7 +142,7 @@ def test_a_skill_that_runs_again_has_its_new_values(robot: Robot) -> None:
     while not robot.reported:
         robot.task.tick()
     robot.task.tick()
-    assert [*robot.task.running] == [*robot.task.setting.running]
+    assert [*robot.task.running] == [*robot.task.execution.running]
 
 
 GIVEN = ("Speed=1", "Quietly=true", "Gear=SLOW")

@@ -105,8 +105,8 @@ def begun(
 
 def noted(task: Task) -> list[str]:
     """The notes of the code of users."""
-    (found,) = (each for each in task.setting.library.descriptions() if each.__name__ == "Go")
-    (kind,) = task.setting.library.implementations(found).values()
+    (found,) = (each for each in task.execution.library.descriptions() if each.__name__ == "Go")
+    (kind,) = task.execution.library.implementations(found).values()
     return list(kind.onStart.__globals__["noted"])
 
 
@@ -120,12 +120,12 @@ def test_a_primitive_waits_and_starts_in_the_tick_in_which_it_may(tmp_path: Path
     assert [task.tick() for _ in range(3)] == [Status.RUNNING] * 3
     assert reported(events) == [f"running: waits: {STOP}"]
     assert noted(task) == []
-    assert [each.skill.name for each in task.setting.running] == ["Task"]
+    assert [each.skill.name for each in task.execution.running] == ["Task"]
     rules.reason = None
     assert task.tick() is Status.RUNNING
     assert reported(events)[1:] == ["started: Start", "running: on the way"]
     assert noted(task) == ["init", "start a", "execute"]
-    assert [each.skill.name for each in task.setting.running] == ["Task", "Go"]
+    assert [each.skill.name for each in task.execution.running] == ["Task", "Go"]
     assert task.tick() is Status.SUCCESS
 
 
@@ -183,7 +183,7 @@ def test_a_skill_that_is_stopped_while_it_waits_was_never_there(
     task.preempt()
     assert noted(task) == []
     assert reported(events)[-1] == "preempted: stopped before its start"
-    assert list(task.setting.running) == []
+    assert list(task.execution.running) == []
 
 
 def test_it_waits_anew_after_it_was_stopped(tmp_path: Path) -> None:
@@ -221,11 +221,11 @@ def test_a_skill_that_waits_is_ahead_and_what_follows_a_time_limit(tmp_path: Pat
 
 def test_a_tree_of_a_rule_takes_the_place_of_a_skill_that_waits(tmp_path: Path) -> None:
     plain, events, _ = begun(tmp_path, 'self.serialstar(Go(Name="a"))', Rules())
-    task = InterruptibleTask(plain.root.call, plain.setting, lambda _, __: pytest.fail("no plan"))
+    task = InterruptibleTask(plain.root.call, plain.execution, lambda _, __: pytest.fail("no plan"))
     task.tick()
     (look,) = (
         SkillCall(each, None, MappingProxyType({}), NOWHERE)
-        for each in plain.setting.library.descriptions()
+        for each in plain.execution.library.descriptions()
         if each.__name__ == "Look"
     )
     done: list[tuple[bool, str]] = []
@@ -267,7 +267,7 @@ def trace_of(folder: Path, tree: str, guard: Rules | None) -> str:
     task, _, clock = begun(folder, tree, guard)
     file = io.StringIO()
     trace = Trace(file, 0)
-    task.setting.tell = lambda event: trace.write(event, task.ticks, clock())
+    task.execution.tell = lambda event: trace.write(event, task.ticks, clock())
     run(task, wait=clock.wait, why_stop=lambda: "too long" if task.ticks > 60 else None)
     return re.sub(r"/tmp\w+/skills", "skills", file.getvalue())
 

@@ -94,7 +94,7 @@ class Robot:
 
     def block(self, one: str, other: str, *without: Prohibition) -> None:
         """A tree marks a way as blocked; then another is looked for, without what rules stop."""
-        library, world = self.task.setting.library, self.task.setting.world_model
+        library, world = self.task.execution.library, self.task.execution.world_model
         found = {each.__name__: each for each in library.descriptions()}
         things = {"One": world.thing(one), "Other": world.thing(other)}
         call = SkillCall(found["Block"], None, MappingProxyType(things), NOWHERE)
@@ -120,8 +120,10 @@ class Robot:
 
 def begun(folder: Path, skill: str, *texts: str, source: str = SOURCE, scene: str = SCENE) -> Robot:
     plain, events, _ = Skills(folder, source, scene).task(skill, *texts)
-    setting = plain.setting
-    task = InterruptibleTask(plain.root.call, setting, replanner(setting.library, setting.world))
+    execution = plain.execution
+    task = InterruptibleTask(
+        plain.root.call, execution, replanner(execution.library, execution.world)
+    )
     return Robot(task, events)
 
 
@@ -137,7 +139,7 @@ def test_a_way_around_what_a_tree_found_blocked(tmp_path: Path) -> None:
 def test_no_way_is_left(tmp_path: Path) -> None:
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
     robot.task.tick()
-    world = robot.task.setting.world_model
+    world = robot.task.execution.world_model
     world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
     robot.block("yard", "hall")
     assert robot.to_the_end() is Status.FAILURE
@@ -177,10 +179,10 @@ def test_a_task_that_cannot_be_planned_says_why(
 
 def test_the_search_changes_nothing_in_the_world(tmp_path: Path) -> None:
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
-    setting, task = robot.task.setting, robot.task.root.call
-    (tmp_path / "before.turtle").write_text(setting.world.turtle())
-    assert len(replanner(setting.library, setting.world)(task, ()).result(60)) == 2
-    (tmp_path / "after.turtle").write_text(setting.world.turtle())
+    execution, task = robot.task.execution, robot.task.root.call
+    (tmp_path / "before.turtle").write_text(execution.world.turtle())
+    assert len(replanner(execution.library, execution.world)(task, ()).result(60)) == 2
+    (tmp_path / "after.turtle").write_text(execution.world.turtle())
     assert (tmp_path / "before.turtle").read_text() == (tmp_path / "after.turtle").read_text()
 
 
@@ -258,7 +260,7 @@ def test_no_way_is_left_without_what_rules_stop(
 
 def test_rules_are_no_reason_where_there_is_no_way_at_all(tmp_path: Path) -> None:
     robot = delivering(tmp_path, CORRIDOR)
-    world = robot.task.setting.world_model
+    world = robot.task.execution.world_model
     world.unrelate(world.thing("corridor"), "skiros:spatiallyRelated", world.thing("hall"))
     robot.block("yard", "hall", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
@@ -291,7 +293,7 @@ def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> Non
 def drive(tmp_path_factory: pytest.TempPathFactory) -> tuple[Ontology, Action]:
     """The skill that drives, as a planner has it."""
     robot = begun(tmp_path_factory.mktemp("drive"), *GIVEN)
-    library, world = robot.task.setting.library, robot.task.setting.world
+    library, world = robot.task.execution.library, robot.task.execution.world
     found, _ = actions(library, world.ontology.model)
     return world.ontology, next(each for each in found if each.skill.name == "Drive")
 
@@ -344,14 +346,17 @@ def test_what_is_in_reach_is_what_a_walk_finds(
 def test_the_way_heeds_what_skills_lose_to_rules(tmp_path: Path) -> None:
     """The ways by the corridor and by the yard have the same length."""
     robot = begun(tmp_path, "Deliver", "Robot=heron", "Place=hall", "Speed=0.3")
-    setting, task = robot.task.setting, robot.task.root.call
+    execution, task = robot.task.execution, robot.task.root.call
 
     def by(*costs: Cost) -> object:
-        found = way(setting.library, task, setting.world, setting.world.copy(), costs=costs)
+        found = way(execution.library, task, execution.world, execution.world.copy(), costs=costs)
         return found[0].arguments["To"].label  # type: ignore[attr-defined]
 
     def cost(start: str, target: str) -> Cost:
-        things = {"From": setting.world_model.thing(start), "To": setting.world_model.thing(target)}
+        things = {
+            "From": execution.world_model.thing(start),
+            "To": execution.world_model.thing(target),
+        }
         places = tuple((name, thing.iri) for name, thing in things.items())
         return Cost("Drive", places, executions=2, activations=1, lost_s=9.0)
 

@@ -20,7 +20,7 @@ from gymnasium.utils.env_checker import check_env
 import heron.learning  # noqa: F401  # registers the environments
 from heron.learning.arms import guarded, is_guarded
 from heron.learning.environment import MOVES, PegInHole
-from heron.learning.insertion import Outcome
+from heron.learning.insertion import InsertionOutcome
 from heron.variants import LearningArm
 from support.insertions import Floats, Policy, into_the_fragile_part, wandering
 
@@ -60,10 +60,10 @@ def episode(env: Any, policy: Policy, seed: int) -> Iterator[tuple[Floats, Any]]
             return
 
 
-def outcome(env: Any, policy: Policy, seed: int) -> Outcome:
+def outcome(env: Any, policy: Policy, seed: int) -> InsertionOutcome:
     """Run an episode, and give its outcome."""
     *_, (_, info) = episode(env, policy, seed)
-    found: Outcome = info["outcome"]
+    found: InsertionOutcome = info["outcome"]
     return found
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from rossmarie.analysis.witness import Sending, Witness
 from rossmarie.driver.analyze import Analysis, analyze_file
-from rossmarie.driver.testing import Outcome, run_test_file
+from rossmarie.driver.testing import RanTests, run_test_file
 from rossmarie.driver.witness_tests import witness_tests
 from rossmarie.ir import ChannelValues
 from rossmarie.ir.script import Script
@@ -55,7 +55,7 @@ LENGTHY = {"alternating", "decided", "holding", "latches", "limits", "over_time"
 """Fixtures with so many findings that it takes seconds."""
 
 
-def kept(analysis: Analysis, rules: Path) -> tuple[str, Outcome]:
+def kept(analysis: Analysis, rules: Path) -> tuple[str, RanTests]:
     """The tests as they are written beside the rules, and what comes of them."""
     path = rules.parent / "found.ross"
     found = witness_tests(analysis, rules, path)
@@ -69,7 +69,7 @@ def kept(analysis: Analysis, rules: Path) -> tuple[str, Outcome]:
     return found.text, ran
 
 
-def ends_active(outcome: Outcome, script: Script) -> set[str]:
+def ends_active(outcome: RanTests, script: Script) -> set[str]:
     """The rules that a test expects to be active at its end."""
     last_ns = max(expected.last_ns for expected in script.expectations)
     return {

@@ -63,8 +63,8 @@ def test_order(order: tuple[int, ...], said: str) -> None:
     assert refused(replace(FOUND, order=order)) == said
 
 
-def plan(*stages: tuple[int, ...], tasks: tuple[int, ...]) -> reactions.Plan:
-    return reactions.Plan(stages, tasks)
+def plan(*stages: tuple[int, ...], tasks: tuple[int, ...]) -> reactions.RecoveryPlan:
+    return reactions.RecoveryPlan(stages, tasks)
 
 
 FIRST, SECOND_PLAN = FOUND.plans
@@ -84,7 +84,7 @@ FIRST, SECOND_PLAN = FOUND.plans
         ((FIRST, plan((3, 6), tasks=(3, 4, 5, 6, 6))), "plans: not each task once"),
     ],
 )  # fmt: skip
-def test_plans(plans: tuple[reactions.Plan, ...], said: str) -> None:
+def test_plans(plans: tuple[reactions.RecoveryPlan, ...], said: str) -> None:
     assert refused(replace(FOUND, plans=plans)) == said
 
 

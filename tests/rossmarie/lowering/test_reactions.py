@@ -214,7 +214,7 @@ def test_escalations_have_tasks_of_their_own() -> None:
     names = [machine.reactions.actions[task.action].name for task in tasks]
     assert names == ["lock", "lock", "home", "stop"]
     assert [task.otherwise for task in tasks] == [(2,), (), (3,), ()]
-    assert machine.reactions.plans[0] == reactions.Plan(((0, 1),), (0, 1, 2, 3))
+    assert machine.reactions.plans[0] == reactions.RecoveryPlan(((0, 1),), (0, 1, 2, 3))
 
 
 def test_the_order_is_that_of_the_file_but_for_the_priorities() -> None:

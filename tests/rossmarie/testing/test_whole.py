@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from rossmarie.driver.generating import generate_tests
-from rossmarie.driver.testing import Outcome, run_test_file
+from rossmarie.driver.testing import RanTests, run_test_file
 from rossmarie.testing.goals import Aspect
 
 INPUTS = """
@@ -23,7 +23,7 @@ input value = topic /value : rcl_interfaces/ParameterValue timeout 0.5 sec;
 """
 
 
-def written(folder: Path, condition: str) -> tuple[str, Outcome]:
+def written(folder: Path, condition: str) -> tuple[str, RanTests]:
     """The generated tests of one rule, and what comes of them."""
     path = folder / "rules.ross"
     path.write_text(f"{INPUTS}rule r: if {condition} then {{ stop; }};\n", encoding="utf-8")
@@ -34,7 +34,7 @@ def written(folder: Path, condition: str) -> tuple[str, Outcome]:
     return found.text, ran
 
 
-def uncovered(outcome: Outcome) -> list[Aspect]:
+def uncovered(outcome: RanTests) -> list[Aspect]:
     return [goal.aspect for goal in outcome.coverage.goals if goal not in outcome.coverage.reached]
 
 

@@ -9,7 +9,7 @@ from rossmarie.types import (
     Interval,
     Message,
     Operator,
-    Outcome,
+    OperatorType,
     Quantity,
     Quaternion,
     Text,
@@ -110,7 +110,7 @@ EVERY_TYPE: list[Type] = [
     ],
 )
 def test_result(operator: str, operands: tuple[Type, ...], result: Type) -> None:
-    assert apply(Operator(operator), *operands) == Outcome(result)
+    assert apply(Operator(operator), *operands) == OperatorType(result)
 
 
 @pytest.mark.parametrize(
@@ -162,7 +162,7 @@ def test_result(operator: str, operands: tuple[Type, ...], result: Type) -> None
     ],
 )
 def test_faults(operator: str, operands: tuple[Type, ...], faults: list[Fault]) -> None:
-    assert apply(Operator(operator), *operands) == Outcome(Unknown(), tuple(faults))
+    assert apply(Operator(operator), *operands) == OperatorType(Unknown(), tuple(faults))
 
 
 @pytest.mark.parametrize("operator", Operator)
@@ -178,10 +178,10 @@ def test_every_operator_has_an_outcome_for_every_type(operator: Operator) -> Non
 @pytest.mark.parametrize("operator", Operator)
 def test_unknown_operands_absorb(operator: Operator) -> None:
     operands = (Unknown(),) * SIGNATURES[operator].least
-    assert apply(operator, *operands) == Outcome(Unknown())
+    assert apply(operator, *operands) == OperatorType(Unknown())
     if operator not in (Operator.AND, Operator.OR) and len(operands) > 1:
         others = (Message("a/B", {}),) * (len(operands) - 1)
-        assert apply(operator, *others, Unknown()) == Outcome(Unknown())
+        assert apply(operator, *others, Unknown()) == OperatorType(Unknown())
 
 
 def test_the_number_of_operands_is_the_callers_business() -> None:

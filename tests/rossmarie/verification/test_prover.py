@@ -10,7 +10,7 @@ import pytest
 
 from rossmarie.verification.check import Check
 from rossmarie.verification.harness import Harness
-from rossmarie.verification.prover import Outcome, Prover, Verdict
+from rossmarie.verification.prover import ProofOutcome, Prover, Verdict
 
 OBLIGATIONS = ("check_it.assertion.1", "check_it.overflow.1")
 SUCCESS = [{"cProverStatus": "success"}]
@@ -85,7 +85,7 @@ def answered(
     monkeypatch: pytest.MonkeyPatch,
     obligations: Sequence[str] = OBLIGATIONS,
     **answers: Sequence[object],
-) -> Outcome:
+) -> ProofOutcome:
     """What comes of one check if CBMC gives these answers."""
     programs = folder / "bin"
     programs.mkdir()

@@ -20,7 +20,7 @@ from rossmarie.check.units.errors import MisplacedUnit
 from rossmarie.check.units.quantities import ANGLE, read_unit
 from rossmarie.check.wording.describe import describe, is_plain
 from rossmarie.ir.path import Path, Sector
-from rossmarie.ir.script import Setting, SettingValue
+from rossmarie.ir.script import FieldValue, SettingValue
 from rossmarie.syntax import ast
 from rossmarie.types import (
     Array,
@@ -42,11 +42,11 @@ _ANGLES = ("roll", "pitch", "yaw")
 _RADIANS = Quantity(parse_unit("rad"))
 
 
-def settings_of(written: Sequence[ast.Setting], context: Context) -> tuple[Setting, ...] | None:
+def settings_of(written: Sequence[ast.Setting], context: Context) -> tuple[FieldValue, ...] | None:
     """Give the settings of messages; None after reporting what is wrong. A vector is set one by
     one.
     """
-    found: list[Setting] = []
+    found: list[FieldValue] = []
     is_right = True
     for setting in written:
         checked = _SettingChecker(setting, context).check()
@@ -63,7 +63,7 @@ class _SettingChecker:
         self._context = context
         self._text = setting.path.span.text
 
-    def check(self) -> tuple[Setting, ...] | None:
+    def check(self) -> tuple[FieldValue, ...] | None:
         """Give the settings; None after reporting what is wrong with them."""
         type_ = self._input_type()
         if type_ is None or isinstance(type_, Unknown):
@@ -96,11 +96,11 @@ class _SettingChecker:
     def _sets(self) -> bool:
         return self._setting.is_unknown or self._setting.value is not None
 
-    def _made(self, path: Path, value: SettingValue, angle: str | None) -> Setting:
+    def _made(self, path: Path, value: SettingValue, angle: str | None) -> FieldValue:
         name = self._setting.path.steps[0]
         assert isinstance(name, ast.Name)
         topic = self._context.reported[name.text].topic
-        return Setting(name.text, topic, path, value, angle, span=self._setting.span)
+        return FieldValue(name.text, topic, path, value, angle, span=self._setting.span)
 
     # --- fields ------------------------------------------------------------------------------
 
@@ -185,7 +185,7 @@ class _SettingChecker:
         whole = message_value(found)
         return whole, part_at((), whole)
 
-    def _unknown(self, type_: Type, path: Path, angle: str | None) -> tuple[Setting, ...] | None:
+    def _unknown(self, type_: Type, path: Path, angle: str | None) -> tuple[FieldValue, ...] | None:
         parts = "xyz" if isinstance(type_, Vector) else "xyzw"
         if angle is not None or isinstance(type_, Vector | Quaternion):
             return tuple(self._made((*path, part), None, None) for part in parts)
@@ -196,7 +196,7 @@ class _SettingChecker:
             return (self._made(path, (), None),)
         return (self._made(path, None, None),)  # of a list as well: it is not known
 
-    def _without_value(self) -> tuple[Setting, ...] | None:
+    def _without_value(self) -> tuple[FieldValue, ...] | None:
         first = self._setting.path.steps[0]
         assert isinstance(first, ast.Name)
         finding = NotSettable(field=self._text, found="a field without a value")

@@ -149,9 +149,9 @@ class _Writer:
         if not stages and not self._machine.rules[index].actions:
             yield Phrase("nothing is done; that it is active is reported")
 
-    def _plan(self, index: int) -> reactions.Plan:
+    def _plan(self, index: int) -> reactions.RecoveryPlan:
         plans = self._machine.reactions.plans
-        return plans[index] if plans else reactions.Plan((), ())
+        return plans[index] if plans else reactions.RecoveryPlan((), ())
 
     def _order(self, index: int) -> Iterator[str]:
         """R1, R2, S60: what it gives way to, and what it stands for."""

@@ -37,7 +37,7 @@ class Value:
 
 
 @dataclass
-class Guard:
+class ValueGuard:
     """The guard that watches a value; `leaves` are proposition indexes in the order of their
     nodes.
     """
@@ -67,7 +67,7 @@ class Layout:
     value_of_slot: tuple[int, ...]
     value_of_signal: dict[int, int]
     value_of_test: dict[int, int]
-    guards: tuple[Guard, ...]
+    guards: tuple[ValueGuard, ...]
     literals: tuple[int, ...]
     ages: tuple[int, ...]
     oscillations: tuple[int, ...]
@@ -128,7 +128,7 @@ class Layout:
         """Where a signal is kept; None for a constant."""
         return self.value_of_signal.get(signal)
 
-    def guards_of(self, channel: int) -> list[Guard]:
+    def guards_of(self, channel: int) -> list[ValueGuard]:
         """The guards that a message on a channel can leave."""
         return [g for g in self.guards if channel in self.values[g.value].support.channels]
 
@@ -167,7 +167,7 @@ class Layout:
         found = self.values[value]
         return found.slot is None and ir.is_of_list(self.machine, found.support)
 
-    def guard_blames(self, guard: Guard) -> list[int]:
+    def guard_blames(self, guard: ValueGuard) -> list[int]:
         """The same for the leaves of a guard; a quantifier blames its array whenever unknown."""
         value = self.values[guard.value]
         if value.test is not None:
@@ -193,7 +193,7 @@ class _Builder:
         self.values: list[Value] = []
         self.value_of_signal: dict[int, int] = {}
         self.value_of_test: dict[int, int] = {}
-        self.guards: dict[int, Guard] = {}
+        self.guards: dict[int, ValueGuard] = {}
         self.family = names.Family("VALUE_")
         self.guard_family = names.Family("GUARD_")
         self.proposition_family = names.Family("PROPOSITION_")
@@ -332,14 +332,14 @@ class _Builder:
         self.value_of_test[index] = value
         return value
 
-    def _guard(self, value: int) -> Guard:
+    def _guard(self, value: int) -> ValueGuard:
         if value not in self.guards:
             name = self.guard_family.name(self.values[value].name.removeprefix("VALUE_"))
-            self.guards[value] = Guard(name, value)
+            self.guards[value] = ValueGuard(name, value)
         return self.guards[value]
 
 
-def _sort(guard: Guard) -> None:
+def _sort(guard: ValueGuard) -> None:
     """Limits from low to high, leaves in the order of their lowest limits."""
     guard.limits.sort(key=lambda limit: limit.at)
     lowest: dict[int, int] = {}

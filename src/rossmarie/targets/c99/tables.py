@@ -12,7 +12,7 @@ from rossmarie.core import MOST_SAMPLES
 from rossmarie.targets import comments
 from rossmarie.targets.c99 import names
 from rossmarie.targets.c99.coverage import covered_values
-from rossmarie.targets.c99.layout import Guard, Layout
+from rossmarie.targets.c99.layout import Layout, ValueGuard
 from rossmarie.targets.c99.recent import recent_tables
 from rossmarie.targets.c99.state import is_small
 from rossmarie.targets.c99.text import boolean, enumeration, lists, remarked_table, sizes, table
@@ -255,7 +255,7 @@ def _guard_tables(layout: Layout) -> str:
     )
 
 
-def _limit_rows(layout: Layout, guard: Guard) -> list[str]:
+def _limit_rows(layout: Layout, guard: ValueGuard) -> list[str]:
     """The limits of a guard between two ends."""
     rows = [f"BELOW_ALL, /* {comments.in_c(layout.values[guard.value].remark)} */"]
     pairs = enumerate(zip(guard.limits, twins(guard.limits), strict=True))

@@ -13,7 +13,7 @@ from functools import cached_property
 from rossmarie import ir
 from rossmarie.targets.python import expressions, names
 from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Guard, Layout, number
+from rossmarie.targets.python.layout import Layout, ValueLimits, number
 
 _LARGEST_EXACT = 2.0**53
 """Below it every integer is a double, so that comparing it is comparing that."""
@@ -227,5 +227,5 @@ class _Calm:
         return name not in self._looked_at and (guard is None or _is_narrow(guard))
 
 
-def _is_narrow(guard: Guard) -> bool:
+def _is_narrow(guard: ValueLimits) -> bool:
     return all(abs(cut) < _LARGEST_EXACT for cut in guard.cuts)

@@ -15,7 +15,7 @@ from rossmarie.targets import comments
 from rossmarie.targets.python import expressions, names, state
 from rossmarie.targets.python.channels import calm_channels
 from rossmarie.targets.python.function import Function
-from rossmarie.targets.python.layout import Guard, Layout, memory
+from rossmarie.targets.python.layout import Layout, ValueLimits, memory
 
 _MOST_LINES = 2000
 """Python's compiler takes more than its share of time for functions that are longer by far."""
@@ -149,7 +149,7 @@ def _record(layout: Layout, index: int, value: str, function: Function, depth: i
     function.assign(f"d{index}", "at_ns", depth + 1)
 
 
-def _guard(layout: Layout, guard: Guard) -> Function:
+def _guard(layout: Layout, guard: ValueLimits) -> Function:
     """A number that has left its guard has its comparisons made, and gets a new guard."""
     function = Function("step()")
     value = guard.value
@@ -170,7 +170,7 @@ def _guard(layout: Layout, guard: Guard) -> Function:
     return function
 
 
-def _gap(guard: Guard, cuts: Sequence[float], function: Function, depth: int) -> None:
+def _gap(guard: ValueLimits, cuts: Sequence[float], function: Function, depth: int) -> None:
     """Find the gap between two of the cuts, all but the outer ones being limits, by halves."""
     if len(cuts) > 2:
         middle = len(cuts) // 2

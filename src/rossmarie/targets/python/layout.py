@@ -30,7 +30,7 @@ class Group:
 
 
 @dataclass(frozen=True)
-class Guard:
+class ValueLimits:
     """The limits of a number, from low to high, and the propositions that compare it with them."""
 
     value: str
@@ -200,7 +200,7 @@ class Layout:
     # --- guards ------------------------------------------------------------------------------
 
     @cached_property
-    def guards(self) -> list[Guard]:
+    def guards(self) -> list[ValueLimits]:
         """The guards of all numbers that rest on slots alone: these are never infinite."""
         leaves: dict[str, list[int]] = {}
         cuts: dict[str, set[float]] = {}
@@ -216,12 +216,12 @@ class Layout:
                 limit.at for limit in limited.limits if -math.inf < limit.at < sys.float_info.max
             )
         return [
-            Guard(value, signal, tuple(leaves[value]), tuple(sorted(cuts[value])))
+            ValueLimits(value, signal, tuple(leaves[value]), tuple(sorted(cuts[value])))
             for value, signal in signals.items()
         ]
 
     @cached_property
-    def guard_of(self) -> dict[str, Guard]:
+    def guard_of(self) -> dict[str, ValueLimits]:
         """The guard of each number that has one."""
         return {guard.value: guard for guard in self.guards}
 

@@ -33,7 +33,7 @@ def blanks(machine: ir.Machine, dialect: Dialect, name: str) -> dict[str, object
     }
 
 
-def words_of(setting: ir.Setting) -> tuple[str, str]:
+def words_of(setting: ir.NodeParameter) -> tuple[str, str]:
     """The default of a parameter of the rules, and what may be given instead."""
     unit = f" in {setting.unit}" if setting.unit else ""
     direction = "greater" if setting.is_up else "smaller"
@@ -41,7 +41,7 @@ def words_of(setting: ir.Setting) -> tuple[str, str]:
     return repr(setting.usual), about
 
 
-def _parameter(setting: ir.Setting) -> str:
+def _parameter(setting: ir.NodeParameter) -> str:
     usual, about = words_of(setting)
     row = string(setting.name), usual, number(setting.farthest), string(about)
     return f"{{{', '.join(row)}}},"

@@ -11,7 +11,7 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.driver import compile_file
-from rossmarie.ir.reactions import CancelGoal, Plan
+from rossmarie.ir.reactions import CancelGoal, RecoveryPlan
 from rossmarie.targets.c99 import engine, generate, generate_loadable
 from rossmarie.targets.c99.monitor import own_files
 from support.c99_cases import CASES
@@ -193,7 +193,9 @@ def test_a_reactor_has_only_what_it_needs() -> None:
     assert isinstance(cancel, CancelGoal)
     cancel = replace(cancel, confirmation=None)
     tasks = (replace(found.tasks[3], effect=cancel, otherwise=()),)
-    plain = replace(found, commands=(), tasks=tasks, plans=(Plan(((0,),), (0,)), Plan((), ())))
+    plain = replace(
+        found, commands=(), tasks=tasks, plans=(RecoveryPlan(((0,),), (0,)), RecoveryPlan((), ()))
+    )
     files = own_files(replace(machine, reactions=plain, watches=()))
     assert "math.h>" not in files["reacting_reactor.c"]
     assert not re.search("_bounds|_watch", "".join(files.values()))

@@ -1,4 +1,4 @@
-"""The setting that all skills of a task share while they run."""
+"""The context that all skills of a task share while they run."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def _first(_skill: SkillInterface, solutions: Sequence[Solution]) -> Solution:
 
 
 @dataclass
-class Setting:
+class ExecutionContext:
     """The world, the library, and how skills are run."""
 
     library: Library
