@@ -40,10 +40,14 @@ def _copy(wanted: Robot, folder: Path) -> None:
     output.try_folder(folder)
     try:
         with output.writing_to(folder):
-            written = copy_robot(wanted, folder)
+            written = copy_robot(wanted, folder, replaces_others=output.permission.is_given)
     except FilesAreThereError as error:
         paths = ", ".join(map(str, error.paths))
-        output.fail(f"nothing is written, because these are there: {paths}", exit_code=2)
+        output.fail(
+            f"nothing is written, because these are there: {paths}; choose another "
+            "folder, or replace them with --force",
+            exit_code=2,
+        )
     for path in written:
         typer.echo(f"wrote {path}")
     rules, recording = (folder / path.name for path in (wanted.rules, wanted.recording))

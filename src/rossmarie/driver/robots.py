@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from dslkit.writing import write_whole
 from rossmarie.driver.workspace import SYSTEM_MODEL
 
 ROBOTS = Path(__file__).parents[1] / "robots"
@@ -78,16 +79,15 @@ def robot(name: str) -> Robot:
     raise UnknownRobotError(f"there is no robot `{name}` in the box; {hint}")
 
 
-def copy_robot(copied: Robot, folder: Path) -> Sequence[Path]:
+def copy_robot(copied: Robot, folder: Path, *, replaces_others: bool = False) -> Sequence[Path]:
     """Copy the files of a robot into a folder, which need not exist yet: what was written. Raises
-    `FilesAreThereError` before anything is written, and `OSError`.
+    `FilesAreThereError` before anything is written, unless it `replaces_others`, and `OSError`.
     """
     targets = [folder / each for each in copied.files]
     present = [path for path in targets if os.path.lexists(path)]
-    if present:
+    if present and not replaces_others:
         raise FilesAreThereError(present)
     for source, target in zip(copied.files, targets, strict=True):
         target.parent.mkdir(parents=True, exist_ok=True)
-        with target.open("xb") as stream:  # a file that somebody else has just written stays
-            stream.write((copied.folder / source).read_bytes())
+        write_whole(target, (copied.folder / source).read_bytes())
     return targets
