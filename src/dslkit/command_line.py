@@ -26,6 +26,7 @@ if TYPE_CHECKING:  # a run without findings needs neither
     from rich.console import Console
 
     from dslkit.catalog import Catalog
+    from dslkit.extras import Extras
 
 _PROGRAMS = {"CHK": "crosscheck", "EZS": "ezskiros", "ROSS": "rossmarie"}
 """The programs that explain codes, by the letters of the codes."""
@@ -72,6 +73,8 @@ class CommandLine:
     internal_code: str
     unreadable: frozenset[str]
     catalog: Callable[[], Catalog]
+    distribution: str
+    extras: Callable[[], Extras]
     permission: _Permission = field(default_factory=_Permission)
     _answers: list[Answer] = field(default_factory=list, init=False, repr=False, compare=False)
 
@@ -86,7 +89,7 @@ class CommandLine:
         """The installed version."""
         from importlib.metadata import version
 
-        return version("rossmarie")
+        return version(self.distribution)
 
     def version_option(self) -> Any:
         """The option `--version` of Typer, which prints the version and ends the run."""
@@ -184,6 +187,14 @@ class CommandLine:
             self._answers[-1].error = message
         raise typer.Exit(exit_code)
 
+    def require(self, *extras: str) -> None:
+        """End the run with advice if one of these extras is not installed."""
+        known = self.extras()
+        missing = [module for extra in extras for module in known.missing(extra)]
+        if missing:
+            modules, advice = ", ".join(missing), known.advice(*extras)
+            self.fail(f"this needs {modules}, not installed here: {advice}", exit_code=2)
+
     # --- answers for programs ---------------------------------------------------------------------
 
     @contextmanager
@@ -209,8 +220,10 @@ class CommandLine:
             raise
         except (OSError, KeyboardInterrupt):
             raise  # nobody may be there to read an answer
-        except Exception:
-            answer.error = f"this is a defect of {self.tool}; standard error has the details"
+        except Exception as error:
+            lacks = isinstance(error, ModuleNotFoundError) and self.extras().explained(error)
+            defect = f"this is a defect of {self.tool}; standard error has the details"
+            answer.error = lacks or defect
             typer.echo(answer.text(), nl=False)
             raise
         else:
@@ -301,6 +314,30 @@ class CommandLine:
                     exit_code=2,
                 )
 
+    def refuse_present(self, paths: Sequence[Path]) -> NoReturn:
+        """End the run because these files are there, and their user completes them by hand."""
+        names = ", ".join(map(str, paths))
+        self.fail(
+            f"nothing is written, because these are there: {names}; choose another folder, or "
+            "replace them with --force",
+            exit_code=2,
+        )
+
+    def copy_example(self, example: Path, folder: Path) -> None:
+        """Copy a folder of examples and name each file; the run ends if a file is there already and
+        may not be replaced.
+        """
+        from dslkit.examples import FilesAreThereError, copy_example
+
+        self.try_folder(folder)
+        try:
+            with self.writing_to(folder):
+                written = copy_example(example, folder, replaces_others=self.permission.is_given)
+        except FilesAreThereError as error:
+            self.refuse_present(error.paths)
+        for path in written:
+            typer.echo(f"wrote {path}")
+
     @contextmanager
     def writing(self, path: Path) -> Iterator[None]:
         """Within, a file that cannot be written ends the run."""
@@ -321,4 +358,4 @@ class CommandLine:
 
     def run(self, app: Callable[[], None]) -> None:
         """Run the command; a defect of ours is reported as one."""
-        Ending(self.tool, self.subject, self.internal_code, self.complain).run(app)
+        Ending(self.tool, self.subject, self.internal_code, self.extras, self.complain).run(app)

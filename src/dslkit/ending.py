@@ -9,12 +9,15 @@ import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TextIO
+from typing import TYPE_CHECKING, TextIO
 
 import typer
 
 from dslkit import garbage, signals, streams
 from dslkit.writing import reason
+
+if TYPE_CHECKING:  # only a missing module needs them
+    from dslkit.extras import Extras
 
 INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
@@ -31,12 +34,14 @@ class Ending:
     """The end of one command.
 
     `tool` is the program, `subject` the work of its users, and `internal_code` the code of the
-    diagnostic for defects of the program. `complain` prints one line on standard error.
+    diagnostic for defects of the program. `extras` gives the extras of the distribution.
+    `complain` prints one line on standard error.
     """
 
     tool: str
     subject: str
     internal_code: str
+    extras: Callable[[], Extras]
     complain: Callable[[str], None]
 
     def run(self, app: Callable[[], None]) -> None:
@@ -81,6 +86,11 @@ class Ending:
             elif isinstance(error, FileNotFoundError) and not _has_folder():
                 code = 2
                 self.complain("the current folder is gone: change to another one")
+            elif isinstance(error, ModuleNotFoundError) and (
+                advice := self.extras().explained(error)
+            ):
+                code = 2
+                self.complain(advice)
             else:
                 import traceback
 

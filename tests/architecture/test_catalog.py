@@ -57,6 +57,7 @@ ROSSMARIE = Tool(
         "targets": {5},
         "native": {5},
         "recordings": {6},
+        "starter": {6},
         "testing": {7},
         "analysis": {7},
         "report": {7},

@@ -69,6 +69,7 @@ WRITERS = [
         for form, file in (("svg", "mine.svg"), ("json", "mine.json"), ("text", "mine.py"))
     ),
     Writer("crosscheck", "weave whiteboard.ross --out mine.json", "out", "mine.json"),
+    Writer("ezskiros", "example pick_place .", "folder", "lab.turtle", is_quick=False),
     Writer("ezskiros", "export skills --out mine.json", "out", "mine.json"),
     Writer("ezskiros", "learn verdicts.jsonl --out mine.json", "out", "mine.json", is_quick=False),
     Writer("ezskiros", "owl --ontology ontology --out .", "out", "ezskiros-sumo.owl"),
@@ -110,6 +111,7 @@ WRITERS = [
     Writer("rossmarie", "graph drive.ross --format dot --out mine.dot", "out", "mine.dot"),
     Writer("rossmarie", "graph drive.ross --out mine.txt", "out", "mine.txt"),
     Writer("rossmarie", "graph drive.ross --format json --out mine.json", "out", "mine.json"),
+    Writer("rossmarie", "init drive.mcap --out .", "out", "robot.ross", is_quick=False),
     Writer("rossmarie", "model drive.mcap --out a.ross", "out", "a.ross", is_quick=False),
     Writer("rossmarie", "replay drive.ross drive.csv --out .", "out", "timeline.html"),
     Writer("rossmarie", "replay drive.ross drive.csv --out .", "out", "verdicts.jsonl"),

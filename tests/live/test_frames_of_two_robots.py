@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from rossmarie.driver import compile_file
-from support.live import LIMIT, Ears, Process, Robot, Ros, Wanted, until
+from support.live import Ears, Process, Robot, Ros, Wanted, until
 
 RULES = Path(__file__).parents[1] / "support" / "frames.ross"
 NAMESPACES = ("/robot1", "/robot2")
@@ -80,9 +80,7 @@ class Fleet:
 
 
 @pytest.fixture
-def fleet(
-    ros: Ros, programs: Sequence[Path], tmp_path: Path, started: list[Process]
-) -> Iterator[Fleet]:
+def fleet(ros: Ros, programs: Sequence[Path], tmp_path: Path, started: list[Process]) -> Fleet:
     return Fleet(ros, programs[0], tmp_path, started)
 
 

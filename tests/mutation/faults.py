@@ -179,7 +179,7 @@ _INPUTS = (
     ),
 )
 
-_TRUTH_VALUES = (
+_CONDITIONS = (
     Fault(
         "`and` is false only if both are",
         "if (a == FALSE || b == FALSE)",
@@ -349,7 +349,7 @@ MONITOR = (
     *_DURATIONS,
     *_TIME,
     *_INPUTS,
-    *_TRUTH_VALUES,
+    *_CONDITIONS,
     *_RULES,
     *_NUMBERS,
     *_OSCILLATION,

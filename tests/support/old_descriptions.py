@@ -37,7 +37,7 @@ VALUES = st.one_of(
     st.floats(allow_nan=False, allow_infinity=False),
     st.booleans(),
 )
-TRUTH_VALUES = st.booleans()
+TRUTHS = st.booleans()
 
 
 @dataclass(frozen=True)
@@ -117,7 +117,7 @@ def _added(draw: st.DrawFn, things: list[str]) -> list[str]:
     name = draw(st.sampled_from(["either", "other"]))
     parts = draw(st.lists(_conditions(things), min_size=2, max_size=4))
     return [
-        f"{name} = self.getOrCond({draw(TRUTH_VALUES)})",
+        f"{name} = self.getOrCond({draw(TRUTHS)})",
         *(f"{name}.addCondition({part})" for part in parts),
         f"self.add{place}Condition({name})",
     ]
@@ -127,7 +127,7 @@ def _added(draw: st.DrawFn, things: list[str]) -> list[str]:
 def _conditions(draw: st.DrawFn, things: list[str]) -> str:
     """The call that makes a condition."""
     subject, other = (repr(draw(st.sampled_from(things))) for _ in range(2))
-    label, wanted = f'"{draw(LABELS)}"'.replace('say "so"', "say so"), draw(TRUTH_VALUES)
+    label, wanted = f'"{draw(LABELS)}"'.replace('say "so"', "say so"), draw(TRUTHS)
     relation, name = (repr(draw(st.sampled_from(each))) for each in (RELATIONS, PROPERTIES))
     operator, value = repr(draw(st.sampled_from(["=", "<", ">", "<=", ">="]))), draw(VALUES)
     return draw(

@@ -279,6 +279,7 @@ COMMANDS = {
         "failures drive.ross",
         "fmt drive.ross",
         "graph drive.ross --format svg",
+        "init drive.csv",
         "model drive.csv",
         "replay drive.ross drive.csv --out seen",
         "report drive.ross --date 2026-03-04",

@@ -34,6 +34,10 @@ def reported(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> Repo
             return work(collector)
         except UnknownSkillError as problem:
             raise confinement.RefusedError(str(problem)) from None
+        except ModuleNotFoundError as problem:
+            if advice := output.extras().explained(problem):
+                raise confinement.RefusedError(advice) from None
+            raise
 
     report = confinement.confined(refusing, PATIENCE_S + seconds, may_act=may_act)
     if report.unconfined is not None:
@@ -115,7 +119,8 @@ def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:
     """The check of rules and skills together, which is another package's."""
     found = extension("ezskiros.check", "rules")
     if found is None:
-        output.fail("`--rules` needs the package crosscheck, which is not installed", exit_code=2)
+        advice = output.extras().advice("rules")
+        output.fail(f"`--rules` needs the package crosscheck: {advice}", exit_code=2)
     return found
 
 

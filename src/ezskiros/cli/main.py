@@ -19,6 +19,7 @@ from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology, of_rules, of_skills
 from ezskiros.cli.checking import asked, print_check
+from ezskiros.cli.example import example
 from ezskiros.cli.export import export
 from ezskiros.cli.learn import learn
 from ezskiros.cli.output import output
@@ -128,6 +129,7 @@ app.command()(plan)
 app.command()(owl)
 app.command()(export)
 app.command()(learn)
+app.command()(example)
 
 
 @app.command()

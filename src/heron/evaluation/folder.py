@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from campaign import Value
+from dslkit.campaign import Value
 from dslkit.ownership import Comment, marked
 from dslkit.writing import write_whole
 from heron.evaluation.page import Results, page_of

@@ -11,6 +11,7 @@ from rossmarie.check import errors as check_errors
 from rossmarie.driver import errors as driver_errors
 from rossmarie.recordings import errors as recordings_errors
 from rossmarie.report.safety import errors as safety_errors
+from rossmarie.starter import errors as starter_errors
 from rossmarie.syntax import errors as syntax_errors
 from rossmarie.targets import errors as targets_errors
 from rossmarie.testing import errors as testing_errors
@@ -21,6 +22,7 @@ DIAGNOSTICS: tuple[type[Template], ...] = (
     *check_errors.ALL,
     *targets_errors.ALL,
     *recordings_errors.ALL,
+    *starter_errors.ALL,
     *testing_errors.ALL,
     *analysis_errors.ALL,
     *rate_errors.ALL,

@@ -14,6 +14,7 @@ import typer
 
 from dslkit.command_line import Force, Format, ReportFormat
 from dslkit.parameters import Group
+from rossmarie.cli.beginnings import example, init, model
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
     AnswerFormat,
@@ -34,8 +35,6 @@ from rossmarie.cli.options import (
     Recordings,
     ReportFolder,
     ReviewPage,
-    RobotFolder,
-    RobotName,
     Rules,
     RulesFiles,
     Systems,
@@ -360,28 +359,8 @@ def verify(
     )
 
 
-@app.command()
-def model(
-    recording: Annotated[
-        Path, typer.Argument(metavar="RECORDING", help="Any recording.", readable=False)
-    ],
-    out: OptionalOutFile = None,
-    force: Force = False,
-) -> None:
-    """Write the system model of a recording: its topics and their types."""
-    output.permit(force)
-    from rossmarie.cli.replay import write_model_of
-
-    write_model_of(recording, out)
-
-
-@app.command()
-def example(robot: RobotName = None, folder: RobotFolder = None, force: Force = False) -> None:
-    """Copy the rules of a robot in the box, with a recording; without ROBOT, list the robots."""
-    output.permit(force)
-    from rossmarie.cli.example import run_example
-
-    run_example(robot, folder)
+for _command in (model, init, example):
+    app.command()(_command)
 
 
 def main() -> None:

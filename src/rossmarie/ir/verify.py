@@ -165,7 +165,7 @@ def _verify_signals(machine: ir.Machine) -> None:
             case ir.Element(array=array):
                 require_index(array, len(machine.arrays), where, "array")
             case ir.Count(element=element):
-                require_index(element, len(machine.propositions), where, "truth")
+                require_index(element, len(machine.propositions), where, "proposition")
             case ir.Apply(function=function, operands=operands):
                 is_right = row(function).takes(len(operands))
                 require(is_right, where, f"{function.value} of {len(operands)} operands")
@@ -229,18 +229,12 @@ def _verify_counts(machine: ir.Machine) -> None:
     for index, signal in enumerate(machine.signals):
         if isinstance(signal.node, ir.Count):
             where = f"signal {index} (Count)"
-            below = _element_propositions(machine, signal.node.element)
-            for proposition in below:
-                _require_before(
-                    compared_signals(machine.propositions[proposition].node), index, where
-                )
+            for each in _element_propositions(machine, signal.node.element):
+                _require_before(compared_signals(machine.propositions[each].node), index, where)
 
 
-def _element_propositions(machine: ir.Machine, proposition: int) -> tuple[int, ...]:
-    return (
-        proposition,
-        *(index for index in reachable_propositions(machine, proposition) if index != proposition),
-    )
+def _element_propositions(machine: ir.Machine, top: int) -> tuple[int, ...]:
+    return (top, *(each for each in reachable_propositions(machine, top) if each != top))
 
 
 def _verify_element_use(machine: ir.Machine, arrays: ElementArrays) -> None:
@@ -298,9 +292,7 @@ def _require_element_propositions(
 
 
 def _verify_kinds(machine: ir.Machine) -> None:
-    """Flags are only tested, or compared with flags, and texts only compared with literals, for
-    equality; a function of a region compares its frames, and so does one that asks for a frame.
-    """
+    """Flags are tested or compared with flags; texts, and frames, are compared for equality."""
     for index, signal in enumerate(machine.signals):
         where = f"signal {index} ({type(signal.node).__name__})"
         for operand in signal_operands(signal.node):
@@ -309,17 +301,15 @@ def _verify_kinds(machine: ir.Machine) -> None:
                 continue
             is_right = kind is ir.Kind.REAL or (kind is ir.Kind.FLAG and _keeps(signal.node))
             require(is_right, where, f"operand {operand} is a {kind.value}")
-    for index, proposition in enumerate(machine.propositions):
-        where = f"proposition {index} ({type(proposition.node).__name__})"
-        if isinstance(proposition.node, ir.Flag):
-            kind = kind_of(machine, proposition.node.signal)
-            is_element = isinstance(machine.signals[proposition.node.signal].node, ir.Element)
+    for index, node in enumerate(each.node for each in machine.propositions):
+        where = f"proposition {index} ({type(node).__name__})"
+        if isinstance(node, ir.Flag):
+            kind = kind_of(machine, node.signal)
+            is_element = isinstance(machine.signals[node.signal].node, ir.Element)
             is_flag = kind is ir.Kind.FLAG or (is_element and kind is ir.Kind.REAL)
             require(is_flag, where, f"tests a {kind.value}")
-        elif not (
-            _compares_text(machine, proposition.node) or _compares_flags(machine, proposition.node)
-        ):
-            for operand in compared_signals(proposition.node):
+        elif not (_compares_text(machine, node) or _compares_flags(machine, node)):
+            for operand in compared_signals(node):
                 kind = kind_of(machine, operand)
                 require(kind is ir.Kind.REAL, where, f"operand {operand} is a {kind.value}")
 
@@ -372,13 +362,10 @@ def _verify_rules(machine: ir.Machine, arrays: ElementArrays) -> None:
     rests_on = supports(machine).propositions
     for index, rule in enumerate(machine.rules):
         where = f"rule {index} ({rule.name})"
-        for proposition in rule.roots:
-            require_index(proposition, len(machine.propositions), where, "truth")
-            require(
-                arrays.propositions[proposition] is None,
-                where,
-                f"proposition {proposition} is elementwise",
-            )
+        for root in rule.roots:
+            require_index(root, len(machine.propositions), where, "proposition")
+            is_single = arrays.propositions[root] is None
+            require(is_single, where, f"proposition {root} is elementwise")
         require(rule.terms == rule_terms(machine, rule.condition), where, "wrong terms")
         require(rule.signals == rule_signals(machine, rule.condition), where, "wrong signals")
         inputs = tuple(sorted(rests_on[rule.condition].inputs))
@@ -405,11 +392,8 @@ def _verify_asked(machine: ir.Machine, arrays: ElementArrays) -> None:
         where = f"reading {index}"
         require_index(signal, len(machine.signals), where, "signal")
         require(arrays.signals[signal] is None, where, f"signal {signal} is elementwise")
-    for index, proposition in enumerate(machine.watches):
+    for index, watched in enumerate(machine.watches):
         where = f"watch {index}"
-        require_index(proposition, len(machine.propositions), where, "truth")
-        require(
-            arrays.propositions[proposition] is None,
-            where,
-            f"proposition {proposition} is elementwise",
-        )
+        require_index(watched, len(machine.propositions), where, "proposition")
+        is_single = arrays.propositions[watched] is None
+        require(is_single, where, f"proposition {watched} is elementwise")

@@ -26,7 +26,7 @@ _LANGUAGE = """
 # Names that the generated functions call and have, where a field of a message is a parameter.
 _GENERATED = """
     arcsine arcsine_far arcsine_surplus arctangent arctangent_surplus arrive arrived before begin
-    both catch_up compute cross either element_truth_value evaluate events every fabs first follow
+    both catch_up compute cross either element_proposition evaluate events every fabs first follow
     how_many i index_t is_calm is_inside is_pending isfinite isnan known leading m mark monitor
     opposite outcome sample sample_window seconds_between set_wake settle some sqrt t_ns tick visit
     window_middle
@@ -42,7 +42,8 @@ _PRIVATE = """
     never no node now on opposite or others pass planned pose poses receive recent report resource
     rossmarie
     row rule sampled samples scale seconds set settle shown since size slot stage staged stamp
-    start started swings t take task term text texts timeout proposition topic truth turn
+    start started swings t take task term text texts timeout proposition propositions topic truth
+    turn
     uint16 uint64 uint8 unknown unknowns value values wake was watched width window x yields
 """
 

@@ -42,9 +42,10 @@ from rossmarie.recordings.matching import (
     kind_text,
     match_topics,
 )
-from rossmarie.recordings.model import FramesFound, Topic
+from rossmarie.recordings.model import FramesFound, Observe, Survey, Topic
 from rossmarie.recordings.storage import Storage
 from rossmarie.recordings.stored import READER_FAILURES, Connection, Packed
+from rossmarie.recordings.survey import survey_of
 from rossmarie.recordings.transforms import TransformDecoder, holds_transforms
 
 _NO_CLOCK = "their stamps are out of range: no clock runs that long"
@@ -112,6 +113,16 @@ class BagRecording:
             self._connections,
             lambda connection: typestore_for(connection, self._message_folders),
             lambda topics: self._stored([*topics], Collector()),
+        )
+
+    def survey(self, observers: Mapping[str, Observe], seconds: float) -> Survey:
+        """See `Recording.survey`."""
+        return survey_of(
+            self._connections,
+            lambda connection: typestore_for(connection, self._message_folders),
+            lambda topics: self._stored([*topics], Collector()),
+            observers,
+            seconds,
         )
 
     def definitions(self) -> Mapping[str, str]:

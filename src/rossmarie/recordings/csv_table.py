@@ -64,7 +64,7 @@ from rossmarie.recordings.matching import (
     listed,
     with_reasons,
 )
-from rossmarie.recordings.model import FramesFound, Topic, Update
+from rossmarie.recordings.model import FramesFound, Observe, Survey, Topic, Update
 
 _DELIMITERS = ",;\t"
 _SHOWN = 200
@@ -113,6 +113,11 @@ class CsvRecording:
     def frames(self) -> FramesFound:
         """None: texts that say a frame are columns as any others."""
         return FramesFound()
+
+    def survey(self, observers: Mapping[str, Observe], seconds: float) -> Survey:
+        """A table has no messages to look at."""
+        del observers, seconds
+        return Survey()
 
     def definitions(self) -> Mapping[str, str]:
         """None: a table has no types."""

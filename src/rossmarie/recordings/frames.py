@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -33,38 +33,6 @@ class _Seen:
     frames: set[str] = field(default_factory=set)
 
 
-def frames_in(
-    connections: Mapping[str, Sequence[Connection]],
-    store_of: Callable[[Connection], Typestore],
-    batches: Callable[[Iterable[str]], Iterable[Packed]],
-) -> FramesFound:
-    """Read the frames of a recording. What cannot be decoded is passed over."""
-    of_transforms: dict[str, Read] = {}
-    of_headers: dict[str, _Seen] = {}
-    for topic, (first, *_) in connections.items():
-        try:
-            store = store_of(first)
-        except UndefinedTypeError:
-            continue
-        if holds_transforms(store, first.message_type):
-            of_transforms[topic] = decoding_of(first, store)
-        elif _has_header(store, first.message_type):
-            of_headers[topic] = _Seen(decoding_of(first, store))
-    found: dict[tuple[str, str], _Edge] = {}
-    for batch in batches([*of_transforms, *of_headers]):
-        _look_at(batch, of_transforms, of_headers, found)
-    transforms = [
-        Transforms(parent, child, each.is_static, each.count, each.longest_ns)
-        for (parent, child), each in sorted(found.items())
-    ]
-    headers = {
-        topic: next(iter(seen.frames))
-        for topic, seen in of_headers.items()
-        if len(seen.frames) == 1 and "" not in seen.frames
-    }
-    return FramesFound(transforms, headers)
-
-
 @dataclass
 class _Edge:
     """The messages so far that had one transform: their count, and the longest gap between two."""
@@ -81,30 +49,87 @@ class _Edge:
         self.count, self.last_ns = self.count + 1, at_ns
 
 
-def _look_at(
-    batch: Packed,
-    of_transforms: Mapping[str, Read],
-    of_headers: Mapping[str, _Seen],
-    found: dict[tuple[str, str], _Edge],
-) -> None:
-    for row in range(len(batch)):
-        topic = batch.connections[batch.senders[row]].topic
-        seen = of_headers.get(topic)
-        if seen is not None and seen.count >= _MOST_HEADERS:
-            continue
-        try:
-            if seen is not None:
-                seen.count += 1
-                seen.frames.add(seen.read(batch.message(row)).header.frame_id)
+class FrameSearch:
+    """Looks for the frames of a recording in its messages. What cannot be decoded is passed over.
+
+    `headers_of` are the topics whose headers are looked at; None if these are all.
+    """
+
+    def __init__(
+        self,
+        connections: Mapping[str, Sequence[Connection]],
+        store_of: Callable[[Connection], Typestore],
+        headers_of: Collection[str] | None = None,
+    ) -> None:
+        self._of_transforms: dict[str, Read] = {}
+        self._of_headers: dict[str, _Seen] = {}
+        self._found: dict[tuple[str, str], _Edge] = {}
+        for topic, (first, *_) in connections.items():
+            try:
+                store = store_of(first)
+            except UndefinedTypeError:
                 continue
-            message = of_transforms[topic](batch.message(row))
-        except DECODE_FAILURES:
-            continue
+            if holds_transforms(store, first.message_type):
+                self._of_transforms[topic] = decoding_of(first, store)
+            elif headers_of is not None and topic not in headers_of:
+                continue
+            elif _has_header(store, first.message_type):
+                self._of_headers[topic] = _Seen(decoding_of(first, store))
+
+    @property
+    def topics(self) -> Collection[str]:
+        """The topics whose messages tell of frames."""
+        return [*self._of_transforms, *self._of_headers]
+
+    def note(self, batch: Packed) -> None:
+        """The next messages, in the order of their stamps."""
+        for row in range(len(batch)):
+            topic = batch.connections[batch.senders[row]].topic
+            try:
+                if topic in self._of_transforms:
+                    self._note_transforms(topic, batch, row)
+                elif topic in self._of_headers:
+                    self._note_header(self._of_headers[topic], batch, row)
+            except DECODE_FAILURES:
+                continue
+
+    def found(self) -> FramesFound:
+        """The frames so far."""
+        transforms = [
+            Transforms(parent, child, each.is_static, each.count, each.longest_ns)
+            for (parent, child), each in sorted(self._found.items())
+        ]
+        headers = {
+            topic: next(iter(seen.frames))
+            for topic, seen in self._of_headers.items()
+            if len(seen.frames) == 1 and "" not in seen.frames
+        }
+        return FramesFound(transforms, headers)
+
+    def _note_transforms(self, topic: str, batch: Packed, row: int) -> None:
+        message = self._of_transforms[topic](batch.message(row))
         for each in message.transforms:
             edge = bare_frame(each.header.frame_id), bare_frame(each.child_frame_id)
-            if edge in found or len(found) < _MOST_FRAMES:
-                known = found.setdefault(edge, _Edge(topic.endswith(_STATIC)))
+            if edge in self._found or len(self._found) < _MOST_FRAMES:
+                known = self._found.setdefault(edge, _Edge(topic.endswith(_STATIC)))
                 known.note(int(batch.times_ns[row]))
+
+    def _note_header(self, seen: _Seen, batch: Packed, row: int) -> None:
+        if seen.count < _MOST_HEADERS:
+            seen.count += 1
+            seen.frames.add(seen.read(batch.message(row)).header.frame_id)
+
+
+def frames_in(
+    connections: Mapping[str, Sequence[Connection]],
+    store_of: Callable[[Connection], Typestore],
+    batches: Callable[[Iterable[str]], Iterable[Packed]],
+) -> FramesFound:
+    """Read the frames of a recording. What cannot be decoded is passed over."""
+    search = FrameSearch(connections, store_of)
+    for batch in batches(search.topics):
+        search.note(batch)
+    return search.found()
 
 
 def _has_header(store: Typestore, message_type: str) -> bool:

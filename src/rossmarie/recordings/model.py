@@ -6,10 +6,10 @@ not those in their headers.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 from dslkit.diagnostics import Collector, Diagnostic
 from rossmarie.ir import Batch, ChannelValues, Machine
@@ -48,6 +48,36 @@ class FramesFound:
 
     transforms: Sequence[Transforms] = ()
     headers: Mapping[str, str] = field(default_factory=dict)
+
+
+Observe = Callable[[Any], None]
+"""Takes in a message, with its fields as attributes."""
+
+
+@dataclass(frozen=True)
+class Rhythm:
+    """The arrivals of messages on one topic: the median time from one to the next, the longest, and
+    the share of those that are longer than `Rhythm.OUTLIER` medians.
+    """
+
+    OUTLIER: ClassVar[int] = 10
+
+    count: int
+    median_ns: int
+    longest_ns: int
+    outliers: float
+
+
+@dataclass(frozen=True)
+class Survey:
+    """The rhythm of each topic that was looked at, and the frames. `end_ns` is the stamp of the
+    last message that was read; `is_whole` if nothing was left unread for lack of time.
+    """
+
+    rhythms: Mapping[str, Rhythm] = field(default_factory=dict)
+    frames: FramesFound = FramesFound()
+    end_ns: int = 0
+    is_whole: bool = True
 
 
 class Update(NamedTuple):
@@ -93,6 +123,13 @@ class Recording(Protocol):
 
     def frames(self) -> FramesFound:
         """The frames that it has transforms of, and those that headers say."""
+
+    def survey(self, observers: Mapping[str, Observe], seconds: float) -> Survey:
+        """Read the topics of `observers`, and the transforms, for so many seconds at most.
+
+        Each observer gets messages of its topic, evenly spread over the recording: all, or some
+        thousand. What cannot be decoded, and what an observer cannot take, is passed over.
+        """
 
     def definitions(self) -> Mapping[str, str]:
         """The texts of .msg files that it brings along of types that no standard package has, by

@@ -8,7 +8,7 @@ from collections.abc import Collection, Iterator, Sequence
 from pathlib import PurePosixPath
 
 from rossmarie.recordings.errors import RecordingError, RecordingUntyped, at_file
-from rossmarie.recordings.model import Recording, Topic, Transforms
+from rossmarie.recordings.model import FramesFound, Recording, Topic, Transforms
 from rossmarie.syntax.words import RESERVED
 
 _TYPE = re.compile(r"[A-Za-z]\w*/[A-Za-z]\w*", re.ASCII)
@@ -27,18 +27,23 @@ def definition_path(name: str) -> PurePosixPath:
     return PurePosixPath(MESSAGES, package, "msg", f"{short}.msg")
 
 
-def write_model(recording: Recording, definitions: Collection[str] | None = None) -> str:
+def write_model(
+    recording: Recording,
+    definitions: Collection[str] | None = None,
+    frames: FramesFound | None = None,
+) -> str:
     """The frames and the topics of a recording, with types, and in comments how many messages there
     are.
 
     `definitions` are the types whose .msg files lie at `definition_path`; None if nobody writes
-    them. What the rule language cannot name, and what then has no definition, is left as a comment.
+    them. `frames` are those of the recording, if they are known already. What the rule language
+    cannot name, and what then has no definition, is left as a comment.
     Raises `RecordingError` if the recording does not know types (CSV).
     """
     topics = sorted(recording.topics.values(), key=lambda topic: topic.name)
     if any(topic.message_type is None for topic in topics) or not topics:
         raise RecordingError(at_file(RecordingUntyped(), recording.path))
-    frames = recording.frames()
+    frames = recording.frames() if frames is None else frames
     lines = [_frame(each, frames.transforms) for each in frames.transforms]
     own = _own(topics)
     missing = own.difference(definitions) if definitions is not None else set()
@@ -69,6 +74,18 @@ def _frame(transforms: Transforms, every: Sequence[Transforms]) -> str:
 
 def _frame_name(name: str) -> str:
     return name if _NAME.fullmatch(name) and name not in RESERVED else f'"{name}"'
+
+
+def can_be_declared(topic: Topic, definitions: Collection[str] = ()) -> bool:
+    """Say whether a system model can declare a topic: its name and its type are words of the rule
+    language, and the type is a standard one or among the definitions.
+    """
+    from rossmarie.recordings.definitions import is_standard  # imports rosbags, which is slow
+
+    name = topic.message_type or ""
+    if not (_TYPE.fullmatch(name) and _TOPIC.fullmatch(topic.name)):
+        return False
+    return is_standard(name) or name in definitions
 
 
 def _line(topic: Topic, frame: str | None, undefined: Collection[str]) -> str:

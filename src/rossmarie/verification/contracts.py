@@ -41,7 +41,7 @@ static bool is_marked(const monitor *m, unsigned node)
 static bool is_marked_up_to(const monitor *m, unsigned node)
 {{
     bool found = false;
-    for (unsigned n = LEAVES; n != TRUTH_VALUES + RULES; n++)
+    for (unsigned n = LEAVES; n != PROPOSITIONS + RULES; n++)
         found = found | (n <= node && is_marked(m, n));
     return found;
 }}
@@ -107,7 +107,7 @@ static monitor due;
 
 static void must_be_due(const monitor *m, unsigned node)
 {{
-    for (unsigned n = LEAVES; n != TRUTH_VALUES + RULES; n++)
+    for (unsigned n = LEAVES; n != PROPOSITIONS + RULES; n++)
         __CPROVER_assert(is_marked(&due, n) == (n == node || is_marked(m, n)),
             "what is marked is visited once, and nothing else");
 }}
@@ -116,9 +116,9 @@ int contract_visit(monitor *m, unsigned node, int64_t t_ns)
 {{
     __CPROVER_assert(t_ns == asked_ns, "it is evaluated at its instant");
 {pending}    must_be_due(m, node);
-    __CPROVER_assert(node >= LEAVES && node < TRUTH_VALUES + RULES, "what is evaluated exists");
+    __CPROVER_assert(node >= LEAVES && node < PROPOSITIONS + RULES, "what is evaluated exists");
     __CPROVER_assert(!is_marked_up_to(m, node), "what is evaluated is the first that is marked");
-    for (unsigned n = LEAVES; n != TRUTH_VALUES + RULES; n++)
+    for (unsigned n = LEAVES; n != PROPOSITIONS + RULES; n++)
         if (n > node && nondet_number() % 2 != 0)
             mark(m, n);
     due = *m;

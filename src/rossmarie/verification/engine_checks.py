@@ -204,5 +204,5 @@ _EVALUATE = """\
     due = s;
     const int events = evaluate(m, t_ns);
     __CPROVER_assert(events == changes, "changes are counted");
-    must_be_due(m, TRUTH_VALUES + RULES);
+    must_be_due(m, PROPOSITIONS + RULES);
     must_be_unmarked(m, t_ns);"""

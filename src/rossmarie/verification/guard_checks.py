@@ -213,7 +213,7 @@ class GuardChecks:
 {ANY}
     const unsigned node = nondet_number();
     const unsigned value = nondet_number() % 5;
-    __CPROVER_assume(node < TRUTH_VALUES);
+    __CPROVER_assume(node < PROPOSITIONS);
     suppose_marks(m, t_ns);
     monitor expected = s;
     spec_set_proposition(&expected, node, value, t_ns);

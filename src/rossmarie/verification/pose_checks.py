@@ -231,9 +231,7 @@ class PoseChecks:
         )
         oldest = f"(old.poses_oldest[{index}] + (is_recorded && is_full)) % {most}u"
         lines.append(
-            obligation(
-                f"r->poses_oldest[{index}] == {oldest}", "the oldest makes room if full (R16)"
-            )
+            obligation(f"r->poses_oldest[{index}] == {oldest}", "the oldest makes room (R16)")
         )
         newest = each.pose("r->", f"(r->poses_kept[{index}] - 1u)")
         lines.append(f"    const unsigned newest = {newest};")
@@ -293,21 +291,13 @@ class PoseChecks:
                 lines.append(obligation(same, "the newest pose goes first (R17)"))
             since = f"r->pose_sent_ns[{index}]"
             lines.append(obligation(f"{since} == old.now_ns", "it is known when it was sent (R17)"))
-            lines.append(
-                obligation(f"reported.count[{task}] == 1", "the task is told to send it (R17)")
-            )
+            lines.append(obligation(f"reported.count[{task}] == 1", "the task sends it (R17)"))
             lines.append("    } else {")
             for number in memory.numbers:
                 sent, was = (f"{each}poses_sent[{index}][{number}]" for each in ("r->", "old."))
-                lines.append(
-                    obligation(_same(sent, was), "the pose that was sent is still reported")
-                )
-            lines.append(
-                obligation(f"{since} == old.pose_sent_ns[{index}]", "nothing was sent (R17)")
-            )
-            lines.append(
-                obligation(f"reported.count[{task}] == 0", "it sends when it is time (R17)")
-            )
+                lines.append(obligation(_same(sent, was), "the sent pose is still reported"))
+            lines.append(obligation(f"{since} == old.pose_sent_ns[{index}]", "none was sent (R17)"))
+            lines.append(obligation(f"reported.count[{task}] == 0", "it sends in time (R17)"))
             lines.append("    }")
         for memory in self._memories:
             same = f"r->poses_kept[{memory.index}] == kept_{memory.index}"
@@ -360,9 +350,7 @@ class PoseChecks:
             numbers = self._memories[effect.memory].numbers
             reported = [_same(f"pose[{n}]", f"r->poses_sent[{index}][{n}]") for n in numbers]
             holds = " && ".join([f"count == {len(numbers)}", *reported])
-            lines.append(
-                obligation(f"task != {task} || ({holds})", "it is the pose sent last (R17)")
-            )
+            lines.append(obligation(f"task != {task} || ({holds})", "it was sent last (R17)"))
             none.append(f"task == {task}")
         lines.append(obligation(" || ".join([*none, "count == 0"]), "others send none (R17)"))
         lines.append(_unchanged())

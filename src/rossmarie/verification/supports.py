@@ -1,19 +1,20 @@
 """The support of a number, a proposition or a rule, read off the nodes of a machine.
 
-`docs/explanation/semantics.md` says what is done with it: what a message computes anew (S7), what
-is forgotten with an input (S9), which unknown propositions are stale (S30), what a verdict tells
-(S41).
+`docs/explanation/semantics.md` says its use: a message computes it anew (S7), an input that
+is gone takes it away (S9), it makes a proposition stale (S30), and a verdict reports it (S41).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from rossmarie.core import AnyFunction, Sampling, sampling_row
 from rossmarie.ir import model as ir
 
 Node = ir.SignalNode | ir.PropositionNode
+Indexes: TypeAlias = tuple[int, ...]
 
 
 def numbers_of(node: Node) -> tuple[int, ...]:
@@ -57,9 +58,7 @@ def propositions_of(node: Node) -> tuple[int, ...]:
 
 @dataclass(frozen=True)
 class Below:
-    """Signals and propositions: some, and all from which these are made, elements of arrays as
-    well.
-    """
+    """Signals and propositions, and all that they are made from, elements of arrays as well."""
 
     signals: tuple[int, ...]
     propositions: tuple[int, ...]
@@ -111,9 +110,7 @@ class Support:
     channels: frozenset[int]
 
 
-def support(
-    machine: ir.Machine, signals: tuple[int, ...], propositions: tuple[int, ...]
-) -> Support:
+def support(machine: ir.Machine, signals: Indexes, propositions: Indexes) -> Support:
     """The support of some signals and propositions."""
     made_of = _outside_elements(machine, signals, propositions)
     slots: set[int] = set()
@@ -167,9 +164,7 @@ def _of_slots(machine: ir.Machine, made_of: Below) -> Iterator[int]:
             yield machine.slots[node.slot].input
 
 
-def _outside_elements(
-    machine: ir.Machine, signals: tuple[int, ...], propositions: tuple[int, ...]
-) -> Below:
+def _outside_elements(machine: ir.Machine, signals: Indexes, propositions: Indexes) -> Below:
     """These, and all that they are made of, up to what is asked of elements."""
     return _below(machine, signals, propositions, ends=(ir.Fold, ir.Count, ir.Quantified))
 
@@ -279,9 +274,7 @@ def beside(machine: ir.Machine) -> Beside:
     nodes: list[tuple[int | None, Node]] = [
         (array, machine.signals[index].node) for index, array in enumerate(its.signals)
     ]
-    nodes += [
-        (array, machine.propositions[index].node) for index, array in enumerate(its.propositions)
-    ]
+    nodes += zip(its.propositions, (each.node for each in machine.propositions), strict=True)
     for array, node in nodes:
         for signal in numbers_of(node):
             is_constant = isinstance(machine.signals[signal].node, ir.Constant)
@@ -299,9 +292,7 @@ def beside(machine: ir.Machine) -> Beside:
 
 @dataclass(frozen=True)
 class Reported:
-    """The content of a verdict of a rule: propositions, the signals at which leaves look, and
-    inputs.
-    """
+    """The propositions, the signals that leaves look at, and the inputs in a verdict of a rule."""
 
     terms: tuple[int, ...]
     signals: tuple[int, ...]
@@ -347,10 +338,8 @@ def _whole(machine: ir.Machine, condition: int) -> list[int]:
 
 def _is_over_time(machine: ir.Machine, proposition: int) -> bool:
     node = machine.propositions[proposition].node
-    return (
-        isinstance(node, ir.Held | ir.Since | ir.Recurs)
-        or _named_by(machine, proposition) is not None
-    )
+    is_timed = isinstance(node, ir.Held | ir.Since | ir.Recurs)
+    return is_timed or _named_by(machine, proposition) is not None
 
 
 def _named_by(machine: ir.Machine, proposition: int) -> tuple[int, ...] | None:

@@ -13,7 +13,7 @@
 #define GUARDS 11
 #define INPUTS 3
 #define RULES 10
-#define TRUTH_VALUES (36 + PADDING)
+#define PROPOSITIONS (36 + PADDING)
 #define VALUES 11
 #define MOST_SAMPLES 4
 
@@ -41,7 +41,7 @@ typedef struct fuzzed_monitor {
     double low[GUARDS];
     double high[GUARDS];
 #if PADDING
-    uint64_t dirty[(TRUTH_VALUES + RULES + 63) / 64];
+    uint64_t dirty[(PROPOSITIONS + RULES + 63) / 64];
     bool pending;
 #else
     uint64_t dirty;
@@ -51,8 +51,8 @@ typedef struct fuzzed_monitor {
     int64_t stamp_ns[INPUTS];
     unsigned char state[INPUTS];
     unsigned char active[(RULES + 7) / 8];
-    unsigned char truth_value[TRUTH_VALUES];
-    int64_t since_ns[TRUTH_VALUES];
+    unsigned char truth_value[PROPOSITIONS];
+    int64_t since_ns[PROPOSITIONS];
     int place[GUARDS];
     int64_t held_due_ns[5];
     unsigned char held_before[5];

@@ -25,6 +25,7 @@ from fuzz.engine.rules import (
     MOST_SAMPLES,
     NAN,
     NEVER_RECEIVED,
+    PROPOSITIONS,
     RESTS_ON,
     RULES,
     SINCES,
@@ -32,7 +33,6 @@ from fuzz.engine.rules import (
     SWINGS,
     TIME_JUMP,
     TRUE,
-    TRUTH_VALUES,
     UNKNOWN,
     VALUES,
     Event,
@@ -61,8 +61,8 @@ class Monitor:
         self.state = dict.fromkeys(INPUTS, NEVER_RECEIVED)
         self.stamp_ns = dict.fromkeys(INPUTS, 0)
         self.value = dict.fromkeys(VALUES, NAN)
-        self.proposition = dict.fromkeys(TRUTH_VALUES, -1)
-        self.since_ns = dict.fromkeys(TRUTH_VALUES, 0)
+        self.truth = dict.fromkeys(PROPOSITIONS, -1)
+        self.since_ns = dict.fromkeys(PROPOSITIONS, 0)
         self.active = [False] * len(RULES)
         self.since = dict.fromkeys(SINCES, FALSE)
         self.events: list[Event] = []
@@ -92,7 +92,7 @@ class Monitor:
         first = len(self.events)
         for index, each in enumerate(RULES):
             is_meant = each.release is None and (rule < 0 or rule == index)
-            if is_meant and self.active[index] and self.proposition[each.condition] == FALSE:
+            if is_meant and self.active[index] and self.truth[each.condition] == FALSE:
                 self._change(index, CLEARED, t_ns)
         return before + len(self.events) - first
 
@@ -126,7 +126,7 @@ class Monitor:
         for name in INPUTS:
             self.stamp_ns[name] = t_ns - min(self.now_ns - self.stamp_ns[name], LONGEST)
         self._forget(t_ns)
-        self.proposition = dict.fromkeys(TRUTH_VALUES, -1)
+        self.truth = dict.fromkeys(PROPOSITIONS, -1)
         self.now_ns = t_ns
 
     def _forget(self, t_ns: int) -> None:
@@ -150,21 +150,18 @@ class Monitor:
             if self.state[name] == FRESH and timeout_ns is not None:
                 yield self.stamp_ns[name] + timeout_ns
         for name, (used, age_ns) in AGES.items():
-            if self.proposition[name] == FALSE:
+            if self.truth[name] == FALSE:
                 yield self.stamp_ns[used] + age_ns
         for name, (condition, duration_ns) in HELD.items():
             start_ns = self.start_ns[name]
-            if (
-                self.proposition[condition] == TRUE != self.proposition[name]
-                and start_ns is not None
-            ):
+            if self.truth[condition] == TRUE != self.truth[name] and start_ns is not None:
                 yield start_ns + duration_ns
         windows = {**SWINGS, **EDGES}
         for name, recent in self.recent.items():
             count, within_ns = windows[name][-2:]
-            if self.proposition[name] == TRUE:
+            if self.truth[name] == TRUE:
                 yield recent.instants[-int(count)] + int(within_ns)
-            elif self.proposition[name] != FALSE and recent.gap_end_ns is not None:
+            elif self.truth[name] != FALSE and recent.gap_end_ns is not None:
                 yield recent.gap_end_ns + int(within_ns)
 
     # --- messages ----------------------------------------------------------------------------
@@ -258,9 +255,6 @@ class Monitor:
             if heading != 0:
                 self.recent[name].instants.append(t_ns)
 
-    # --- propositions
-    # ------------------------------------------------------------------------------
-
     def _evaluate(self, t_ns: int, arrived: Sequence[int]) -> None:
         self._expire(t_ns)
         self._compute(t_ns, arrived)
@@ -268,15 +262,15 @@ class Monitor:
             if INPUTS[SWINGS[name][0]][0] in arrived:
                 self._follow(name, t_ns)
         self.started, self.now_ns = True, t_ns
-        for name in TRUTH_VALUES:
+        for name in PROPOSITIONS:
             value = self._proposition(name, t_ns)
-            if value != self.proposition[name]:
-                self.proposition[name], self.since_ns[name] = value, t_ns
+            if value != self.truth[name]:
+                self.truth[name], self.since_ns[name] = value, t_ns
         for index, rule in enumerate(RULES):
             self._judge(index, rule, t_ns)
 
     def _proposition(self, name: str, t_ns: int) -> int:
-        proposition = self.proposition
+        truth = self.truth
         if name in LEAVES:
             return self._leaf(name)
         if name in AGES:
@@ -291,17 +285,17 @@ class Monitor:
         if name in EDGES:
             return self._edges(name, t_ns)
         if name in SINCES:
-            held, begun = (proposition[each] for each in SINCES[name])
+            held, begun = (truth[each] for each in SINCES[name])
             self.since[name] = either(begun, both(held, either(begun, self.since[name])))
             return self.since[name]
         return {
             "always": lambda: TRUE,
             "not_ever": lambda: FALSE,
-            "not_inside": lambda: opposite(proposition["x_inside"]),
-            "once": lambda: opposite(proposition["outside_held"]),
-            "both": lambda: both(proposition["rate_above"], proposition["y_above"]),
-            "either": lambda: either(proposition["quotient_above"], proposition["swing_y"]),
-            "mixed": lambda: both(proposition["either"], proposition["changed"]),
+            "not_inside": lambda: opposite(truth["x_inside"]),
+            "once": lambda: opposite(truth["outside_held"]),
+            "both": lambda: both(truth["rate_above"], truth["y_above"]),
+            "either": lambda: either(truth["quotient_above"], truth["swing_y"]),
+            "mixed": lambda: both(truth["either"], truth["changed"]),
         }[name]()
 
     def _leaf(self, name: str) -> int:
@@ -336,7 +330,7 @@ class Monitor:
     def _held(self, name: str, t_ns: int) -> int:
         """S33, S45."""
         condition, duration_ns = HELD[name]
-        value = self.proposition[condition]
+        value = self.truth[condition]
         if value != TRUE:
             self.held[name], self.start_ns[name] = value, None
             return value
@@ -356,7 +350,7 @@ class Monitor:
     def _edges(self, name: str, t_ns: int) -> int:
         """S48."""
         condition, count, within_ns = EDGES[name]
-        value = self.proposition[condition]
+        value = self.truth[condition]
         if value == TRUE and self.edge[name] == FALSE:
             self.recent[name].instants.append(t_ns)
         self.edge[name] = value
@@ -379,15 +373,11 @@ class Monitor:
 
     def _judge(self, index: int, rule: Rule, t_ns: int) -> None:
         """S35 to S37."""
-        condition = self.proposition[rule.condition]
+        condition = self.truth[rule.condition]
         if not self.active[index]:
             if condition in (TRUE, STALE):
                 self._change(index, ACTIVATED if condition == TRUE else ACTIVATED_STALE, t_ns)
-        elif (
-            condition == FALSE
-            and rule.release is not None
-            and self.proposition[rule.release] == TRUE
-        ):
+        elif condition == FALSE and rule.release is not None and self.truth[rule.release] == TRUE:
             self._change(index, CLEARED, t_ns)
 
     def _change(self, index: int, change: int, t_ns: int) -> None:
@@ -400,7 +390,7 @@ class Monitor:
                 t_ns,
                 t_ns,
                 index,
-                tuple(self.proposition[each] for each in rule.terms),
+                tuple(self.truth[each] for each in rule.terms),
                 tuple(self.since_ns[each] for each in rule.terms),
                 tuple(self.value[each] for each in rule.values),
                 self.state[rule.input],

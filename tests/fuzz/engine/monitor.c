@@ -12,7 +12,7 @@ typedef fuzzed_monitor monitor;
 
 #define CHANNELS 2
 #define LEAVES (20 + PADDING)
-#define NODES (TRUTH_VALUES + RULES)
+#define NODES (PROPOSITIONS + RULES)
 #define TIMEOUTS 2
 #define COVERED 1
 #define EXCUSES 10
@@ -142,9 +142,9 @@ typedef struct stand {
     int32_t result;
     int64_t next_wake_ns;
     int64_t wake_ns;
-    int64_t since_ns[TRUTH_VALUES];
+    int64_t since_ns[PROPOSITIONS];
     double value[VALUES];
-    unsigned char truth_value[TRUTH_VALUES];
+    unsigned char truth_value[PROPOSITIONS];
     unsigned char state[INPUTS];
     unsigned char active[RULES];
     unsigned char watched[WATCHES];
@@ -193,7 +193,7 @@ static void make(const call *made)
     now.wake_ns = tried.wake_ns;
     memcpy(now.since_ns, tried.since_ns, sizeof now.since_ns);
     memcpy(now.value, tried.value, sizeof now.value);
-    memcpy(now.proposition, tried.proposition, sizeof now.proposition);
+    memcpy(now.truth_value, tried.truth_value, sizeof now.truth_value);
     for (int i = 0; i != INPUTS; i++)
         now.state[i] = (unsigned char)fuzzed_input_state(&tried, i);
     for (int i = 0; i != RULES; i++)

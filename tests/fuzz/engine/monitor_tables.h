@@ -101,7 +101,7 @@ enum { USES = sizeof uses / sizeof uses[0] };
 
 #if NODES <= 64
 
-static uint64_t node_users[TRUTH_VALUES];
+static uint64_t node_users[PROPOSITIONS];
 
 static void list_users(void)
 {
@@ -111,7 +111,7 @@ static void list_users(void)
 
 #else
 
-static index_t node_users[TRUTH_VALUES + 1], users[USES];
+static index_t node_users[PROPOSITIONS + 1], users[USES];
 
 static void list_users(void)
 {
@@ -119,7 +119,7 @@ static void list_users(void)
         users[i] = uses[i].user;
         node_users[uses[i].proposition + 1] = (index_t)(i + 1);
     }
-    for (unsigned node = 0; node != TRUTH_VALUES; node++)
+    for (unsigned node = 0; node != PROPOSITIONS; node++)
         if (node_users[node + 1] < node_users[node])
             node_users[node + 1] = node_users[node];
 }

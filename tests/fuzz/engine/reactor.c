@@ -62,7 +62,7 @@ typedef struct fuzzed_bounds {
 /* The monitor: a bit for each active rule, and the watched proposition. */
 typedef struct fuzzed_monitor {
     unsigned active;
-    unsigned proposition;
+    unsigned truth_value;
 } fuzzed_monitor;
 
 static bool fuzzed_is_active(const fuzzed_monitor *m, int rule)
@@ -165,7 +165,7 @@ static void make(const call *made)
         exempted[rule] = (unsigned char)(about >> (4 + rule) & 1u);
     if (made->kind == REACT) {
         monitored.active = about & 15u;
-        monitored.proposition = about >> 8 & 3u;
+        monitored.truth_value = about >> 8 & 3u;
         fuzzed_react(&tried, &monitored, exempted, made->t_ns);
     } else if (made->kind == REPORT) {
         fuzzed_report(&tried, &monitored, made->t_ns, (int)(about & 15u), (about & 16u) != 0);

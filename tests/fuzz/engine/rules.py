@@ -66,7 +66,7 @@ SINCES = {
 }
 SWINGS = {"swing_y": ("y", 1.0, 2, 600), "swing_x": ("x", 0.5, 3, LONGEST - 1)}
 EDGES = {"edges_x": ("x_above", 2, 700), "edges_held": ("above_held", 1, 100)}
-TRUTH_VALUES = [
+PROPOSITIONS = [
     *LEAVES, *AGES, "always", "not_ever", *SWINGS, "not_inside", "above_held", "outside_held",
     "once", "huge_held", "nested", "y_since_x", "not_inside_since_once", "edges_x", "edges_held",
     "both", "either", "mixed", "sum_held",

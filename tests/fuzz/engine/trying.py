@@ -91,10 +91,10 @@ class _OfMonitor:
 
     def __init__(self, padding: int) -> None:
         self._monitor = model.Monitor(rules.FALSE if padding else rules.TRUE)
-        propositions, values = len(rules.TRUTH_VALUES) + padding, len(rules.VALUES)
+        propositions, values = len(rules.PROPOSITIONS) + padding, len(rules.VALUES)
         self._stand = struct.Struct(f"@iiqq{propositions}q{values}d{propositions}B3B10B2BB0q")
         self._places = [
-            i + (padding if i >= _LEAVES else 0) for i in range(len(rules.TRUTH_VALUES))
+            i + (padding if i >= _LEAVES else 0) for i in range(len(rules.PROPOSITIONS))
         ]
 
     def decode(self, data: Bytes, now_ns: int) -> Call:
@@ -143,16 +143,16 @@ class _OfMonitor:
         assert wake_ns <= next_wake_ns, (
             f"calm until {wake_ns}, and a timer is due at {next_wake_ns}"
         )
-        for name, place in zip(rules.TRUTH_VALUES, self._places, strict=True):
-            _compare(name, proposition[place], monitor.proposition[name])
+        for name, place in zip(rules.PROPOSITIONS, self._places, strict=True):
+            _compare(name, proposition[place], monitor.truth[name])
             _compare(f"since of {name}", since_ns[place], monitor.since_ns[name])
         for name, x in zip(rules.VALUES, value, strict=True):
             _compare(name, x, monitor.value[name])
-        _compare("watched", others[13:15], [monitor.proposition[each] for each in rules.WATCHED])
+        _compare("watched", others[13:15], [monitor.truth[each] for each in rules.WATCHED])
         _compare("all inputs", others[15], int(monitor.has_all_inputs()))
 
 
-_LEAVES = rules.TRUTH_VALUES.index("swing_y")
+_LEAVES = rules.PROPOSITIONS.index("swing_y")
 
 
 def _event(found: tuple[float, ...]) -> rules.Event:

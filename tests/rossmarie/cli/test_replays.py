@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from campaign import Campaign, Failure
+from dslkit.campaign import Campaign, Failure
 from dslkit.command_line import ReportFormat
 from dslkit.ending import INTERNAL_ERROR
 from rossmarie.cli import replays

@@ -31,7 +31,7 @@ UNSTATED = Quantity(None)
 FORCE = quantity("N")
 FORCES = Vector(FORCE)
 LENGTHS = Array(quantity("m"))
-TRUTH_VALUES = Array(Boolean())
+BOOLEANS = Array(Boolean())
 EVERY_TYPE: list[Type] = [
     Boolean(),
     Text(),
@@ -43,7 +43,7 @@ EVERY_TYPE: list[Type] = [
     Vector(UNSTATED),
     Quaternion(),
     LENGTHS,
-    TRUTH_VALUES,
+    BOOLEANS,
     Interval(FORCE),
     Box(quantity("m")),
     Message("a/B", {}),
@@ -74,11 +74,11 @@ EVERY_TYPE: list[Type] = [
         ("==", (Text(), Text()), Boolean()),
         ("!=", (Boolean(), Boolean()), Boolean()),
         ("==", (FORCE, FORCE), Boolean()),
-        ("<", (LENGTHS, quantity("mm")), TRUTH_VALUES),
-        ("in", (LENGTHS, Interval(quantity("m"))), TRUTH_VALUES),
+        ("<", (LENGTHS, quantity("mm")), BOOLEANS),
+        ("in", (LENGTHS, Interval(quantity("m"))), BOOLEANS),
         ("-", (LENGTHS, quantity("m")), LENGTHS),
-        ("and", (TRUTH_VALUES, TRUTH_VALUES), TRUTH_VALUES),
-        ("not", (TRUTH_VALUES,), TRUTH_VALUES),
+        ("and", (BOOLEANS, BOOLEANS), BOOLEANS),
+        ("not", (BOOLEANS,), BOOLEANS),
         ("abs", (LENGTHS,), LENGTHS),
         ("in", (quantity("deg"), Interval(quantity("rad"))), Boolean()),
         ("in", (Vector(quantity("m")), Box(quantity("mm"))), Boolean()),
@@ -89,8 +89,8 @@ EVERY_TYPE: list[Type] = [
         ("min", (LENGTHS,), quantity("m")),
         ("max", (FORCE, FORCE, quantity("mN")), FORCE),
         ("max", (NUMBER, UNSTATED), UNSTATED),
-        ("any", (TRUTH_VALUES,), Boolean()),
-        ("count", (TRUTH_VALUES,), NUMBER),
+        ("any", (BOOLEANS,), Boolean()),
+        ("count", (BOOLEANS,), NUMBER),
         ("pitch", (Quaternion(),), quantity("rad")),
         ("rate", (quantity("m/s"),), quantity("m/s^2")),
         ("rate", (UNSTATED,), UNSTATED),

@@ -122,7 +122,7 @@ QUICK = (
     ),
 )
 _OPERANDS = "case ir.Apply(operands=operands):\n            return operands"
-_OF_TRUTH_VALUES = (
+_OF_PROPOSITIONS = (
     "case ir.And(operands=operands) | ir.Or(operands=operands):\n            return operands"
 )
 _TERMS = "return tuple(_terms(machine, condition))"
@@ -131,7 +131,7 @@ _OF_READ = "slots=frozenset({slot}),\n                inputs=frozenset({used}),"
 FAULTS = (
     Fault(SUPPORT, _COMPARED, f"{_COMPARED}[:1]", "numbers_belt", TWO_TOPICS),
     Fault(SUPPORT, _OPERANDS, f"{_OPERANDS}[:1]", "numbers_belt"),
-    Fault(SUPPORT, _OF_TRUTH_VALUES, f"{_OF_TRUTH_VALUES}[:1]", "visit"),
+    Fault(SUPPORT, _OF_PROPOSITIONS, f"{_OF_PROPOSITIONS}[:1]", "visit"),
     Fault("ir/terms.py", _TERMS, f"{_TERMS}[:1]", "visit"),
     Fault(SUPPORT, _OF_READ, _OF_READ.replace("{used}", "{0}"), "tick"),
     Fault("targets/c99/layout.py", _OF_SLOT, "inputs=frozenset({0}),", "tick"),

@@ -156,7 +156,7 @@ def test_marks_of_more_than_64_nodes(
     rules = [f"rule r{n}: if speed > {n} m/s then {{ stop; }};" for n in range(1, 41)]
     machine = compiled("\n".join([WIDE, *rules]), tmp_path_factory)
     assert outcomes(prover, machine, NO_CHANGE, "visit_70") == set()
-    judged = "    if (node >= TRUTH_VALUES)\n        return judge"
+    judged = "    if (node >= PROPOSITIONS)\n        return judge"
     change = (judged, f"    m->pending = false;\n{judged}")
     wrong = {"it is left to `evaluate` to say that all is done", "what is marked can be evaluated"}
     assert outcomes(prover, machine, change, "visit_70") == wrong

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from campaign import Value
+from dslkit.campaign import Value
 from dslkit.ownership import Comment, marked
 from dslkit.writing import replacing_text, write_whole
 from heron.evaluation.learning.curves import curves_of

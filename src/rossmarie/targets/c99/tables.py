@@ -45,7 +45,7 @@ def _sizes(layout: Layout) -> dict[str, int]:
         "CHANNELS": len(machine.channels),
         "VALUES": len(layout.values),
         "LEAVES": layout.leaf_count,
-        "TRUTH_VALUES": layout.proposition_count,
+        "PROPOSITIONS": layout.proposition_count,
         "RULES": len(machine.rules),
         "NODES": layout.proposition_count + len(machine.rules),
     }

@@ -18,7 +18,7 @@ typedef arrays_monitor monitor;
 #define CHANNELS 1
 #define VALUES 4
 #define LEAVES 5
-#define TRUTH_VALUES 7
+#define PROPOSITIONS 7
 #define RULES 1
 #define NODES 8
 #define TIMEOUTS 1

@@ -18,7 +18,7 @@ typedef memories_monitor monitor;
 #define CHANNELS 1
 #define VALUES 11
 #define LEAVES 10
-#define TRUTH_VALUES 14
+#define PROPOSITIONS 14
 #define RULES 5
 #define NODES 19
 #define TIMEOUTS 1

@@ -18,7 +18,7 @@ typedef thresholds_monitor monitor;
 #define CHANNELS 1
 #define VALUES 2
 #define LEAVES 4
-#define TRUTH_VALUES 7
+#define PROPOSITIONS 7
 #define RULES 2
 #define NODES 9
 #define GUARDS 2

@@ -18,7 +18,7 @@ typedef timeouts_monitor monitor;
 #define CHANNELS 2
 #define VALUES 2
 #define LEAVES 3
-#define TRUTH_VALUES 6
+#define PROPOSITIONS 6
 #define RULES 1
 #define NODES 7
 #define TIMEOUTS 2

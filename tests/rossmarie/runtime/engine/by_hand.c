@@ -14,7 +14,7 @@ typedef hand_monitor monitor;
 #define CHANNELS 1
 #define VALUES 1
 #define LEAVES 2
-#define TRUTH_VALUES 4
+#define PROPOSITIONS 4
 #define RULES 1
 #define NODES 5
 #define TIMEOUTS 1

@@ -10,8 +10,8 @@ static unsigned char derive(monitor *m, unsigned node, int64_t t_ns);
 /* The next that is marked: a proposition gets its value, a rule is judged. */
 static int visit(monitor *m, unsigned node, int64_t t_ns)
 {
-    if (node >= TRUTH_VALUES)
-        return judge(m, node - TRUTH_VALUES, t_ns);
+    if (node >= PROPOSITIONS)
+        return judge(m, node - PROPOSITIONS, t_ns);
     set_truth_value(m, node, derive(m, node, t_ns), t_ns);
     return 0;
 }
@@ -181,7 +181,7 @@ static void forget_times(monitor *m, int64_t t_ns)
 /* Begin, or begin again after time went backwards: of inputs no more than their ages is known. */
 static void restart(monitor *m, int64_t t_ns)
 {
-    for (unsigned node = 0; node != TRUTH_VALUES; node++)
+    for (unsigned node = 0; node != PROPOSITIONS; node++)
         m->truth_value[node] = UNSET;
     for (unsigned node = LEAVES; node != NODES; node++)
         mark(m, node);

@@ -1,0 +1,9 @@
+"""First rules for a robot, written from one recording of it.
+
+`begin` reads a recording and gives the texts of a system model, and of rules with their tests.
+"""
+
+from rossmarie.starter.beginning import Beginning, begin
+from rossmarie.starter.errors import ALL
+
+__all__ = ["ALL", "Beginning", "begin"]

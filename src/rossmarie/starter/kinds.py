@@ -1,0 +1,29 @@
+"""The types of messages that first rules are about."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from rossmarie.starter.arm import Force, Joints
+from rossmarie.starter.base import Inertia, Odometry, Scan
+from rossmarie.starter.robot import Kind
+from rossmarie.starter.supply import Battery, Diagnostics, Heat
+
+KINDS: Mapping[str, Callable[[], Kind]] = {
+    "nav_msgs/Odometry": Odometry,
+    "sensor_msgs/Imu": Inertia,
+    "sensor_msgs/LaserScan": Scan,
+    "sensor_msgs/JointState": Joints,
+    "geometry_msgs/WrenchStamped": lambda: Force(".wrench"),
+    "geometry_msgs/Wrench": lambda: Force(""),
+    "sensor_msgs/BatteryState": Battery,
+    "sensor_msgs/Temperature": Heat,
+    "diagnostic_msgs/DiagnosticArray": Diagnostics,
+}
+"""A class for the messages of each type, in the order in which rules are written."""
+
+OWN = "/diagnostics"
+"""The topic on which the node of the rules speaks, too: its silence tells nothing (ROSS256)."""
+
+ARM = frozenset({"joints", "wrench"})
+"""The words for the kinds of messages that an arm without a base has."""

@@ -1,0 +1,105 @@
+"""The robot of a recording, as far as first rules need to know it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, Protocol
+
+from rossmarie.recordings.model import Rhythm
+from rossmarie.starter.names import Names
+
+UNFILTERED = "unfil_"
+"""In front of the name of a topic: that on which commands enter its filter."""
+
+
+@dataclass(frozen=True)
+class Proposal:
+    """Rules that may fit a robot, and a sentence or two about them."""
+
+    about: str
+    code: str
+
+
+@dataclass(frozen=True)
+class Commands:
+    """The topic of the commands that rules bound, and the actions that do so.
+
+    `declared` brings the actions into a rules file. `field` is a field of the messages, from the
+    topic.
+    """
+
+    topic: str
+    message_type: str
+    about: str
+    declared: str
+    stop: str
+    slow: str
+
+    @property
+    def is_twist(self) -> bool:
+        """Say whether rules of the library for a base fit."""
+        return self.message_type == "geometry_msgs/Twist"
+
+    @property
+    def entry(self) -> str:
+        """The topic on which commands enter the filter of the rules."""
+        folder, _, last = self.topic.rpartition("/")
+        return f"{folder}/{UNFILTERED}{last}"
+
+    @property
+    def field(self) -> str:
+        """A field that is zero while the robot is stopped."""
+        return "linear.x" if self.is_twist else "twist.linear.x"
+
+
+class Kind(Protocol):
+    """The rules about messages of a type, with limits from the messages on one topic."""
+
+    @property
+    def word(self) -> str:
+        """A name for such messages, where they are on one topic only."""
+
+    def see(self, message: Any) -> None:
+        """Take in a message."""
+
+    def fields(self, name: str) -> Mapping[str, str]:
+        """The inputs by their names: the field that they read, and its unit."""
+
+    def proposals(self, watched: Watched, robot: Robot) -> Iterator[Proposal]:
+        """Rules that may fit."""
+
+
+@dataclass(frozen=True)
+class Watched:
+    """A topic whose messages rules read. `recorded` is its name in the recording."""
+
+    topic: str
+    recorded: str
+    message_type: str
+    kind: Kind
+    name: str
+    rhythm: Rhythm
+    timeout: float
+    is_steady: bool
+
+    def named(self, word: str) -> str:
+        """A name for a rule about this topic."""
+        return word if self.name == self.kind.word else f"{self.name}_{word}"
+
+
+@dataclass(frozen=True)
+class Robot:
+    """The topics of a robot that rules read, and that of its commands."""
+
+    watched: Sequence[Watched]
+    commands: Commands
+    names: Names = field(default_factory=Names)
+
+    def of_word(self, word: str) -> Sequence[Watched]:
+        """The topics with messages of a kind."""
+        return [each for each in self.watched if each.kind.word == word]
+
+    def rule(self, watched: Watched, word: str) -> str:
+        """A name of its own for a rule, or for an import, about a topic."""
+        return self.names.take(watched.named(word))
