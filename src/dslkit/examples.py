@@ -1,4 +1,6 @@
-"""Copies folders of examples for users: all files or none, and over a file that is there only with leave."""
+"""Copies folders of examples for users: all files or none. Files that are there stay unless the
+caller allows otherwise.
+"""
 
 from __future__ import annotations
 
