@@ -13,7 +13,7 @@ StudyFile = Annotated[
     typer.Option(
         "--study",
         metavar="FILE",
-        help="Append the codes and places of the findings to this study log.",
+        help="Append the codes and locations of the findings to this study log.",
         readable=False,
     ),
 ]

@@ -36,7 +36,7 @@ Skills = Annotated[
     list[Path],
     typer.Argument(
         metavar="PATHS...",
-        help="Python files, folders with them, packages by their names, and scenes (.turtle).",
+        help="Python files or folders, names of packages, and scenes (.turtle).",
         callback=of_skills,
         readable=False,
     ),
@@ -46,21 +46,23 @@ OptionalSkills = Annotated[
     typer.Argument(
         metavar="[PATHS...]",
         callback=of_skills,
-        help="Python files, folders with them, and packages by their names; else this folder.",
+        help="Python files or folders, and names of packages; default: the current folder.",
         readable=False,
         show_default=False,
     ),
 ]
 Folders = Annotated[
     list[Path] | None,
-    typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`.", exists=True),
+    typer.Option(
+        "--ontology", metavar="PATH", help="Ontology files and folders for `load()`.", exists=True
+    ),
 ]
 Knowledge = Annotated[
     Path | None,
-    typer.Option("--knowledge", metavar="FILE", help="What `ezskiros learn` wrote."),
+    typer.Option("--knowledge", metavar="FILE", help="The knowledge file of `ezskiros learn`."),
 ]
 OutFile = Annotated[
-    Path | None, typer.Option("--out", "-o", metavar="FILE", help="Write this file.")
+    Path | None, typer.Option("--out", "-o", metavar="FILE", help="The output file.")
 ]
 
 

@@ -22,10 +22,11 @@ _HOMES = (_PACKAGE / "examples", _PACKAGE.parents[1] / "examples")
 
 def example(
     name: Annotated[
-        str | None, typer.Argument(metavar="EXAMPLE", help="Such as pick_place.")
+        str | None,
+        typer.Argument(metavar="EXAMPLE", help="The name of an example, such as pick_place."),
     ] = None,
     folder: Annotated[
-        Path | None, typer.Argument(metavar="DIR", help="The folder to write to; else ./EXAMPLE.")
+        Path | None, typer.Argument(metavar="DIR", help="The output folder; default: ./EXAMPLE.")
     ] = None,
     force: Force = False,
 ) -> None:

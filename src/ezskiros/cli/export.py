@@ -19,12 +19,13 @@ from ezskiros.cli.output import output
 def export(
     paths: Skills,
     out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as skills.json.")
+        Path,
+        typer.Option("--out", "-o", metavar="FILE", help="The output file, such as skills.json."),
     ],
     ontology: Folders = None,
     force: Force = False,
 ) -> None:
-    """Write what rules have to know of skills: `skills.json`. Nothing if there are errors."""
+    """Write the description of skills for rules: `skills.json`. Errors prevent the export."""
     output.permit(force)
     if out.suffix != ".json":  # rules read no other, and no module may be lost
         output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)

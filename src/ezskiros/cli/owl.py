@@ -20,13 +20,13 @@ def owl(
     out: Annotated[
         Path,
         typer.Option(
-            "--out", "-o", metavar="DIR", help="SkiROS2's `workspace_dir`, or one inside it."
+            "--out", "-o", metavar="DIR", help="SkiROS2's `workspace_dir`, or a folder in it."
         ),
     ],
     ontology: Folders = None,
     force: Force = False,
 ) -> None:
-    """Write the ontology as SkiROS2 loads it: files in RDF/XML (`.owl`)."""
+    """Write the ontology for SkiROS2: RDF/XML files (`.owl`)."""
     output.permit(force)
     output.try_folder(out)
     from ezskiros.driver import owl_of

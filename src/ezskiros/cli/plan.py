@@ -27,17 +27,18 @@ def plan(
         str,
         typer.Option(
             metavar="GOAL",
-            help="`(skiros:contain skiros:Location-1 skiros:Product-2)`, or several.",
+            help="One or several facts: `(skiros:contain skiros:Location-1 skiros:Product-2)`.",
         ),
     ],
-    scene: Annotated[
-        Path, typer.Option(metavar="FILE", help="The world that it starts in (.turtle).")
-    ],
+    scene: Annotated[Path, typer.Option(metavar="FILE", help="The initial scene (.turtle).")],
     paths: OptionalSkills = None,
     out: Annotated[
         Path | None,
         typer.Option(
-            "--out", "-o", metavar="FILE", help="Write the plan as a compound skill, too."
+            "--out",
+            "-o",
+            metavar="FILE",
+            help="Also write the plan as a compound skill to this file.",
         ),
     ] = None,
     timeout: Annotated[
@@ -47,7 +48,7 @@ def plan(
     ontology: Folders = None,
     force: Force = False,
 ) -> None:
-    """Find skills that lead from a scene to a goal: a behavior tree, checked and tried out."""
+    """Find a plan from a scene to a goal: a behavior tree, checked and simulated."""
     output.permit(force)
     if out is not None and (out.suffix != ".py" or not out.stem.isidentifier()):
         output.fail(f"`{out}` is no file for a module of Python, such as plan.py", exit_code=2)

@@ -40,18 +40,22 @@ if TYPE_CHECKING:  # the engine is loaded only where it is needed
 _GIVEN = re.compile(r"[A-Za-z_]\w*=")
 
 Skill = Annotated[
-    str, typer.Argument(metavar="SKILL", help="Such as Pick, or an implementation: pick.")
+    str,
+    typer.Argument(
+        metavar="SKILL", help="A skill such as Pick, or an implementation such as pick."
+    ),
 ]
 Words = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="[PATHS...] [NAME=VALUE...]",
-        help="Where the skills are, else the current folder; and the values of parameters.",
+        help="Files or folders with the skills (default: this folder), and parameter values.",
     ),
 ]
 
 TraceFile = Annotated[
-    Path | None, typer.Option(metavar="FILE", help="Write what happens, as JSON lines.")
+    Path | None,
+    typer.Option(metavar="FILE", help="Write the skill trace to this file, as JSON lines."),
 ]
 Timeout = Annotated[
     float | None,
@@ -59,15 +63,21 @@ Timeout = Annotated[
 ]
 ContextFile = Annotated[
     Path | None,
-    typer.Option(metavar="FILE", help="Tell which skills run, in the words of this skills.json."),
+    typer.Option(
+        metavar="FILE", help="Publish the running skills, with the names of this skills.json."
+    ),
 ]
 WorldFile = Annotated[
     Path | None,
-    typer.Option("--out", "-o", metavar="FILE", help="Write the world at the end (.turtle)."),
+    typer.Option(
+        "--out", "-o", metavar="FILE", help="Write the final scene to this file (.turtle)."
+    ),
 ]
 GuardsFile = Annotated[
     Path | None,
-    typer.Option(metavar="FILE", help="Let skills wait for rules: guards.json of `crosscheck`."),
+    typer.Option(
+        metavar="FILE", help="Let skills wait for rules: guards.json of `crosscheck weave`."
+    ),
 ]
 
 
@@ -76,24 +86,25 @@ def run(
     words: Words = None,
     scene: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="The world at the start (.turtle)."),
+        typer.Option(metavar="FILE", help="The initial scene (.turtle)."),
     ] = None,
     out: WorldFile = None,
     simulate: Annotated[
         bool,
         typer.Option(
-            "--simulate", help="Do not execute primitives: only apply their post-conditions."
+            "--simulate", help="Do not execute primitives; only apply their post-conditions."
         ),
     ] = False,
     ask: Annotated[
-        bool, typer.Option("--ask", help="Ask which, where several things can be inferred.")
+        bool, typer.Option("--ask", help="Ask the user if several individuals match a parameter.")
     ] = False,
     compatible: Annotated[
-        bool, typer.Option("--compatible", help="As SkiROS2 does it, with its defects.")
+        bool,
+        typer.Option("--compatible", help="Reproduce the behavior of SkiROS2, with its defects."),
     ] = False,
     trace: TraceFile = None,
     period: Annotated[
-        float, typer.Option(metavar="SECONDS", min=0.0, help="From tick to tick.")
+        float, typer.Option(metavar="SECONDS", min=0.0, help="The time between two ticks.")
     ] = 0.04,
     timeout: Timeout = None,
     context: ContextFile = None,
@@ -101,7 +112,7 @@ def run(
     ontology: Folders = None,
     force: Force = False,
 ) -> None:
-    """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
+    """Run a skill without ROS. Ctrl-C preempts the skill."""
     output.permit(force)
     output.try_file(out, trace)
     name_ontology(ontology)

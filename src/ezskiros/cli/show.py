@@ -35,17 +35,18 @@ def show(
     ],
     paths: OptionalSkills = None,
     form: Annotated[
-        PictureFormat, typer.Option("--format", help="The format; btcpp is BehaviorTree.CPP 4.")
+        PictureFormat,
+        typer.Option("--format", help="The output format; btcpp is BehaviorTree.CPP 4."),
     ] = PictureFormat.TEXT,
     out: OutFile = None,
     depth: Annotated[
-        int, typer.Option(min=0, help="How many levels of compound skills inside it are drawn.")
+        int, typer.Option(min=0, help="The number of drawn levels of nested compound skills.")
     ] = 0,
-    conditions: Annotated[bool, typer.Option(help="With the conditions of the skills.")] = True,
+    conditions: Annotated[bool, typer.Option(help="Show the conditions of the skills.")] = True,
     ontology: Folders = None,
     force: Force = False,
 ) -> None:
-    """Draw the behavior trees of a compound skill: several if `expandBT` branches."""
+    """Draw the behavior trees of a compound skill, one for each branch of `expandBT`."""
     from ezskiros.cli.outlines import console_for_outlines, plain_console
 
     output.permit(force)

@@ -12,7 +12,10 @@ from rossmarie.cli.options import OptionalOutFile, RobotFolder, RobotName, writt
 from rossmarie.cli.output import output
 
 Recording = Annotated[
-    Path, typer.Argument(metavar="RECORDING", help="Any recording.", readable=False)
+    Path,
+    typer.Argument(
+        metavar="RECORDING", help="A recording: .bag, .db3, .mcap, or a bag folder.", readable=False
+    ),
 ]
 
 
@@ -28,16 +31,18 @@ def init(
     recording: Annotated[
         Path,
         typer.Argument(
-            metavar="RECORDING", help="A .bag, .db3, .mcap, or a bag folder.", readable=False
+            metavar="RECORDING",
+            help="A recording: .bag, .db3, .mcap, or a bag folder.",
+            readable=False,
         ),
     ],
     out: Annotated[
         Path,
-        typer.Option("--out", "-o", metavar="DIR", help="The folder to write to.", parser=written),
+        typer.Option("--out", "-o", metavar="DIR", help="The output folder.", parser=written),
     ] = Path("robot"),
     force: Force = False,
 ) -> None:
-    """Begin the rules of a robot from a recording: a system model, inputs, proposals, tests."""
+    """Write first rules from a recording: a system model, inputs, proposals, tests."""
     output.permit(force)
     from rossmarie.cli.init import run_init
 
@@ -45,7 +50,7 @@ def init(
 
 
 def example(robot: RobotName = None, folder: RobotFolder = None, force: Force = False) -> None:
-    """Copy the rules of a robot in the box, with a recording; without ROBOT, list the robots."""
+    """Copy the example rules and recording of a robot; without ROBOT, list the robots."""
     output.permit(force)
     from rossmarie.cli.example import run_example
 
