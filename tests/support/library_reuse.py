@@ -20,11 +20,12 @@ _HEAD = """\
 # One library, five robots
 
 Written by `benchmarks/library_reuse.py` from the rules of [the robots in the box](command-line.md)
-and those of [the library](library.md); do not edit. What it means:
-[one library, several robots](../explanation/one-library.md).
+and the rules of [the library](library.md); do not edit. The page
+[one library, several robots](../explanation/one-library.md) explains the results.
 
-A rule is used *as it is* where no number on which it rests was changed: names of topics, joints and
-frames do not count. It is used *with other numbers* where an import gives at least one of them.
+A rule is used *as it is* if an import changes none of its numbers; names of topics, joints and
+frames do not count. A rule is used *with other numbers* if an import sets at least one of its
+numbers.
 """
 
 
