@@ -203,9 +203,9 @@ def _own(reported: Sequence[_Reported]) -> Iterator[str]:
 def _recoveries(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     yield "## Recoveries"
     yield ""
-    yield "Actions in the rules of the library. A rule declares if its recovery depends on the task. The"
-    yield "last two columns are the robots whose rules use the action, and the robots that replace the"
-    yield "action by their own."
+    yield "The actions in the rules of the library. A rule declares if its recovery depends on the"
+    yield "task. The last two columns are the robots whose rules use the action, and the robots that"
+    yield "replace the action by their own."
     yield ""
     yield "| Action | Rules for all tasks | Rules for a task | Robots | Replaced by |"
     yield "|---|---|---|---|---|"
