@@ -105,6 +105,12 @@ def test_users_do_not_meet_avoided_words(word: str) -> None:
     assert [f"{place}: {line}" for place, line in texts() if wrong.search(line)] == []
 
 
+def test_the_texts_include_pages_and_help() -> None:
+    places = {place.partition(":")[0] for place, _ in texts()}
+    assert {"README.md", "docs/README.md", "src/rossmarie/catalog/pages/ROSS001.md"} <= places
+    assert {"rossmarie check --help", "heron run nav --help", "ezskiros run --help"} <= places
+
+
 def test_other_pages_lead_to_the_glossary() -> None:
     contents = (PROJECT / "docs" / "README.md").read_text(encoding="utf-8")
     assert "(reference/glossary.md)" in contents
