@@ -204,7 +204,7 @@ def _recoveries(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterato
     yield "## Recoveries"
     yield ""
     yield "The actions in the rules of the library. A rule declares if its recovery depends on the"
-    yield "task. The last two columns are the robots whose rules use the action, and the robots that"
+    yield "task. The last two columns are the robots that use the action, and the robots that"
     yield "replace the action by their own."
     yield ""
     yield "| Action | Rules for all tasks | Rules for a task | Robots | Replaced by |"
