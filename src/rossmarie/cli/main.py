@@ -12,13 +12,14 @@ from typing import Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat
+from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from rossmarie.cli.beginnings import example, init, model
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
     AnswerFormat,
     Code,
+    Compared,
     CoverageFile,
     CoverageReport,
     Licenses,
@@ -91,13 +92,24 @@ def check(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    study: StudyFile = None,
 ) -> None:
     """Check rules files: names, types, units, what cannot work, and what rules mean together."""
     from rossmarie.cli.check import run_check
 
-    name, folders = None if target is None else target.value, messages or ()
+    name, systems, folders = target and target.value, system or (), messages or ()
     run_check(
-        files, format, name, thorough, toggle, witnesses, skills, system or (), folders, only or ()
+        files,
+        format,
+        name,
+        thorough,
+        toggle,
+        witnesses,
+        skills,
+        systems,
+        folders,
+        only or (),
+        study,
     )
 
 
@@ -270,6 +282,7 @@ def replay(
     recordings: Recordings,
     topic_map: TopicMap = None,
     out: ReportFolder = None,
+    compare: Compared = None,
     format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
@@ -278,10 +291,10 @@ def replay(
     """Run the monitor of a rules file over a recording, or over many at the same time."""
     chosen, pairs = list(dict.fromkeys(recordings)), topic_map or []
     rest = (pairs, out, format, system or [], messages or [], only or [])
-    if len(chosen) == 1:
+    if len(chosen) == 1 or compare is not None:
         from rossmarie.cli.replay import run_replay
 
-        run_replay(rules, chosen[0], *rest)
+        run_replay(rules, chosen, compare, *rest)
     else:
         from rossmarie.cli.replays import run_replays
 

@@ -7,7 +7,7 @@ recording a second time, with a machine that has no rules and a slot for each nu
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -18,8 +18,11 @@ from rossmarie.driver.sampler import Kept
 from rossmarie.ir import AXES, Channel, Input, Kind, Machine, Slot, is_setting
 from rossmarie.ir import Path as FieldPath
 from rossmarie.ir.path import path_words
-from rossmarie.recordings import Recording, RecordingError
-from rossmarie.report import Axis, Plot, share
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.model import Recording
+from rossmarie.report.axis import Axis
+from rossmarie.report.envelope import share
+from rossmarie.report.model import Plot
 from rossmarie.types import Boolean, Message, Quantity, Quaternion, Type, Vector
 
 MOST_SIGNALS = 200
@@ -30,12 +33,16 @@ _HEADER = "std_msgs/Header"
 
 @dataclass(frozen=True)
 class _Number:
-    """A number in the messages on a channel; `unit` is empty if none is known."""
+    """A number in the messages on a channel; `unit` is empty if none is known.
+
+    `name` is the first input that selects it. Columns of a CSV file may have names of inputs.
+    """
 
     channel: Channel
     path: FieldPath
     kind: Kind
     unit: str
+    name: str = field(compare=False)
 
     @property
     def text(self) -> str:
@@ -70,7 +77,7 @@ def recorded_plots(
         offset = int(batch.times_ns[0]) - start_ns if offset is None else offset
         times = axis.place(batch.times_ns) + offset
         for index, slot in enumerate(machine.slots):
-            rows = np.flatnonzero(batch.arriving[:, slot.input])
+            rows = np.flatnonzero(batch.arriving[:, machine.inputs[slot.input].channel])
             kept[index].add(times[rows], batch.slots[rows, index], limit)
     return tuple(
         Plot(number.text, number.unit, samples.times / 1e9, samples.values, ())
@@ -85,7 +92,8 @@ def _numbers_of(inputs: Sequence[CheckedInput]) -> Iterator[_Number]:
         channel = Channel(each.topic, each.message_type)
         if each.edge is None and each.query is None and not is_setting(channel):
             for path, kind, unit in _numbers_in(each.type):
-                yield _Number(channel, (*each.path, *path), kind, unit)
+                name = each.declaration.name.text
+                yield _Number(channel, (*each.path, *path), kind, unit, name)
 
 
 def _numbers_in(type_: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
@@ -102,26 +110,25 @@ def _numbers_in(type_: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
             for axis in (*AXES, "w"):
                 yield from _below(axis, Quantity(None))
         case Message(name=name, fields=fields) if name != _HEADER:
-            for field, inner in fields.items():
-                yield from _below(field, inner)
+            for part, inner in fields.items():
+                yield from _below(part, inner)
         case _:
             return
 
 
-def _below(field: str, inner: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
+def _below(part: str, inner: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
     for path, kind, unit in _numbers_in(inner):
-        yield (field, *path), kind, unit
+        yield (part, *path), kind, unit
 
 
 def _machine(numbers: Sequence[_Number]) -> Machine:
-    """A machine without rules that reads the numbers. It has one input for each channel."""
+    """A machine without rules that reads the numbers."""
     channels = list(dict.fromkeys(each.channel for each in numbers))
+    readers = list(dict.fromkeys((each.name, each.channel) for each in numbers))
     nowhere = Span(SourceFile("recorded", ""), 0, 0)
-    inputs = tuple(
-        Input(channel.topic, place, None, nowhere) for place, channel in enumerate(channels)
-    )
+    inputs = tuple(Input(name, channels.index(channel), None, nowhere) for name, channel in readers)
     slots = tuple(
-        Slot(channels.index(each.channel), each.path, each.kind, 1.0, 0.0, each.unit)
+        Slot(readers.index((each.name, each.channel)), each.path, each.kind, 1.0, 0.0, each.unit)
         for each in numbers
     )
     return Machine("recorded", tuple(channels), inputs, slots, (), (), (), (), ())

@@ -1,4 +1,4 @@
-"""The runs of one timeline: a replay, or two replays to compare, with the rules files behind them."""
+"""The runs of one timeline: a replay, or two replays to compare, and their rules files."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Run:
     label: str
 
 
-def runs_of(replay: Replay, compared: Replay | None) -> tuple[Run, ...]:
+def runs_of(replay: Replay, compared: Replay | None = None) -> tuple[Run, ...]:
     """Name two replays after what is different: their recordings, or else their rules files."""
     if compared is None:
         return (Run(replay, ""),)

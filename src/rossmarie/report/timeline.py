@@ -66,9 +66,10 @@ def _notes(runs: Sequence[Run]) -> list[str]:
 def _listed(runs: Sequence[Run]) -> str:
     """Describe the list of changes: the page does not hold more than the first ones of a run."""
     counts = [sum(isinstance(each, Verdict) for each in run.replay.events) for run in runs]
-    if max(counts) <= MOST_DETAILED:
+    most = max(counts)
+    if most <= MOST_DETAILED:
         return "Every change, in order"
-    return f"The first {MOST_DETAILED} of {max(counts)} changes, in order; all are in the verdicts file"
+    return f"The first {MOST_DETAILED} of {most} changes, in order; all are in the verdicts file"
 
 
 def _recorded(start_ns: int) -> str:
