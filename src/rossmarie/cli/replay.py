@@ -79,7 +79,7 @@ def run_replay(
             _write_tables(runs)
         written = () if out is None else _save_reports(runs, out)
         if answer.is_printed:
-            answer.result = _result(runs, recordings[0], written)
+            answer.result = _result(runs, written)
 
 
 def _try_to_compare(recordings: Sequence[Path], out: Path | None) -> None:
@@ -110,15 +110,17 @@ def _write_tables(runs: Sequence[Replay]) -> None:
             typer.echo()
 
 
-def _result(runs: Sequence[Replay], recording: Path, written: Sequence[Path]) -> Json:
+def _result(runs: Sequence[Replay], written: Sequence[Path]) -> Json:
     """The result for programs: one recording, and the second run if there is one."""
-    first = {"recording": str(recording), "failure": None, **replay_result(runs[0], written)}
-    compared = {
-        "rules_file": runs[-1].rules_file,
-        "recording": runs[-1].recording,
-        **replay_result(runs[-1], ()),
-    }
-    return {"recordings": [first], **({"compared": compared} if len(runs) > 1 else {})}
+    first, *second = (
+        {
+            "recording": run.recording,
+            "failure": None,
+            **replay_result(run, () if number else written),
+        }
+        for number, run in enumerate(runs)
+    )
+    return {"recordings": [first], **({"compared": second[0]} if second else {})}
 
 
 @contextmanager

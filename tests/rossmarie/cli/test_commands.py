@@ -311,7 +311,7 @@ def test_replay_compares_recordings_and_versions_of_rules(rules: Path, tmp_path:
     both = ("--out", tmp_path / "b", "--compare", old, "--format", "json")
     answer = json.loads(run("replay", rules, recording, *both).stdout)["result"]
     assert [each["recording"] for each in answer["recordings"]] == [str(recording)]
-    assert answer["compared"]["rules_file"] == str(old)
+    assert answer["compared"]["recording"] == str(recording)
     assert answer["compared"]["rules"] == answer["recordings"][0]["rules"]
     assert ">old.ross<" in (tmp_path / "b/timeline.html").read_text()
 
