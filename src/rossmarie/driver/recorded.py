@@ -23,7 +23,24 @@ from rossmarie.recordings.model import Recording
 from rossmarie.report.axis import Axis
 from rossmarie.report.envelope import share
 from rossmarie.report.model import Plot
-from rossmarie.types import Boolean, Message, Quantity, Quaternion, Type, Vector
+from rossmarie.types import (
+    Array,
+    Boolean,
+    Box,
+    Entry,
+    Interval,
+    List,
+    Message,
+    Motion,
+    Quantity,
+    Quaternion,
+    Region,
+    Text,
+    Type,
+    Unknown,
+    Unsupported,
+    Vector,
+)
 
 MOST_SIGNALS = 200
 """Signals of one timeline that a reader can add."""
@@ -109,10 +126,13 @@ def _numbers_in(type_: Type) -> Iterator[tuple[FieldPath, Kind, str]]:
         case Quaternion():
             for axis in (*AXES, "w"):
                 yield from _below(axis, Quantity(None))
-        case Message(name=name, fields=fields) if name != _HEADER:
-            for part, inner in fields.items():
+        case Message(name=name, fields=fields):
+            for part, inner in fields.items() if name != _HEADER else ():
                 yield from _below(part, inner)
-        case _:
+        case (
+            Text() | Array() | List() | Interval() | Box() | Region() | Motion() | Entry()
+            | Unsupported() | Unknown()
+        ):  # fmt: skip
             return
 
 
