@@ -325,7 +325,9 @@ def test_a_comparison_needs_a_page_and_one_recording(rules: Path, tmp_path: Path
     assert (done.returncode, done.stdout) == (2, "")
     assert "--compare draws into timeline.html: name its folder with --out" in done.stderr
     both = ("--compare", recording, "--out", tmp_path / "out")
-    done = run("replay", rules, recording, rules, *both)
+    other = tmp_path / "other.csv"
+    other.write_text(DRIVE)
+    done = run("replay", rules, recording, other, *both)
     assert done.returncode == 2
     assert "you named 2 recordings" in done.stderr
     done = run("replay", rules, recording, "--out", tmp_path / "out", "--compare", "none.bag")
