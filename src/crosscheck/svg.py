@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from html import escape
 
 from crosscheck.picture import Pictured
+from ezskiros.drawing.window import framed
 
 _ROW, _WIDTH, _BOX, _HEIGHT, _MARGIN = 46, 1080, 270, 30, 50
 _COLUMNS = (20, 405, 790)
@@ -14,10 +15,15 @@ _TITLES = ("skills", "topics and servers", "rules")
 _STYLE = """
 text { font: 14px sans-serif; fill: #1b2733; }
 .title { font-weight: bold; }
-rect { fill: #f4f7fa; stroke: #7a8c9e; rx: 5; }
+.thing { fill: #f4f7fa; stroke: #7a8c9e; rx: 5; }
 path { fill: none; stroke: #7a8c9e; stroke-width: 1.5; }
 .takes { stroke: #c0392b; }
 .exempt { stroke: #2874a6; stroke-dasharray: 6 4; }
+"""
+_DARK = """
+.thing { fill: #1f2830; }
+.takes { stroke: #ff7b66; }
+.exempt { stroke: #6fb1e4; }
 """
 
 
@@ -36,17 +42,16 @@ def svg_of(skills: Sequence[Pictured]) -> str:
         (column, name): row for column, group in enumerate(names) for row, name in enumerate(group)
     }
     height = _MARGIN + _ROW * max(map(len, names), default=0) + 40
-    parts = [
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {_WIDTH} {height}">',
-        f"<style>{_STYLE}</style>",
-    ]
+    parts: list[str] = []
     for column, title in enumerate(_TITLES):
         parts.append(f'<text class="title" x="{_COLUMNS[column]}" y="28">{title}</text>')
     parts += [_line(edge, places) for edge in dict.fromkeys(_edges(skills))]
     parts += [_box(column, name, row) for (column, name), row in places.items()]
     legend = "red: can take away; blue: not applied while the skill runs"
     parts.append(f'<text x="{_COLUMNS[0]}" y="{height - 14}">{legend}</text>')
-    return "\n".join([*parts, "</svg>"]) + "\n"
+    name = "Skills, topics and servers, rules"
+    body = "\n".join(parts)
+    return framed(body, width=_WIDTH, height=height, name=name, style=_STYLE, dark=_DARK)
 
 
 def _names(skills: Sequence[Pictured]) -> tuple[list[str], list[str], list[str]]:
@@ -80,14 +85,17 @@ def _line(edge: _Edge, places: dict[tuple[int, str], int]) -> str:
         _MARGIN + _ROW * places[each] + _HEIGHT // 2 for each in (edge.start, edge.end)
     )
     bend = (end_x - start_x) // 2
-    way = f"M{start_x},{start_y} C{start_x + bend},{start_y} {end_x - bend},{end_y} {end_x},{end_y}"
-    return f'<path class="{edge.style}" d="{way}"><title>{escape(edge.title)}</title></path>'
+    path = (
+        f"M{start_x},{start_y} C{start_x + bend},{start_y} {end_x - bend},{end_y} {end_x},{end_y}"
+    )
+    return f'<path class="{edge.style}" d="{path}"><title>{escape(edge.title)}</title></path>'
 
 
 def _box(column: int, name: str, row: int) -> str:
     x, y = _COLUMNS[column], _MARGIN + _ROW * row
     shown = name if len(name) <= 34 else f"{name[:33]}…"
     return (
-        f'<rect x="{x}" y="{y}" width="{_BOX}" height="{_HEIGHT}"><title>{escape(name)}</title>'
+        f'<rect class="thing" x="{x}" y="{y}" width="{_BOX}" height="{_HEIGHT}">'
+        f"<title>{escape(name)}</title>"
         f'</rect><text x="{x + 10}" y="{y + 20}">{escape(shown)}</text>'
     )

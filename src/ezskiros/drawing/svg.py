@@ -1,7 +1,9 @@
-"""A behavior tree as a picture: SVG that needs nothing else, laid out from left to right.
+"""A behavior tree as a picture: SVG that needs no other file, laid out from left to right.
 
 The layout is that of tidy trees in its simplest form: leaves stand below each other in the order in
 which they are ticked, a node stands in the middle of its children, and these begin where it ends.
+`assets/fold.js` has the same layout, for trees with folded boxes.
+
 Text is in a font of equal widths, so that its size is known without a browser.
 """
 
@@ -12,6 +14,7 @@ from dataclasses import dataclass, field
 from xml.sax.saxutils import escape
 
 from ezskiros.drawing.outline import Box, Line, Outline
+from ezskiros.drawing.window import framed
 
 FONT, LINE, PADDING = 13, 18, 10
 CHARACTER = 0.62 * FONT
@@ -30,6 +33,14 @@ text { font: 13px ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace; 
 rect.skill { fill: #eaf3fb; stroke: #4a7fb0; }
 rect.flow { fill: #fdf3dc; stroke: #c08a1e; }
 path { fill: none; stroke: #8a95a1; stroke-width: 1.4; }
+"""
+_DARK = """
+.caption { fill: #e3b65a; }
+.passed { fill: #86b8ea; }
+.value { fill: #d8a2d8; }
+.pre, .hold, .post { fill: #a9b3bc; }
+rect.skill { fill: #1b2a38; stroke: #6f9fcc; }
+rect.flow { fill: #352a12; stroke: #d6a23c; }
 """
 
 
@@ -65,33 +76,30 @@ class _Placed:
 
 def svg(outlines: Sequence[Outline]) -> str:
     """A picture of some trees, one below the other."""
-    parts: list[str] = []
+    trees: list[str] = []
     top, right = float(MARGIN), 0.0
     for found in outlines:
+        caption = ""
         if found.branch:
-            caption = "if " + " and ".join(found.branch)
-            parts.append(_text(MARGIN, top + FONT, "caption", caption))
-            right = max(right, MARGIN + len(_shortened(caption)) * CHARACTER)
+            words = "if " + " and ".join(found.branch)
+            caption = _text(MARGIN, top + FONT, "caption", words)
+            right = max(right, MARGIN + len(_shortened(words)) * CHARACTER)
             top += 2 * LINE
         root = _measured(found.root)
         bottom = _place(root, top)
         _indent(root, MARGIN)
-        nodes = list(root.all())
-        parts += [_edge(node, child) for node in nodes for child in node.children]
-        parts += [part for node in nodes for part in _drawn(node)]
-        right = max(right, *(node.x + node.width for node in nodes))
+        trees.append(f'<g class="tree">{caption}\n{_drawn(root)}\n</g>')
+        right = max(right, *(node.x + node.width for node in root.all()))
         top = bottom + 2 * LINE
-    width, height = round(right + MARGIN), round(top - 2 * LINE + MARGIN)
-    name = escape(outlines[0].root.title) if outlines else ""
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height}" '
-        # In a browser all of it is in sight, however large it is.
-        f'style="max-width: 100vw; max-height: 100vh" '
-        f'viewBox="0 0 {width} {height}" role="img">\n<title>{name}</title>\n'
-        f"<style>{_STYLE}</style>\n"
-        f'<rect width="{width}" height="{height}" fill="#ffffff"/>\n'
-        + "\n".join(parts)
-        + "\n</svg>\n"
+    return framed(
+        "\n".join(trees),
+        width=round(right + MARGIN),
+        height=round(top - 2 * LINE + MARGIN),
+        name=outlines[0].root.title if outlines else "",
+        style=_STYLE,
+        dark=_DARK,
+        scripts=("zoom.js", "fold.js"),
+        numbers={"FONT": FONT, "LINE": LINE, "BELOW": BELOW, "MARGIN": MARGIN},
     )
 
 
@@ -138,15 +146,24 @@ def _edge(node: _Placed, child: _Placed) -> str:
     )
 
 
-def _drawn(node: _Placed) -> Iterator[str]:
+def _drawn(node: _Placed) -> str:
+    """A node, and all below it inside its group."""
     kind, corner = ("flow", 14) if node.box.token else ("skill", 4)
-    yield (
+    place = (node.x, node.y, node.width, node.height)
+    own = [
         f'<rect class="{kind}" x="{node.x:.1f}" y="{node.y:.1f}" width="{node.width:.1f}" '
         f'height="{node.height:.1f}" rx="{corner}"/>'
-    )
+    ]
     for number, (style, text) in enumerate(node.texts):
         base = node.y + PADDING + FONT - 2 + number * LINE
-        yield _text(node.x + PADDING, base, style, text)
+        own.append(_text(node.x + PADDING, base, style, text))
+    below = "".join(f"\n{_edge(node, child)}\n{_drawn(child)}" for child in node.children)
+    return (
+        f'<g class="node" data-box="{" ".join(f"{each:.1f}" for each in place)}">'
+        f'<g class="own">{"".join(own)}</g>'
+        + (f'<g class="below">{below}</g>' if below else "")
+        + "</g>"
+    )
 
 
 def _text(x: float, y: float, style: str, text: str) -> str:

@@ -19,6 +19,7 @@ from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
 from rossmarie.cli.options import (
     AnswerFormat,
     Code,
+    Compared,
     CoverageFile,
     CoverageReport,
     Licenses,
@@ -280,6 +281,7 @@ def replay(
     recordings: Recordings,
     topic_map: TopicMap = None,
     out: ReportFolder = None,
+    compare: Compared = None,
     format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
@@ -290,10 +292,10 @@ def replay(
     output.permit(force)
     chosen, pairs = list(dict.fromkeys(recordings)), topic_map or []
     rest = (pairs, out, format, system or [], messages or [], only or [])
-    if len(chosen) == 1:
+    if len(chosen) == 1 or compare is not None:
         from rossmarie.cli.replay import run_replay
 
-        run_replay(rules, chosen[0], *rest)
+        run_replay(rules, chosen, compare, *rest)
     else:
         from rossmarie.cli.replays import run_replays
 

@@ -188,6 +188,15 @@ ReviewPage = Annotated[
     ),
 ]
 
+Compared = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="FILE",
+        help="Draw a second run below the first: another recording, or another version of the rules"
+        " (.ross). Needs --out.",
+        readable=False,
+    ),
+]
 ReportFolder = Annotated[
     Path | None,
     typer.Option(

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import typer
 
+from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_json import Json
 from dslkit.options import ReportFormat
 from dslkit.writing import replacing_text, write_whole
-from rossmarie.cli.output import output
+from rossmarie.cli.output import each_once, output
 from rossmarie.cli.progress import reported_progress
 from rossmarie.driver import RulesError
 from rossmarie.driver.formatting import format_text
@@ -25,17 +26,20 @@ from rossmarie.recordings.system_model import definition_path, write_model
 from rossmarie.report.jsonl import verdict_lines
 from rossmarie.report.model import Replay
 from rossmarie.report.rehearsal import summarize_tasks
+from rossmarie.report.runs import runs_of
 from rossmarie.report.spans import summarize
 from rossmarie.report.table import write_table
 from rossmarie.report.timeline import render_timeline
 
 TIMELINE = "timeline.html"
 VERDICTS = "verdicts.jsonl"
+_RULES = ".ross"
 
 
 def run_replay(
     rules: Path,
-    recording: Path,
+    recordings: Sequence[Path],
+    compared: Path | None,
     topic_map: Sequence[str],
     out: Path | None,
     form: ReportFormat,
@@ -43,32 +47,80 @@ def run_replay(
     message_folders: Sequence[Path],
     only: Sequence[Category],
 ) -> None:
-    """Replay, print the findings and the table, and write the reports into `out`."""
+    """Replay one recording, print the findings and the table, and write the reports into `out`.
+
+    `compared` is another recording, or another version of the rules, for a second run.
+    """
     with output.answering(form, "replay", files=2) as answer:
         pairs = topic_pairs(topic_map)
+        if compared is not None:
+            _try_to_compare(recordings, out)
         if out is not None:
             output.try_folder(out, TIMELINE, VERDICTS)
-        with refusing(), reported_progress("replaying") as on_progress:
-            replay, found = replay_file(
-                rules,
-                recording,
-                topic_map=pairs,
-                systems=systems,
-                message_folders=message_folders,
-                only=only,
-                on_progress=on_progress,
-            )
-        output.print_findings(found)
-        if replay.monitor != NATIVE:
-            typer.echo(replay.notes[0], err=True)
+        runs, found = [], list[Diagnostic]()
+        for rules_file, recording in _runs(rules, recordings[0], compared):
+            with refusing(), reported_progress("replaying") as on_progress:
+                replay, findings = replay_file(
+                    rules_file,
+                    recording,
+                    topic_map=pairs,
+                    systems=systems,
+                    message_folders=message_folders,
+                    only=only,
+                    with_recorded=out is not None,
+                    on_progress=on_progress,
+                )
+            runs.append(replay)
+            found += findings
+        output.print_findings(each_once(found))
+        if runs[0].monitor != NATIVE:
+            typer.echo(runs[0].notes[0], err=True)
         if not answer.is_printed:
-            write_table(replay, sys.stdout)
-        written = () if out is None else _save_reports(replay, out)
+            _write_tables(runs)
+        written = () if out is None else _save_reports(runs, out)
         if answer.is_printed:
-            result = replay_result(replay, written)
-            answer.result = {
-                "recordings": [{"recording": str(recording), "failure": None, **result}]
-            }
+            answer.result = _result(runs, written)
+
+
+def _try_to_compare(recordings: Sequence[Path], out: Path | None) -> None:
+    """End the run if a comparison has no place, or more than one recording."""
+    if out is None:
+        output.fail("--compare draws into timeline.html: name its folder with --out", exit_code=2)
+    if len(recordings) > 1:
+        both = "--compare takes one recording and one other file"
+        output.fail(f"{both}; you named {len(recordings)} recordings", exit_code=2)
+
+
+def _runs(rules: Path, recording: Path, compared: Path | None) -> Sequence[tuple[Path, Path]]:
+    """The rules and the recording of each run."""
+    if compared is None:
+        return [(rules, recording)]
+    if compared.suffix == _RULES:
+        return [(rules, recording), (compared, recording)]
+    return [(rules, recording), (rules, compared)]
+
+
+def _write_tables(runs: Sequence[Replay]) -> None:
+    """Print the table of each run, with the names of the runs if there are two."""
+    for run in runs_of(*runs):
+        if run.label:
+            typer.echo(f"{run.label}:")
+        write_table(run.replay, sys.stdout)
+        if run.label:
+            typer.echo()
+
+
+def _result(runs: Sequence[Replay], written: Sequence[Path]) -> Json:
+    """The result for programs: one recording, and the second run if there is one."""
+    first, *second = (
+        {
+            "recording": run.recording,
+            "failure": None,
+            **replay_result(run, () if number else written),
+        }
+        for number, run in enumerate(runs)
+    )
+    return {"recordings": [first], **({"compared": second[0]} if second else {})}
 
 
 @contextmanager
@@ -101,18 +153,23 @@ def _pair(text: str) -> tuple[str, str]:
     return wanted, recorded
 
 
-def _save_reports(replay: Replay, out: Path) -> Sequence[Path]:
+def _save_reports(runs: Sequence[Replay], out: Path) -> Sequence[Path]:
     with output.writing_to(out):
-        timeline, verdicts = write_reports(replay, out)
+        timeline, verdicts = write_reports(*runs, out=out)
     output.tell(f"wrote {timeline} and {verdicts}")
     return timeline, verdicts
 
 
-def write_reports(replay: Replay, out: Path) -> tuple[Path, Path]:
-    """Write timeline and verdicts. Raises `OSError`."""
+def write_reports(
+    replay: Replay, compared: Replay | None = None, *, out: Path
+) -> tuple[Path, Path]:
+    """Write the timeline, with `compared` as its second run, and the verdicts of `replay`.
+
+    Raises `OSError`.
+    """
     timeline, verdicts = out / TIMELINE, out / VERDICTS
     out.mkdir(parents=True, exist_ok=True)
-    write_whole(timeline, output.marked(render_timeline(replay)))
+    write_whole(timeline, output.marked(render_timeline(replay, compared)))
     with replacing_text(verdicts) as stream:
         stream.writelines(f"{line}\n" for line in verdict_lines(replay))
     return timeline, verdicts

@@ -163,6 +163,7 @@ def replay_one(job: Job, key: str) -> Value:
             systems=job.systems,
             message_folders=job.message_folders,
             only=job.only,
+            with_recorded=key in job.folders,
         )
     except RecordingError as error:
         outcome = _outcome(job, None, [error.diagnostic], [], "cannot be used")
@@ -211,7 +212,7 @@ def _outcome(
 def _write(replay: Replay, folder: Path) -> tuple[str, Sequence[Path]]:
     """Write the reports; gives the reason why that failed, and the paths."""
     try:
-        return "", write_reports(replay, folder)
+        return "", write_reports(replay, out=folder)
     except OSError as error:
         return f"cannot write to {folder}: {reason(error)}", []
 

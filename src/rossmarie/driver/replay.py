@@ -6,7 +6,8 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from dslkit.diagnostics import Collector, Diagnostic
-from rossmarie.driver.pipeline import compile_file
+from rossmarie.driver.pipeline import check_file, compile_checked
+from rossmarie.driver.recorded import recorded_plots
 from rossmarie.driver.sampler import Sampler
 from rossmarie.driver.taking import taking
 from rossmarie.engines import MonitorEngine, Started, start_monitor
@@ -14,7 +15,7 @@ from rossmarie.ir import Batch, Category, Event
 from rossmarie.recordings.batches import begun_together
 from rossmarie.recordings.model import Recording
 from rossmarie.recordings.opening import open_recording
-from rossmarie.report.model import Replay
+from rossmarie.report.model import Plot, Replay
 from rossmarie.report.rehearsal import rehearse
 
 Progress = Callable[[float], None]
@@ -29,15 +30,19 @@ def replay_file(
     systems: Sequence[Path] = (),
     message_folders: Sequence[Path] = (),
     only: Sequence[Category] = (),
+    with_recorded: bool = False,
     on_progress: Progress = lambda _: None,
 ) -> tuple[Replay, tuple[Diagnostic, ...]]:
     """The verdicts of a rules file on a recording, and the findings on both.
 
-    `topic_map` leads from topics of the rules to recorded ones. Raises `RulesError` for errors in
-    the rules (`only` of these categories) and `RecordingError` if nothing can be read.
+    `topic_map` leads from topics of the rules to recorded ones. `with_recorded` also samples the
+    numbers that no rule compares, in a second pass over the recording. Raises `RulesError` for
+    errors in the rules (`only` of these categories) and `RecordingError` if nothing can be read.
     """
-    compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
+    checked = check_file(rules, systems=systems, message_folders=message_folders, only=only)
+    compiled = compile_checked(checked, message_folders)
     machine = compiled.machine
+    inputs = () if checked.program is None else tuple(checked.program.symbols.inputs.values())
     collector = Collector()
     with open_recording(recording_path, compiled.message_folders) as recording:
         collector.extend(recording.findings)
@@ -54,6 +59,9 @@ def replay_file(
         start_ns = min((recording.start_ns, *sampler.instants[:1]))
         end_ns = max((recording.end_ns, *sampler.instants[1:]))
         events += started.engine.advance(end_ns)
+        recorded: tuple[Plot, ...] = ()
+        if with_recorded:
+            recorded = recorded_plots(recording, inputs, topic_map, start_ns)
         replay = Replay(
             machine=machine,
             rules_file=str(rules),
@@ -65,6 +73,7 @@ def replay_file(
             plots=sampler.plots(start_ns),
             notes=_notes(started, collector.sorted()),
             rehearsed=rehearse(machine, events, end_ns),
+            recorded=recorded,
         )
     return replay, (*compiled.warnings, *collector.sorted())
 

@@ -29,7 +29,7 @@ class Sampler:
         self._times_ns = np.empty(_BLOCK, np.int64)
         self._values = np.empty((len(self._plans), _BLOCK))
         self._noted = 0
-        self._kept = [_Kept() for _ in self._plans]
+        self._kept = [Kept() for _ in self._plans]
         self._limit = share(len(self._plans))
         self._first_ns: int | None = None
         self._last_ns = 0
@@ -73,7 +73,7 @@ class Sampler:
         )
 
 
-class _Kept:
+class Kept:
     """The samples of one signal: all, or those that a picture needs of more than twice a limit."""
 
     def __init__(self) -> None:

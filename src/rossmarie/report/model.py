@@ -54,6 +54,7 @@ class Replay:
     `start_ns` and `end_ns` are the stamps of the first and last message (not the least and the
     greatest: stamps may run backwards), `monitor` is `native` or `python`, `notes` are the
     findings about the recording, one sentence each. `rehearsed` is what the rules would have done.
+    `recorded` are the other numbers of the inputs, which a reader can add to the timeline.
     """
 
     machine: Machine
@@ -66,6 +67,7 @@ class Replay:
     plots: tuple[Plot, ...]
     notes: tuple[str, ...]
     rehearsed: tuple[Rehearsed, ...] = ()
+    recorded: tuple[Plot, ...] = ()
 
     @property
     def duration_ns(self) -> int:

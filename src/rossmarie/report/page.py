@@ -1,4 +1,4 @@
-"""A replay -> the data of the timeline page, as JSON that its scripts read.
+"""One replay, or two to compare -> the data of the timeline page, as JSON that its scripts read.
 
 Everything is bounded, so that the page of a long or noisy recording stays small: signals by
 their `share` of samples, causes by `MOST_DETAILED`. Instants are seconds on the axis of the replay.
@@ -8,21 +8,28 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Sequence
+from pathlib import PurePath
 
 import numpy as np
 from numpy.typing import NDArray
 
+from dslkit.source import SourceFile
 from rossmarie.ir import Order, OrderKind, Rule, TimeJump, Verdict, explain
 from rossmarie.report.axis import PlacedEvent, place
 from rossmarie.report.envelope import envelope, share
 from rossmarie.report.jsonl import CHANGES, cause_data, json_number
 from rossmarie.report.model import Plot, Replay, Threshold
 from rossmarie.report.rehearsal import task_words
+from rossmarie.report.runs import Run, rule_line
 from rossmarie.report.spans import ActiveSpan, active_spans
 from rossmarie.report.wording import format_length
 
 MOST_DETAILED = 1_000
 """Verdicts whose cause a page holds; the others are drawn without."""
+
+_WEIGHT = 2
+"""A signal that a reader may add has so many times fewer samples than a signal that is shown."""
 
 _MOST_ORDERS = 12
 """Orders that are shown of one activation."""
@@ -33,21 +40,28 @@ _TICKS = 2**32 - 1
 _Data = dict[str, object]
 
 
-def page_data(replay: Replay) -> str:
-    """JSON that cannot end the script element it stands in, whatever names it holds."""
-    text = json.dumps(_page(replay), allow_nan=False, separators=(",", ":"))
+def page_data(runs: Sequence[Run], sources: Sequence[SourceFile]) -> str:
+    """JSON that cannot end the script element it stands in, whatever names it holds.
+
+    `sources` are the files with rules that the page shows.
+    """
+    data = {"runs": [_run(run, sources) for run in runs]}
+    text = json.dumps(data, allow_nan=False, separators=(",", ":"))
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
-def _page(replay: Replay) -> _Data:
+def _run(run: Run, sources: Sequence[SourceFile]) -> _Data:
+    replay = run.replay
     duration = replay.duration_ns / 1e9
     limit = share(len(replay.plots))
+    sparse = share(_WEIGHT * len(replay.recorded))
     placed = list(place(replay.events, replay.start_ns))
     changes, places = _changes(replay, placed)
     rows = zip(replay.machine.rules, active_spans(replay), strict=True)
     return {
+        "label": run.label,
         "duration": duration,
-        "rules": [_rule(rule, spans, places) for rule, spans in rows],
+        "rules": [_rule(rule, spans, places, sources) for rule, spans in rows],
         "changes": changes,
         "jumps": [
             [item.position_ns / 1e9, format_length(item.event.from_ns - item.event.to_ns)]
@@ -55,15 +69,25 @@ def _page(replay: Replay) -> _Data:
             if isinstance(item.event, TimeJump)
         ],
         "plots": [_plot(plot, limit, duration) for plot in replay.plots],
+        "recorded": [_plot(plot, sparse, duration) for plot in replay.recorded],
     }
 
 
 # --- rules and verdicts ----------------------------------------------------------------------
 
 
-def _rule(rule: Rule, spans: tuple[ActiveSpan, ...], places: dict[int, int]) -> _Data:
+def _rule(
+    rule: Rule,
+    spans: tuple[ActiveSpan, ...],
+    places: dict[int, int],
+    sources: Sequence[SourceFile],
+) -> _Data:
+    source, line = rule_line(rule, sources)
     return {
         "name": rule.name,
+        "source": source,
+        "line": line,
+        "file": PurePath(sources[source].path).name,
         "contract": rule.contract,
         "actions": rule.actions,
         "categories": [each.value for each in rule.categories],

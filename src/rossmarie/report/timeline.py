@@ -6,6 +6,7 @@ scripts, or on paper, needs stands in the template.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from datetime import datetime, timezone
 from pathlib import PurePath
 
@@ -14,6 +15,7 @@ from markupsafe import Markup
 from rossmarie.ir import Verdict
 from rossmarie.report.model import Replay
 from rossmarie.report.page import MOST_DETAILED, page_data
+from rossmarie.report.runs import Run, compared_rules, runs_of, sources_of
 from rossmarie.report.spans import summarize
 from rossmarie.report.templates import asset, template
 from rossmarie.report.wording import format_length, format_position
@@ -21,19 +23,27 @@ from rossmarie.report.wording import format_length, format_position
 _FIRST_DATED_NS = 10**18
 """Stamps from here on (the year 2001) count from the Unix epoch; smaller ones need not."""
 
-_SCRIPTS = ("times.js", "series.js", "shapes.js", "card.js", "rows.js", "view.js", "main.js")
+_SCRIPTS = (
+    "times.js", "series.js", "shapes.js", "runs.js", "card.js", "rows.js", "plot.js", "view.js",
+    "signals.js", "image.js", "main.js",
+)  # fmt: skip
 
 
-def render_timeline(replay: Replay) -> str:
-    """The text of the page."""
+def render_timeline(replay: Replay, compared: Replay | None = None) -> str:
+    """The text of the page. With `compared`, it shows both replays on one time axis."""
     summaries = summarize(replay)
+    runs = runs_of(replay, compared)
+    sources = sources_of(runs)
     return template("timeline.html.j2").render(
         rules_file=PurePath(replay.rules_file).name,
         recording=PurePath(replay.recording).name,
         duration=format_length(replay.duration_ns),
         recorded=_recorded(replay.start_ns),
         monitor=replay.monitor,
-        notes=replay.notes,
+        notes=_notes(runs),
+        runs=runs,
+        compared=compared_rules(runs),
+        sources=[(PurePath(each.path).name, each.text.splitlines()) for each in sources],
         rules=list(zip(replay.machine.rules, summaries, strict=True)),
         activations=sum(summary.activations for summary in summaries),
         format_length=format_length,
@@ -41,17 +51,25 @@ def render_timeline(replay: Replay) -> str:
         percent=lambda length_ns: _percent(length_ns, replay.duration_ns),
         style=Markup(asset("palette.css") + asset("timeline.css")),
         script=Markup("\n".join(asset(name) for name in _SCRIPTS)),
-        listed=_listed(replay),
-        data=Markup(page_data(replay)),
+        listed=_listed(runs),
+        data=Markup(page_data(runs, sources)),
     )
 
 
-def _listed(replay: Replay) -> str:
-    """Describe the list of changes: the page does not hold more than the first ones."""
-    count = sum(isinstance(event, Verdict) for event in replay.events)
-    if count <= MOST_DETAILED:
+def _notes(runs: Sequence[Run]) -> list[str]:
+    """The findings about the recordings. With two runs, each begins with the name of its run."""
+    return [
+        f"{run.label}: {note}" if run.label else note for run in runs for note in run.replay.notes
+    ]
+
+
+def _listed(runs: Sequence[Run]) -> str:
+    """Describe the list of changes: the page does not hold more than the first ones of a run."""
+    counts = [sum(isinstance(each, Verdict) for each in run.replay.events) for run in runs]
+    most = max(counts)
+    if most <= MOST_DETAILED:
         return "Every change, in order"
-    return f"The first {MOST_DETAILED} of {count} changes, in order; all are in the verdicts file"
+    return f"The first {MOST_DETAILED} of {most} changes, in order; all are in the verdicts file"
 
 
 def _recorded(start_ns: int) -> str:

@@ -296,6 +296,45 @@ def test_replay_prints_a_table_and_writes_reports(rules: Path, tmp_path: Path) -
     assert "<html" in (tmp_path / "out/timeline.html").read_text(encoding="utf-8")
 
 
+def test_replay_compares_recordings_and_versions_of_rules(rules: Path, tmp_path: Path) -> None:
+    recording, other, old = (tmp_path / each for each in ("drive.csv", "late.csv", "old.ross"))
+    recording.write_text(DRIVE)
+    other.write_text(DRIVE.replace("1.0,1", "2.0,1"))
+    old.write_text(rules.read_text())
+    done = run("replay", rules, recording, "--out", tmp_path / "a", "--compare", other)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert [line for line in done.stdout.splitlines() if line.endswith(":")] == [
+        "drive.csv:",
+        "late.csv:",
+    ]
+    assert "01.0  on, true since" in done.stdout
+    assert done.stdout.count("Activations") == 2
+    assert ">late.csv<" in (tmp_path / "a/timeline.html").read_text()
+    both = ("--out", tmp_path / "b", "--compare", old, "--format", "json")
+    answer = json.loads(run("replay", rules, recording, *both).stdout)["result"]
+    assert [each["recording"] for each in answer["recordings"]] == [str(recording)]
+    assert answer["compared"]["recording"] == str(recording)
+    assert answer["compared"]["rules"] == answer["recordings"][0]["rules"]
+    assert ">old.ross<" in (tmp_path / "b/timeline.html").read_text()
+
+
+def test_a_comparison_needs_a_page_and_one_recording(rules: Path, tmp_path: Path) -> None:
+    recording = tmp_path / "drive.csv"
+    recording.write_text(DRIVE)
+    done = run("replay", rules, recording, "--compare", recording)
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "--compare draws into timeline.html: name its folder with --out" in done.stderr
+    both = ("--compare", recording, "--out", tmp_path / "out")
+    other = tmp_path / "other.csv"
+    other.write_text(DRIVE)
+    done = run("replay", rules, recording, other, *both)
+    assert done.returncode == 2
+    assert "you named 2 recordings" in done.stderr
+    done = run("replay", rules, recording, "--out", tmp_path / "out", "--compare", "none.bag")
+    assert done.returncode == 2
+    assert "error[ROSS610]" in done.stdout
+
+
 def test_replay_without_a_compiler_says_so_and_finds_the_same(rules: Path, tmp_path: Path) -> None:
     recording = tmp_path / "drive.csv"
     recording.write_text(DRIVE)

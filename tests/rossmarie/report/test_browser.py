@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import html
 import re
+import xml.etree.ElementTree as ET
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
-from rossmarie.ir import TimeJump
+from rossmarie.ir import TimeJump, Verdict
 from rossmarie.report.model import Plot, Replay
 from rossmarie.report.timeline import render_timeline
 from support.browser import document_of, needs_browser
@@ -18,6 +20,8 @@ pytestmark = needs_browser
 
 # Without a screen frames come late or never; timers run in the virtual time of the browser.
 FRAMES = "<head><script>window.requestAnimationFrame = (act) => setTimeout(act, 0);</script>"
+
+SVG = "{http://www.w3.org/2000/svg}"
 
 POINT = """
 const pointAt = (element) => {
@@ -181,6 +185,112 @@ def test_hostile_names_run_nothing(drive: Replay, tmp_path: Path) -> None:
         render_timeline(replay), tmp_path, "pointAt(lanes[0].querySelector('.span'));"
     )
     assert "data-ran" not in document[: document.index("<head")]
+
+
+def with_recorded(replay: Replay, factor: float = 1.0) -> Replay:
+    """The same replay with two signals to add."""
+    times = np.linspace(0, 80, 500)
+    recorded = (
+        Plot("/odom twist.twist.linear.x", "m/s", times, factor * np.sin(times), ()),
+        Plot("/fix altitude", "m", times, factor * times, ()),
+    )
+    return replace(replay, recorded=recorded)
+
+
+def later_drive(drive: Replay) -> Replay:
+    """The drive in another recording: a second later, and with other values."""
+    later = tuple(
+        replace(event, at_ns=event.at_ns + 1_000_000_000)
+        for event in drive.events
+        if isinstance(event, Verdict)
+    )
+    plots = tuple(replace(plot, values=plot.values * 1.5) for plot in drive.plots)
+    return replace(drive, recording="b/evening.mcap", events=later, plots=plots)
+
+
+def test_a_signal_is_added_and_removed(drive: Replay, tmp_path: Path) -> None:
+    page = render_timeline(with_recorded(drive))
+    add = """
+      const select = document.getElementById("add-signal");
+      select.value = "1"; select.dispatchEvent(new Event("change"));
+    """
+    document = opened(page, tmp_path, add)
+    assert re.findall(r'<optgroup label="([^"]+)"', document) == ["/odom", "/fix"]
+    assert re.findall(r"<option[^>]* disabled[^>]*>([^<]+)", document) == ["altitude"]
+    rows = document[document.index('id="rows"') : document.index('id="card"')]
+    assert len(re.findall(r'<path class="line" d="M[^"]{200,}"', rows)) == len(drive.plots) + 1
+    assert "/fix altitude" in element(document, "rows")
+    document = opened(page, tmp_path, add + 'document.querySelector(".remove").click();')
+    assert "/fix altitude" not in element(document, "rows")
+    assert not re.findall(r"<option[^>]* disabled", document)
+
+
+def test_a_page_without_further_signals_offers_none(drive: Replay, tmp_path: Path) -> None:
+    assert re.search(r'<p class="add" hidden', opened(render_timeline(drive), tmp_path))
+
+
+def test_two_runs_are_drawn_above_each_other(drive: Replay, tmp_path: Path) -> None:
+    page = render_timeline(drive, later_drive(drive))
+    document = opened(page, tmp_path, 'pointAt(lanes[0].querySelectorAll(".span.active")[1]);')
+    assert len(re.findall(r'class="row lane"', document)) == len(drive.machine.rules)
+    heights = re.findall(r'<rect class="span active[^"]*" x="[\d.]{2,}" y="(\d+)"', document)
+    assert {height: heights.count(height) for height in heights} == {"6": 9, "26": 9}
+    assert len(re.findall(r'<path class="line other" d="M[^"]{200,}"', document)) == 5
+    assert "the lower strip is evening.mcap" in element(document, "chart-title")
+
+
+def test_a_span_of_the_second_run_has_its_own_card(drive: Replay, tmp_path: Path) -> None:
+    page = render_timeline(drive, later_drive(drive))
+    script = 'pointAt([...lanes[0].querySelectorAll(".span.active")].at(-1));'
+    card = element(opened(page, tmp_path, script), "card")
+    assert "from 01:07.7" in card
+    assert "Run evening.mcap" in card
+
+
+def test_limits_of_another_version_of_the_rules_are_marked(drive: Replay, tmp_path: Path) -> None:
+    plots = tuple(
+        replace(plot, thresholds=tuple(replace(one, limits=(7.0,)) for one in plot.thresholds))
+        for plot in drive.plots
+    )
+    rules = drive.machine.rules[1:]
+    old = replace(drive, rules_file="old.ross", plots=plots,
+                  machine=replace(drive.machine, rules=rules), events=())  # fmt: skip
+    document = opened(render_timeline(drive, old), tmp_path)
+    assert 'class="line other"' not in document
+    assert "limit other" in document
+    assert "old.ross: no such rule" in element(document, "rows")
+
+
+def test_a_rule_leads_to_its_line(drive: Replay, tmp_path: Path) -> None:
+    script = 'pointAt(lanes[0].querySelector(".span.active")); location.hash = "line-0-1";'
+    document = opened(render_timeline(drive), tmp_path, script)
+    assert document.count('href="#line-0-1"') == len(drive.machine.rules) + 1
+    assert re.search(r'<details open="">\s*<summary>draft.ross</summary>', document)
+
+
+def test_the_picture_in_view_is_saved(drive: Replay, tmp_path: Path) -> None:
+    script = """
+      URL.createObjectURL = (blob) => {
+        blob.text().then((text) => { document.getElementById("spoken").textContent = text; });
+        return "#";
+      };
+      press(lanes[0], "+");
+      setTimeout(() => document.getElementById("save-svg").click(), 100);
+    """
+    document = opened(render_timeline(drive), tmp_path, script)
+    start = document.index(">", document.index('id="spoken"')) + 1
+    saved = ET.fromstring(html.unescape(document[start : document.index("</div>", start)]))
+    texts = [each.text for each in saved.iter(f"{SVG}text")]
+    assert texts[0] == "yard.ross over yard_drive.mcap"
+    for rule in drive.machine.rules:
+        assert rule.name in texts
+    assert "00:10" not in texts
+    assert "00:20" in texts
+    for each in saved.iter():
+        assert "class" not in each.attrib
+        assert not re.search(r"var\(|rgba|https?:", " ".join(each.attrib.values()))
+    fills = {each.get("fill") for each in saved.iter(f"{SVG}rect")}
+    assert {"rgb(207, 79, 23)", "url(#hatch)"} <= fills
 
 
 def test_odd_replays_are_drawn_too(drive: Replay, tmp_path: Path) -> None:

@@ -42,7 +42,7 @@ class Page(HTMLParser):
 
 
 def data_of(text: str) -> Any:
-    return json.loads(Page(text).scripts[0])
+    return json.loads(Page(text).scripts[0])["runs"][0]
 
 
 def test_the_page_needs_nothing_from_outside(drive: Replay) -> None:

@@ -37,12 +37,13 @@ function causeBlock(change) {
   return [...stale, ...(rows.length ? [html("table", {}, html("tbody", {}, ...rows))] : [])];
 }
 
-function fillCard(card, rule, span) {
-  const opened = replay.changes[span.opened];
-  const closed = replay.changes[span.closed];
+function fillCard(card, span) {
+  const { rule, opened, closed } = span;
   const fill = { class: "span " + span.kind, x: 1, y: 1, width: 20, height: 9, rx: 2 };
   const facts = html("dl");
   const fact = (term, ...texts) => facts.append(html("dt", {}, term), html("dd", {}, ...texts));
+  if (isCompared) fact("Run", rule.run.label);
+  fact("Rule", html("a", { href: `#line-${rule.source}-${rule.line}` }, `line ${rule.line} of ${rule.file}`));
   if (rule.categories.length) fact("Category", rule.categories.join(", "));
   if (rule.actions.length) fact("Actions", rule.actions.join(", "));
   if (opened?.done.length) fact("Would do", ...opened.done.map((line) => html("div", {}, line)));
@@ -55,9 +56,9 @@ function fillCard(card, rule, span) {
     facts);
 }
 
-function spoken(rule, span) {
-  const opened = replay.changes[span.opened];
-  return `${rule.name}, active ${spanTimes(span)}. ${opened ? opened.cause.text : ""}`;
+function spoken({ rule, opened, ...span }) {
+  const run = isCompared ? ` in ${rule.run.label}` : "";
+  return `${rule.name}${run}, active ${spanTimes(span)}. ${opened ? opened.cause.text : ""}`;
 }
 
 // Beside the pointer or span, on the side where there is room.

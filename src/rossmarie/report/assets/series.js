@@ -34,7 +34,7 @@ function valueAt(plot, instant) {
 function valueRange(plot) {
   let low = Infinity;
   let high = -Infinity;
-  for (const value of plot.values) {
+  for (const value of [plot, plot.other].flatMap((each) => (each ? [...each.values] : []))) {
     if (Number.isFinite(value)) {
       low = Math.min(low, value);
       high = Math.max(high, value);

@@ -7,7 +7,7 @@ class View {
     this.card = card;
     this.lanes = rows.filter((row) => row instanceof LaneRow);
     this.plots = rows.filter((row) => row instanceof PlotRow);
-    this.length = Math.max(replay.duration, 0.001);
+    this.length = Math.max(longest, 0.001);
     this.from = 0;
     this.to = this.length;
     this.instant = null;
@@ -17,6 +17,21 @@ class View {
     this.selection = html("div", { class: "selection", hidden: "" });
     host.append(this.cursor, this.selection);
     this.listen();
+  }
+
+  // --- rows ----------------------------------------------------------------------------------
+
+  add(row) {
+    this.rows.push(row);
+    this.plots.push(row);
+    this.host.insertBefore(row.element, this.cursor);
+    this.draw();
+  }
+
+  remove(row) {
+    this.rows.splice(this.rows.indexOf(row), 1);
+    this.plots.splice(this.plots.indexOf(row), 1);
+    row.element.remove();
   }
 
   // --- drawing -------------------------------------------------------------------------------
@@ -108,13 +123,13 @@ class View {
     if (!this.pinned) this.choose(null);
   }
 
-  choose(lane, span) {
+  choose(span) {
     const next = span ?? null;
     if (next === this.chosen) return;
     this.chosen = next;
     this.card.classList.remove("pinned");
     this.pinned = false;
-    if (next) fillCard(this.card, lane.rule, next);
+    if (next) fillCard(this.card, next);
     else this.card.hidden = true;
     for (const row of this.lanes) row.draw(this, this.frame, next);
   }
@@ -127,9 +142,9 @@ class View {
     if (this.pinned) return undefined;
     const lane = this.laneOf(event);
     const perPixel = (this.to - this.from) / (this.frame.right - this.frame.left);
-    this.choose(lane, lane?.spanAt(instant, 5 * perPixel));
+    const box = lane?.drawing.getBoundingClientRect();
+    this.choose(lane?.spanAt(instant, 5 * perPixel, lane.runAt(event.clientY - box.top)));
     if (this.chosen) {
-      const box = lane.drawing.getBoundingClientRect();
       placeCard(this.card, event.clientX, box.top, box.bottom);
     }
     return undefined;
@@ -201,7 +216,7 @@ class View {
   }
 
   walk(lane, direction) {
-    const { spans } = lane.rule;
+    const { spans } = lane;
     const place = spans.indexOf(this.chosen);
     const next = place < 0 ? (direction > 0 ? 0 : spans.length - 1) : place + direction;
     if (spans[next]) this.visit(lane, spans[next]);
@@ -214,11 +229,11 @@ class View {
       this.show(span.from - length / 3, span.from + (2 * length) / 3);
       this.draw();
     }
-    this.choose(lane, span);
+    this.choose(span);
     this.point(span.from);
     const box = lane.drawing.getBoundingClientRect();
     placeCard(this.card, box.left + this.frame.toX(span.from), box.top, box.bottom);
-    document.getElementById("spoken").textContent = spoken(lane.rule, span);
+    document.getElementById("spoken").textContent = spoken(span);
   }
 
   // --- listening -----------------------------------------------------------------------------

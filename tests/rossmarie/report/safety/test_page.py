@@ -346,3 +346,31 @@ def test_the_page_fits_a_narrow_window(tmp_path: Path) -> None:
     path.write_text(text.replace("</body>", f"<script>{measure}</script></body>"), "utf-8")
     (over,) = re.findall(r'data-over="(-?\d+)"', document_of(path))
     assert int(over) <= 0
+
+
+@needs_browser
+def test_the_hazards_fit_a_phone(tmp_path: Path) -> None:
+    """In 390 pixels no cell is cut off, and each cell of a rule has its heading."""
+    text = render_safety_file(example("demo/demo"))
+    measure = """
+      const inside = frame.contentDocument;
+      const table = inside.querySelector(".hazards");
+      const wide = [...table.querySelectorAll("th, td")]
+        .filter((each) => each.getBoundingClientRect().right > 390 - 10);
+      const heads = [...table.querySelectorAll("[data-head]")]
+        .map((each) => frame.contentWindow.getComputedStyle(each, "::before").content);
+      document.body.dataset.wide = wide.length;
+      document.body.dataset.over = inside.documentElement.scrollWidth
+        - inside.documentElement.clientWidth;
+      document.body.dataset.heads = heads.join(" ");
+    """
+    page = tmp_path / "phone.html"
+    page.write_text(
+        f'<body><iframe id="frame" width="390" srcdoc="{html.escape(text)}"></iframe>'
+        f"<script>frame.onload = () => {{ {measure} }};</script>",
+        encoding="utf-8",
+    )
+    document = document_of(page)
+    assert re.findall(r'data-(?:wide|over)="(\d+)"', document) == ["0", "0"]
+    (heads,) = re.findall(r'data-heads="([^"]+)"', document)
+    assert heads.count("Mitigated by") == heads.count("Recovery") > 3
