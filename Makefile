@@ -9,7 +9,7 @@ HUSKY_RECORDING := ../shared/data/husky_outdoor.bag
 # Python keeps what it has compiled: tests start hundreds of programs, and each worker reads all tests.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: help demo evaluate study site test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
+.PHONY: help dist demo evaluate study site test check deep bench fmt fuzz clean browser compiler display drawing ros1 prover
 
 help:
 	@echo "make demo    rules, checked, compiled and run over a recording; skills, checked and run; the robot,"
@@ -22,11 +22,12 @@ help:
 	@echo "make check   format, lint, types, import layers, and the tests"
 	@echo "make deep    what is too slow for each run -> docs/reference/deep-tests.md; two to three hours"
 	@echo "make bench   measure, and write docs/reference/performance*.md, beside-nav2.md, library-reuse.md"
+	@echo "make dist    build the wheels -> dist/, check them, and try them in each Python of this machine"
 	@echo "make fmt     put the code into the one layout"
 	@echo "make fuzz    look for files that crash what reads them, for SECONDS=60 each; TARGET=mcap for one"
 	@echo "make clean   remove everything that make made"
 
-$(READY): pyproject.toml constraints.txt tools/setup.sh
+$(READY): pyproject.toml $(wildcard packages/*/pyproject.toml) constraints.txt tools/setup.sh
 	@PYTHON="$(PYTHON)" tools/setup.sh
 	@touch $@
 
@@ -102,6 +103,10 @@ WORKERS ?= $(shell expr $$(getconf _NPROCESSORS_ONLN) + 2)
 test: $(READY) compiler browser display ros1 prover
 	$(RUN)/pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder $(OPTIONS)
 
+# Wheels and source distributions of packages/. The trials fetch from PyPI what the wheels need.
+dist: $(READY)
+	$(RUN)/python tools/dist.py
+
 # Before a change of the generator, the semantics or the nodes lands.
 deep: $(READY) compiler browser display ros1 prover
 	$(RUN)/python tools/deep.py
@@ -146,6 +151,6 @@ fuzz: $(READY)
 	PYTHONPATH=tests $(RUN)/python -m fuzz.fuzz_check --seconds $(SECONDS) --target $(TARGET)
 
 clean:
-	rm -rf .venv build .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
+	rm -rf .venv build dist .mypy_cache .ruff_cache .pytest_cache .hypothesis .import_linter_cache
 	rm -rf src/*.egg-info
 	find src tests examples benchmarks tools -name __pycache__ -type d -prune -exec rm -rf {} +

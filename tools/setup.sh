@@ -22,4 +22,6 @@ if ! .venv/bin/python -m pip --version >/dev/null 2>&1; then
 fi
 echo "setup: installing this project and what constraints.txt pins into .venv, from PyPI"
 .venv/bin/python -m pip install --quiet --disable-pip-version-check \
-    --constraint constraints.txt --editable ".[dev${EXTRAS:+,$EXTRAS}]"
+    --constraint constraints.txt --editable packages/common --editable packages/rossmarie \
+    --editable packages/ezskiros --editable packages/crosscheck --editable packages/heron \
+    --editable ".[dev${EXTRAS:+,$EXTRAS}]"

@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn, TextIO
+from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
 
 import typer
 
@@ -28,12 +28,24 @@ if TYPE_CHECKING:  # a run without findings needs neither
     from rich.console import Console
 
     from dslkit.catalog import Catalog
+    from dslkit.extras import Extras
 
 INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
 
 INTERRUPTED = 128 + signal.SIGINT
 """The exit code of a run that somebody has interrupted."""
+
+StudyFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--study",
+        metavar="FILE",
+        help="Append the codes and places of the findings to this study log.",
+        readable=False,
+    ),
+]
+"""The option that a check has for studies with users; without it a check keeps no record."""
 
 _UNHEARD = 141  # that of a program which SIGPIPE ends: 128 + 13
 _OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EBADF))
@@ -68,6 +80,8 @@ class CommandLine:
     internal_code: str
     unreadable: frozenset[str]
     catalog: Callable[[], Catalog]
+    distribution: str
+    extras: Callable[[], Extras]
     _answers: list[Answer] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def exit_code(self, found: Sequence[Diagnostic]) -> int:
@@ -81,7 +95,7 @@ class CommandLine:
         """The installed version."""
         from importlib.metadata import version
 
-        return version("rossmarie")
+        return version(self.distribution)
 
     def version_option(self) -> Any:
         """The option `--version` of Typer, which prints the version and ends the run."""
@@ -173,6 +187,14 @@ class CommandLine:
             self._answers[-1].error = message
         raise typer.Exit(exit_code)
 
+    def require(self, *extras: str) -> None:
+        """End the run with advice if one of these extras is not installed."""
+        known = self.extras()
+        missing = [module for extra in extras for module in known.missing(extra)]
+        if missing:
+            modules, advice = ", ".join(missing), known.advice(*extras)
+            self.fail(f"this needs {modules}, not installed here: {advice}", exit_code=2)
+
     # --- answers for programs ---------------------------------------------------------------------
 
     @contextmanager
@@ -198,8 +220,10 @@ class CommandLine:
             raise
         except (OSError, KeyboardInterrupt):
             raise  # nobody may be there to read an answer
-        except Exception:
-            answer.error = f"this is a defect of {self.tool}; standard error has the details"
+        except Exception as error:
+            lacks = isinstance(error, ModuleNotFoundError) and self.extras().explained(error)
+            defect = f"this is a defect of {self.tool}; standard error has the details"
+            answer.error = lacks or defect
             typer.echo(answer.text(), nl=False)
             raise
         else:
@@ -228,6 +252,20 @@ class CommandLine:
         with self.writing(path):
             write_whole(path, text)
 
+    def copy_example(self, example: Path, folder: Path) -> None:
+        """Copy a folder of examples and name each file; the run ends if a file is there already."""
+        from dslkit.examples import FilesAreThereError, copy_example
+
+        self.try_folder(folder)
+        try:
+            with self.writing_to(folder):
+                written = copy_example(example, folder)
+        except FilesAreThereError as error:
+            paths = ", ".join(map(str, error.paths))
+            self.fail(f"nothing is written, because these are there: {paths}", exit_code=2)
+        for path in written:
+            typer.echo(f"wrote {path}")
+
     @contextmanager
     def writing(self, path: Path) -> Iterator[None]:
         """Within, a file that cannot be written ends the run."""
@@ -243,6 +281,43 @@ class CommandLine:
             yield
         except OSError as error:
             self.fail(f"cannot write to {folder}: {reason(error)}", exit_code=2)
+
+    # --- studies with users ----------------------------------------------------------------------
+
+    def try_study(self, log: Path | None) -> None:
+        """End the run, before it takes its time, if a check could not append to a study log."""
+        if log is None:
+            return
+        from dslkit import study
+
+        with self.writing(log):
+            try:
+                study.try_log(log)
+            except study.StudyLogError as problem:
+                place = f"{log}:{problem.line}:1" if problem.line else str(log)
+                self.fail(
+                    f"{place}: {problem.reason}, so {log} is not a study log; "
+                    "name another file or a new one",
+                    exit_code=2,
+                )
+
+    def log_study(
+        self, log: Path | None, command: str, files: Sequence[Path], found: Sequence[Diagnostic]
+    ) -> None:
+        """Append a run of `command` over `files` to a study log; do nothing without a log."""
+        if log is None:
+            return
+        from dslkit import study
+
+        with self.writing(log):
+            study.append(
+                log,
+                tool=self.tool,
+                command=command,
+                release=self.own_version(),
+                files=files,
+                found=found,
+            )
 
     # --- how it ends ------------------------------------------------------------------------------
 
@@ -288,6 +363,11 @@ class CommandLine:
             elif isinstance(error, FileNotFoundError) and not _has_folder():
                 code = 2
                 self.complain("the current folder is gone: change to another one")
+            elif isinstance(error, ModuleNotFoundError) and (
+                advice := self.extras().explained(error)
+            ):
+                code = 2
+                self.complain(advice)
             else:
                 import traceback
 

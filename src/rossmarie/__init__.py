@@ -17,6 +17,17 @@ __all__ = ["ColumnError", "Monitor", "RulesError", "load"]
 
 def __getattr__(name: str) -> object:
     """Import the compiler only when somebody asks for it: every subpackage imports this one."""
+    try:
+        return _public(name)
+    except ModuleNotFoundError as error:
+        from rossmarie.extras import EXTRAS
+
+        if advice := EXTRAS.explained(error):
+            raise ImportError(f"rossmarie.{name}: {advice}") from error
+        raise
+
+
+def _public(name: str) -> object:
     if name in ("Monitor", "load"):
         from rossmarie.driver import monitor
 

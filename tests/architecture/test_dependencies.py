@@ -9,10 +9,7 @@ from collections.abc import Iterator
 from importlib.metadata import packages_distributions
 from pathlib import Path
 
-if sys.version_info >= (3, 11):
-    import tomllib
-else:
-    import tomli as tomllib
+from support.packages import projects
 
 ROOT = Path(__file__).parents[2]
 OTHERS = {"markupsafe", "glfw", "pyopengl"}
@@ -42,13 +39,8 @@ def run(tree: ast.AST) -> Iterator[ast.AST]:
 
 
 def declared() -> set[str]:
-    """The distributions that users install: the needed ones, and those of all extras but `dev`."""
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    extras = {
-        name: each for name, each in project["optional-dependencies"].items() if name != "dev"
-    }
-    texts = [*project["dependencies"], *(text for each in extras.values() for text in each)]
-    return {plain(re.split(r"[^\w.-]", text, maxsplit=1)[0]) for text in texts}
+    """The distributions that users install: the needed ones, and those of all extras."""
+    return {plain(each.name) for project in projects().values() for each in project.requirements}
 
 
 def plain(name: str) -> str:
@@ -56,7 +48,7 @@ def plain(name: str) -> str:
 
 
 def test_what_the_sources_import_is_installed_with_them() -> None:
-    known, owners = {*declared(), *OTHERS, "rossmarie"}, packages_distributions()
+    known, owners = {*declared(), *OTHERS}, packages_distributions()
     missing = {
         (file, module)
         for file, module in imported()

@@ -42,7 +42,7 @@ def run(environment: dict[str, str], *arguments: str) -> subprocess.CompletedPro
 
 @pytest.mark.parametrize("missing", ["ezskiros", "crosscheck"])
 def test_rules_that_know_skills_need_no_skills(missing: str, tmp_path: Path) -> None:
-    alone = installed(tmp_path, "rossmarie", "dslkit", "campaign")
+    alone = installed(tmp_path, "rossmarie", "dslkit")
     assert run(alone, missing).returncode != 0, "it is not there"
     done = run(alone, "rossmarie", "check", str(WHITEBOARD / "whiteboard.ross"))
     assert (done.returncode, done.stdout) == (0, "no errors in 1 file\n"), done.stderr
@@ -56,7 +56,7 @@ def test_skills_need_no_rules(tmp_path: Path) -> None:
 
 
 def test_what_asks_for_both_says_that_one_is_missing(tmp_path: Path) -> None:
-    alone = installed(tmp_path, "rossmarie", "dslkit", "campaign")
+    alone = installed(tmp_path, "rossmarie", "dslkit")
     done = run(alone, "rossmarie", "check", "--skills", str(WHITEBOARD / "whiteboard.ross"))
     assert done.returncode == 2, done.stdout + done.stderr
     assert "needs the package crosscheck" in done.stderr

@@ -14,6 +14,8 @@ from packaging.licenses import canonicalize_license_expression
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
+from support.packages import projects
+
 PROJECT = Path(__file__).parents[2]
 PERMISSIVE = frozenset(
     {
@@ -28,6 +30,8 @@ passes the change on.
 """
 PROGRAMS = frozenset({"fast-downward-translate", "up-fast-downward"})
 """Run as programs of their own, and never imported (tests/ezskiros/planning): any licence."""
+ALL = ("ezskiros[all]", "heron-robot[all]", "rossmarie[all]")
+WITHOUT_LEARNING = ("ezskiros[all]", "heron-robot[gym,ray]", "rossmarie[all]")
 ADVICE = (
     "replace the package, or run it as a program of its own and enter it in PROGRAMS; "
     "docs/decisions/0035-licences-are-checked.md says why"
@@ -108,10 +112,11 @@ def is_allowed(expression: str, allowed: frozenset[str]) -> bool:
     return all(set(part.split(" OR ")) & allowed for part in expression.split(" AND "))
 
 
-def needed(*extras: str) -> set[str]:
-    """The installed packages that users of this project have, with those extras."""
+def needed(*requirements: str) -> set[str]:
+    """The installed packages that users have who install these, such as `heron-robot[ray]`."""
     found: set[str] = set()
-    left = [("rossmarie", each) for each in ("", *extras)]
+    asked = list(map(Requirement, requirements))
+    left = [(each.name, extra) for each in asked for extra in ("", *each.extras)]
     while left:
         name, extra = left.pop()
         for required in _requirements(name, extra):
@@ -137,7 +142,7 @@ def test_notice_lists_the_lock() -> None:
 
 
 def test_what_users_install_is_locked() -> None:
-    left = needed("heron", "learning", "plan", "ray") - locked() - {"rossmarie"}
+    left = needed(*ALL) - locked() - set(projects())
     assert not left, f"these packages are needed, and constraints.txt lacks them: {sorted(left)}"
 
 
@@ -152,7 +157,7 @@ def test_the_licence_is_the_one_in_notice_and_allowed(name: str) -> None:
             f"NOTICE says that {name} is under {expression}, and its metadata say {sorted(said)}: "
             "read its licence, and correct NOTICE"
         )
-    is_users = name in needed("heron", "plan", "ray")
+    is_users = name in needed(*WITHOUT_LEARNING)
     allowed = PERMISSIVE if is_users else UNCHANGED
     assert name in PROGRAMS or is_allowed(expression, allowed), (
         f"{name} is under {expression}: {ADVICE}"

@@ -26,6 +26,7 @@ from support.parts import LEARNERS, needs
 from support.rule_skills import put_skills
 
 ROOT = Path(__file__).parents[2]
+STUDY = ROOT / "docs" / "study"
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 NEEDS = {"docs/how-to/learn-behind-rules.md": LEARNERS}
 """Parts of a machine that pages need."""
@@ -48,6 +49,8 @@ def test_the_examples_of_a_page_work(page: Path, tmp_path: Path) -> None:
     folder = tmp_path / "project"
     shutil.copytree(ROOT / "examples", folder / "examples")
     put_skills(folder)
+    if page.is_relative_to(STUDY):
+        shutil.copytree(STUDY, folder / "docs" / "study")
     for block in blocks(text):
         problems = check_block(block, folder)
         assert not problems, f"{name(page)}:{block.line}: " + "\n".join(problems)

@@ -24,7 +24,7 @@ from rossmarie.driver.replay import replay_file
 from rossmarie.driver.robots import ROBOTS, Robot, robots
 from rossmarie.driver.testing import RanTests, run_test_file
 from rossmarie.ir import Change, Verdict
-from rossmarie.recordings import open_recording
+from rossmarie.recordings.opening import open_recording
 from rossmarie.testing.goals import Aspect
 from support.generated import generated_tests
 from support.simulated import simulated

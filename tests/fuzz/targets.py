@@ -47,7 +47,8 @@ from fuzz.engine import trying
 from rossmarie.driver import check_file
 from rossmarie.ir import EACH, POINTS, Array, List
 from rossmarie.lowering import lower
-from rossmarie.recordings import RecordingError, open_recording
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.opening import open_recording
 from rossmarie.recordings.system_model import write_model
 from support.clouds import MOST, READ, message, random_cloud
 from support.learning import LOCATIONS, RAMP, active, header, refill

@@ -60,7 +60,7 @@ def test_without_mujoco_it_says_what_to_install(
     monkeypatch.setattr(choices, "find_spec", lambda _: None)
     found = CliRunner().invoke(app, command)
     assert found.exit_code == 2
-    assert "pip install 'rossmarie[heron]'" in found.output
+    assert "pip install 'heron-robot'" in found.output
 
 
 @pytest.mark.parametrize("version", [(3, 10), (3, 12)])
@@ -195,4 +195,4 @@ def test_without_learners_it_says_what_to_install(monkeypatch: pytest.MonkeyPatc
     found = CliRunner().invoke(app, ["learn", "steps"])
     assert found.exit_code == 2
     assert "these trainings need skrl, not installed" in found.output
-    assert "pip install 'rossmarie[learning]'" in found.output
+    assert "pip install 'heron-robot[learning]'" in found.output

@@ -15,7 +15,7 @@ require(MUJOCO)
 
 from typer.testing import CliRunner
 
-from campaign import Journal, Value
+from dslkit.campaign import Journal, Value
 from heron.cli.main import app
 from heron.evaluation import (
     Folder,
@@ -391,4 +391,4 @@ def test_without_ray_it_says_what_to_install(
     monkeypatch.setattr("heron.cli.choices.find_spec", lambda name: None if name == "ray" else name)
     found = CliRunner().invoke(app, [*AT_A_CLUSTER, str(tmp_path)])
     assert found.exit_code == 2
-    assert "pip install 'rossmarie[ray]'" in found.output
+    assert "pip install 'heron-robot[ray]'" in found.output

@@ -113,7 +113,7 @@ def test_from_its_imports_on_a_signal_ends_a_command(
     assert found == {(number, instant): (128 + number, "") for number, instant in found}
 
 
-@pytest.mark.deep  # in each run, `tests/campaign` ends campaigns
+@pytest.mark.deep  # in each run, `tests/dslkit/campaign` ends campaigns
 @needs(PROC)
 @needs(MUJOCO)
 def test_an_evaluation_that_is_ended_says_what_is_kept_and_ends_its_workers(tmp_path: Path) -> None:

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
-from rossmarie.testing.cone import Reported, cone_of, reported_by
+from rossmarie.testing.cone import cone_of, reported_by
 from rossmarie.testing.coverage import Watcher
-from rossmarie.testing.margins import moved, thresholds
+from rossmarie.testing.margins import Reported, moved, thresholds
 from rossmarie.testing.places import compared_with_constants, seen_by
 from rossmarie.testing.play import Step
 from support.depth import examples

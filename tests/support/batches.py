@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.native import NativeMonitor
-from rossmarie.recordings import Update
 from rossmarie.recordings.batches import batched
+from rossmarie.recordings.model import Update
 from support import machines
 from support.machines import Step, exactly
 

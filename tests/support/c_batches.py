@@ -7,8 +7,8 @@ import struct
 import numpy as np
 
 from rossmarie import ir
-from rossmarie.recordings import Update
 from rossmarie.recordings.batches import Assembly, batched
+from rossmarie.recordings.model import Update
 from support.batches import Observed, bits_of, can_be_shown
 from support.c_replay import observations, program
 

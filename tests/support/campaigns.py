@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rich.console import Console
 
-from campaign import Bar, Journal, Processes, Value, run
+from dslkit.campaign import Bar, Journal, Processes, Value, run
 
 
 def work(key: str) -> Value:

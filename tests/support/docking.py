@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues
-from rossmarie.report import Replay, rehearse
+from rossmarie.report.model import Replay
+from rossmarie.report.rehearsal import rehearse
 from support.compiled import machine_of
 from support.drafts import SECOND
 

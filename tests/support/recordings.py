@@ -18,7 +18,9 @@ from rosbags.typesys.store import Typestore
 from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import SourceFile, Span
 from rossmarie.ir import Array, Channel, Input, Kind, List, Machine, Slot, Step
-from rossmarie.recordings import Update, open_recording, updates_in
+from rossmarie.recordings.batches import updates_in
+from rossmarie.recordings.model import Update
+from rossmarie.recordings.opening import open_recording
 
 START_NS = 1_700_000_000_000_000_000
 ROS1 = get_typestore(Stores.ROS1_NOETIC)

@@ -19,11 +19,15 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.engines import NATIVE
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Machine, Taken
-from rossmarie.recordings import RecordingError, Update, csv_table, decoding, storage
+from rossmarie.recordings import csv_table, decoding, storage
 from rossmarie.recordings.bag import BagRecording
 from rossmarie.recordings.bag_columns import BagChunks
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.model import Update
 from rossmarie.recordings.stored import packed, unpacked
-from rossmarie.report import render_timeline, verdict_lines, write_table
+from rossmarie.report.jsonl import verdict_lines
+from rossmarie.report.table import write_table
+from rossmarie.report.timeline import render_timeline
 
 _compiled = cache(compile_file)
 

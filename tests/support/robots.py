@@ -18,8 +18,6 @@ def put_example(folder: Path, modules: Mapping[str, str] | None = None) -> Path:
     """A copy of the example with more modules of skills, exported; gives its folder."""
     robot = folder / "whiteboard"
     shutil.copytree(EXAMPLE, robot)
-    ontology = EXAMPLE.parent / "pick_place" / "ontology"
-    shutil.copytree(ontology, folder / "pick_place" / "ontology")
     for name, text in (modules or {}).items():
         (robot / "skills" / name).write_text(text, encoding="utf-8")
     done = command_line.run("ezskiros", "export", "skills", "-o", "skills.json", folder=robot)

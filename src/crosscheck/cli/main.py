@@ -13,7 +13,7 @@ import typer
 
 from crosscheck.cli.choices import Answers, ShowFormat, ros_namespace
 from crosscheck.cli.output import output
-from dslkit.command_line import Format, ReportFormat
+from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.completion import codes
 from dslkit.parameters import Group
 from dslkit.writing import reason
@@ -48,11 +48,13 @@ def check(
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    study: StudyFile = None,
 ) -> None:
     """Find what only rules and skills together can tell."""
     with output.answering(form, "check", files=1):
         from crosscheck.check import check_robot
 
+        output.try_study(study)
         try:
             found = check_robot(
                 rules, systems=system or [], message_folders=messages or [], scene=scene
@@ -61,6 +63,7 @@ def check(
             if scene is None:
                 raise
             output.fail(f"cannot read {scene}: {reason(problem)}", exit_code=2)
+        output.log_study(study, "check", [rules], found)
         output.print_diagnostics(found, form, file_count=1)
         raise typer.Exit(output.exit_code(found))
 

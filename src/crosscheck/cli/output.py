@@ -8,6 +8,9 @@ from dslkit.command_line import CommandLine
 
 if TYPE_CHECKING:  # for `explain` and SARIF only
     from dslkit.catalog import Catalog
+    from dslkit.extras import Extras
+
+_DISTRIBUTION = "rossmarie-crosscheck"
 
 
 def _catalog() -> Catalog:
@@ -16,10 +19,18 @@ def _catalog() -> Catalog:
     return CATALOG
 
 
+def _extras() -> Extras:
+    from dslkit.extras import Extras
+
+    return Extras(_DISTRIBUTION, {})
+
+
 output = CommandLine(
     tool="crosscheck",
     subject="your robot",
     internal_code="CHK900",
     unreadable=frozenset({"ROSS801", "ROSS802"}),
     catalog=_catalog,
+    distribution=_DISTRIBUTION,
+    extras=_extras,
 )

@@ -34,6 +34,10 @@ def reported(work: Work, seconds: float = 0.0, *, may_act: bool = False) -> Repo
             return work(collector)
         except UnknownSkillError as problem:
             raise confinement.RefusedError(str(problem)) from None
+        except ModuleNotFoundError as problem:
+            if advice := output.extras().explained(problem):
+                raise confinement.RefusedError(advice) from None
+            raise
 
     report = confinement.confined(refusing, PATIENCE_S + seconds, may_act=may_act)
     if report.unconfined is not None:
@@ -94,9 +98,11 @@ def print_check(
     form: Format,
     rules: Path | None = None,
     knowledge: Path | None = None,
+    study: Path | None = None,
 ) -> int:
     """Check, print what is found, and give the exit code. With `rules`, what only these and the
-    skills together can tell is found as well; with `knowledge`, what runs say of the skills.
+    skills together can tell is found as well; with `knowledge`, what runs say of the skills. With
+    `study`, a study log gets the findings.
     """
     with output.answering(form, "check", files=len(paths)):
         together = None if rules is None else _looking_at_both()
@@ -107,6 +113,10 @@ def print_check(
             *(together(rules) if together is not None else ()),
             *wrong,
         )
+        if study is not None:
+            from ezskiros.skills.load import module_files
+
+            output.log_study(study, "check", module_files(paths), found)
         output.print_diagnostics(found, form, file_count=file_count(report, paths))
         return output.exit_code(found)
 
@@ -115,7 +125,8 @@ def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:
     """The check of rules and skills together, which is another package's."""
     found = extension("ezskiros.check", "rules")
     if found is None:
-        output.fail("`--rules` needs the package crosscheck, which is not installed", exit_code=2)
+        advice = output.extras().advice("rules")
+        output.fail(f"`--rules` needs the package crosscheck: {advice}", exit_code=2)
     return found
 
 

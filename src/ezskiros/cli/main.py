@@ -13,12 +13,13 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat
+from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.completion import codes
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
 from ezskiros.cli.checking import asked, print_check
+from ezskiros.cli.example import example
 from ezskiros.cli.export import export
 from ezskiros.cli.learn import learn
 from ezskiros.cli.output import output
@@ -76,20 +77,23 @@ def check(
     fixed: Annotated[
         bool, typer.Option("--fix", help="Add the pre-conditions that compound skills lack first.")
     ] = False,
+    study: StudyFile = None,
 ) -> None:
     """Check the skills of Python files: all that is wrong with them, without ROS."""
     name_ontology(ontology)
     if watched:
         if fixed:
             output.fail("`--fix` and `--watch`: name one of them", exit_code=2)
-        _check_again_and_again(paths, ontology or [], values, form, rules, knowledge)
+        output.try_study(study)
+        _check_again_and_again(paths, ontology or [], values, form, rules, knowledge, study)
         return
     with output.answering(form, "check", files=len(paths)):
+        output.try_study(study)
         if fixed:
             from ezskiros.cli.fix import fix
 
             fix(paths)
-        raise typer.Exit(print_check(paths, values, form, rules, knowledge))
+        raise typer.Exit(print_check(paths, values, form, rules, knowledge, study))
 
 
 @app.command()
@@ -121,6 +125,7 @@ app.command()(plan)
 app.command()(owl)
 app.command()(export)
 app.command()(learn)
+app.command()(example)
 
 
 @app.command()
@@ -242,6 +247,7 @@ def _check_again_and_again(
     form: Format,
     rules: Path | None,
     knowledge: Path | None,
+    study: Path | None,
 ) -> None:
     """Each time from the start: what has been imported is forgotten with the process."""
     from ezskiros.cli.watch import watch
@@ -254,7 +260,7 @@ def _check_again_and_again(
         return [*module_files(paths), *filter(Path.is_file, named), *find(known)]
 
     def check_once() -> None:
-        print_check(paths, values, form, rules, knowledge)
+        print_check(paths, values, form, rules, knowledge, study)
         sys.stdout.flush()
 
     watch(files, check_once)

@@ -8,6 +8,7 @@ from dslkit.command_line import CommandLine
 
 if TYPE_CHECKING:  # for `explain` and SARIF only
     from dslkit.catalog import Catalog
+    from dslkit.extras import Extras
 
 
 def _catalog() -> Catalog:
@@ -16,10 +17,18 @@ def _catalog() -> Catalog:
     return CATALOG
 
 
+def _extras() -> Extras:
+    from ezskiros.extras import EXTRAS
+
+    return EXTRAS
+
+
 output = CommandLine(
     tool="ezskiros",
     subject="your skills",
     internal_code="EZS900",
     unreadable=frozenset({"EZS001", "EZS105", "EZS106"}),
     catalog=_catalog,
+    distribution="ezskiros",
+    extras=_extras,
 )

@@ -18,6 +18,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from ezskiros.engine.world import World
+from ezskiros.extras import EXTRAS
 from ezskiros.planning.facts import Literal, is_so, make_so
 from ezskiros.planning.pddl import Problem, Step
 
@@ -38,7 +39,7 @@ class NoPlannerError(Exception):
     """The planner is not installed; the text says how to install it."""
 
     def __init__(self) -> None:
-        super().__init__("planning needs a planner: pip install 'rossmarie[plan]'")
+        super().__init__(f"planning needs a planner: {EXTRAS.advice('plan')}")
 
 
 class TimeOverError(Exception):

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import typer
 
-from campaign import BusyError, Campaign, ForeignError, UnreachableError, Value
+from dslkit.campaign import BusyError, Campaign, ForeignError, UnreachableError, Value
 from dslkit.command_line import INTERRUPTED, CommandLine
 from dslkit.writing import reason
 

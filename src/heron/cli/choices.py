@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING
 
 from dslkit.catalog import Catalog
 from dslkit.command_line import CommandLine
+from heron.extras import EXTRAS
 from heron.variants import (
     ALGORITHMS,
     ARMS,
@@ -29,7 +30,7 @@ from heron.variants import (
 )
 
 if TYPE_CHECKING:  # needs MuJoCo
-    from campaign import Workers
+    from dslkit.campaign import Workers
 
 
 def _catalog() -> Catalog:
@@ -58,6 +59,8 @@ output = CommandLine(
     internal_code="HERON",
     unreadable=frozenset(),
     catalog=_catalog,
+    distribution="heron-robot",
+    extras=lambda: EXTRAS,
 )
 
 
@@ -112,15 +115,15 @@ def workers_of(jobs: int | None, ray: str | None, limit_s: float = _LIMIT_S) -> 
     """Processes of this machine, or a Ray cluster at HOST:PORT. On this machine an episode, or a
     training, takes `limit_s` at most.
     """
-    from campaign import Processes
+    from dslkit.campaign import Processes
 
     if ray is None:
         return Processes(jobs or Processes.cores(), limit_s)
     if not re.fullmatch(r"\S+:\d+", ray):
         output.fail(f"--ray needs HOST:PORT, not `{ray}`", exit_code=2)
     if find_spec("ray") is None:
-        output.fail("--ray needs the extra of that name: pip install 'rossmarie[ray]'", exit_code=2)
-    from campaign.ray_cluster import RayCluster
+        output.fail(f"--ray needs Ray: {EXTRAS.advice('ray')}", exit_code=2)
+    from dslkit.campaign.ray_cluster import RayCluster
 
     return RayCluster(ray)
 
@@ -192,15 +195,13 @@ def require_learning(algorithms: Sequence[str]) -> None:
     if _VERSION < _OLDEST:
         python, oldest = (".".join(map(str, each)) for each in (_VERSION, _OLDEST))
         reason = f"{reason}, which needs Python {oldest} or later; this is Python {python}"
-    output.fail(f"{reason}: pip install 'rossmarie[learning]'", exit_code=2)
+    output.fail(f"{reason}: {EXTRAS.advice('learning')}", exit_code=2)
 
 
 def require_gymnasium() -> None:
     """End the run if there can be no environments."""
     if find_spec("gymnasium") is None:
-        output.fail(
-            "what was learned needs Gymnasium: pip install 'rossmarie[gym,heron]'", exit_code=2
-        )
+        output.fail(f"what was learned needs Gymnasium: {EXTRAS.advice('gym')}", exit_code=2)
 
 
 def require_simulation() -> None:
@@ -218,7 +219,7 @@ def require_simulation() -> None:
             f"the simulation needs MuJoCo, which needs Python {oldest} or later; "
             f"this is Python {python}"
         )
-    output.fail(f"{reason}: pip install 'rossmarie[heron]'", exit_code=2)
+    output.fail(f"{reason}: {EXTRAS.advice()}", exit_code=2)
 
 
 def _require_renderer() -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from rich.console import Console
 
-from campaign import Bar, Campaign, Journal, Workers, run
+from dslkit.campaign import Bar, Campaign, Journal, Workers, run
 from dslkit.command_line import CommandLine
 from heron.cli.campaigns import carry_out
 from heron.evaluation import Folder, keys_of, row_of, sources, write_page

@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.live import Live
 from rich.table import Table
 
-from campaign import Campaign, Journal, Result, Workers, run
+from dslkit.campaign import Campaign, Journal, Result, Workers, run
 from dslkit.command_line import CommandLine
 from heron.cli.campaigns import carry_out
 from heron.evaluation import sources

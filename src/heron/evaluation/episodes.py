@@ -12,7 +12,7 @@ from pathlib import Path
 import ezskiros
 import heron
 import rossmarie
-from campaign import Value
+from dslkit.campaign import Value
 from heron.experiments import EXPERIMENTS, STUDIES, USUAL, Experiment
 from heron.variants import Arm
 

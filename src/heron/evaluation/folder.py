@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from campaign import Value
+from dslkit.campaign import Value
 from heron.evaluation.page import Results, page_of
 from heron.evaluation.plots import plot_of, plot_of_study
 from heron.evaluation.rows import read_rows, read_study, write_rows, write_study

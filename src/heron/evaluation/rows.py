@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from campaign import Value
+from dslkit.campaign import Value
 from heron.experiments import Experiment, Measure, Study
 
 _KEYS = ("variant", "arm", "seed")

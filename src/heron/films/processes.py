@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import ProcessPoolExecutor
 from typing import Any, TypeVar
 
-from campaign import undisturbed
+from dslkit.campaign import undisturbed
 
 Result = TypeVar("Result")
 

@@ -6,7 +6,7 @@ from bisect import bisect_right
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from itertools import accumulate
 
-from campaign import Value
+from dslkit.campaign import Value
 from heron.learning.episodes import Episode
 from heron.learning.insertion import VIOLATIONS
 from heron.learning.runs import Run

@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import gymnasium
 
-from campaign import Value
+from dslkit.campaign import Value
 from dslkit.writing import write_whole
 from heron.learning.episodes import Episode, EpisodeLog
 from heron.learning.runs import Run, environment, run_of

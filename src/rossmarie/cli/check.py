@@ -28,12 +28,16 @@ def run_check(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
     only: Sequence[Category],
+    study: Path | None,
 ) -> None:
     """Print the findings, write the witnesses, and end with the exit code."""
     with output.answering(form, "check", files=len(files)):
+        output.try_study(study)
         is_tests = witnesses is not None and witnesses.suffix == ".ross"
         if is_tests and len(files) > 1:
             output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
+        if thorough or witnesses is not None:
+            output.require("solver")
         together = _looking_at_both() if skills else None
         if witnesses is not None:
             (output.try_file if is_tests else output.try_folder)(witnesses)
@@ -58,7 +62,11 @@ def run_check(
             if together is not None:
                 found += together(path, systems=systems, message_folders=message_folders)
         reported = each_once(found)
+        output.log_study(study, "check", files, reported)
         output.print_diagnostics(reported, form, file_count=len(files))
+        if any(each.lacks_solver for each in analyses):
+            advice = output.extras().advice("solver")
+            output.complain(f"without z3, no rules were checked against each other: {advice}")
         if witnesses is not None and is_tests:
             _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
         elif witnesses is not None:
@@ -70,7 +78,8 @@ def _looking_at_both() -> Callable[..., Sequence[Diagnostic]]:
     """The check of rules and skills together, which is another package's."""
     found = extension("rossmarie.check", "skills")
     if found is None:
-        output.fail("`--skills` needs the package crosscheck, which is not installed", exit_code=2)
+        advice = output.extras().advice("skills")
+        output.fail(f"`--skills` needs the package crosscheck: {advice}", exit_code=2)
     return found
 
 

@@ -6,15 +6,9 @@ from pathlib import Path
 
 import typer
 
+from dslkit.examples import UnknownExampleError
 from rossmarie.cli.output import output
-from rossmarie.driver.robots import (
-    FilesAreThereError,
-    Robot,
-    UnknownRobotError,
-    copy_robot,
-    robot,
-    robots,
-)
+from rossmarie.driver.robots import Robot, robot, robots
 
 
 def run_example(name: str | None, folder: Path | None) -> None:
@@ -24,7 +18,7 @@ def run_example(name: str | None, folder: Path | None) -> None:
         return
     try:
         wanted = robot(name)
-    except UnknownRobotError as error:
+    except UnknownExampleError as error:
         output.fail(str(error), exit_code=2)
     _copy(wanted, folder or Path(wanted.name))
 
@@ -37,14 +31,6 @@ def _list_robots() -> None:
 
 
 def _copy(wanted: Robot, folder: Path) -> None:
-    output.try_folder(folder)
-    try:
-        with output.writing_to(folder):
-            written = copy_robot(wanted, folder)
-    except FilesAreThereError as error:
-        paths = ", ".join(map(str, error.paths))
-        output.fail(f"nothing is written, because these are there: {paths}", exit_code=2)
-    for path in written:
-        typer.echo(f"wrote {path}")
+    output.copy_example(wanted.folder, folder)
     rules, recording = (folder / path.name for path in (wanted.rules, wanted.recording))
     typer.echo(f"now try: rossmarie replay {rules} {recording}")

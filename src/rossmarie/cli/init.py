@@ -11,7 +11,8 @@ import typer
 from rossmarie.cli.output import output
 from rossmarie.cli.replay import refusing
 from rossmarie.driver.workspace import SYSTEM_MODEL
-from rossmarie.recordings import definition_path, open_recording
+from rossmarie.recordings.opening import open_recording
+from rossmarie.recordings.system_model import definition_path
 from rossmarie.starter import Beginning, begin
 
 RULES = "robot.ross"

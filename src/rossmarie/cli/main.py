@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat
+from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from rossmarie.cli.beginnings import example, init, model
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
@@ -91,13 +91,24 @@ def check(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    study: StudyFile = None,
 ) -> None:
     """Check rules files: names, types, units, what cannot work, and what rules mean together."""
     from rossmarie.cli.check import run_check
 
-    name, folders = None if target is None else target.value, messages or ()
+    name, systems, folders = target and target.value, system or (), messages or ()
     run_check(
-        files, format, name, thorough, toggle, witnesses, skills, system or (), folders, only or ()
+        files,
+        format,
+        name,
+        thorough,
+        toggle,
+        witnesses,
+        skills,
+        systems,
+        folders,
+        only or (),
+        study,
     )
 
 

@@ -11,6 +11,7 @@ from dslkit.diagnostics import Diagnostic
 
 if TYPE_CHECKING:  # for `explain` and SARIF only
     from dslkit.catalog import Catalog
+    from dslkit.extras import Extras
 
 
 def _catalog() -> Catalog:
@@ -19,12 +20,20 @@ def _catalog() -> Catalog:
     return CATALOG
 
 
+def _extras() -> Extras:
+    from rossmarie.extras import EXTRAS
+
+    return EXTRAS
+
+
 output = CommandLine(
     tool="rossmarie",
     subject="your rules",
     internal_code="ROSS900",
     unreadable=frozenset({"ROSS610", "ROSS611", "ROSS780", "ROSS801", "ROSS802"}),
     catalog=_catalog,
+    distribution="rossmarie",
+    extras=_extras,
 )
 
 

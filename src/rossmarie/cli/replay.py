@@ -19,10 +19,15 @@ from rossmarie.driver.formatting import format_text
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import NATIVE
 from rossmarie.ir import Category
-from rossmarie.recordings import RecordingError, definition_path, open_recording, write_model
-from rossmarie.report import Replay, render_timeline, verdict_lines, write_table
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.opening import open_recording
+from rossmarie.recordings.system_model import definition_path, write_model
+from rossmarie.report.jsonl import verdict_lines
+from rossmarie.report.model import Replay
 from rossmarie.report.rehearsal import summarize_tasks
 from rossmarie.report.spans import summarize
+from rossmarie.report.table import write_table
+from rossmarie.report.timeline import render_timeline
 
 TIMELINE = "timeline.html"
 VERDICTS = "verdicts.jsonl"

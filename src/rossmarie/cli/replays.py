@@ -15,8 +15,8 @@ from tempfile import TemporaryDirectory
 import typer
 from rich.console import Console
 
-from campaign import Campaign, Journal, Processes, Result, Value, run
 from dslkit.answer import Answer
+from dslkit.campaign import Campaign, Journal, Processes, Result, Value, run
 from dslkit.command_line import INTERNAL_ERROR, INTERRUPTED, ReportFormat
 from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_json import Json
@@ -28,9 +28,10 @@ from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import start_monitor
 from rossmarie.ir import Category
-from rossmarie.recordings import RecordingError
-from rossmarie.report import Replay, write_table
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.report.model import Replay
 from rossmarie.report.spans import summarize
+from rossmarie.report.table import write_table
 from rossmarie.report.wording import format_length
 
 

@@ -13,6 +13,7 @@ from rossmarie.analysis.finding import Finding
 from rossmarie.analysis.witness import Witness
 from rossmarie.check.instances.telling import reported
 from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_checked
+from rossmarie.extras import EXTRAS
 from rossmarie.ir import Category, Machine
 
 TOGGLE_NS = 1_000_000_000
@@ -23,13 +24,14 @@ TOGGLE_NS = 1_000_000_000
 class Analysis:
     """All findings on a rules file, and the witnesses as recordings (CSV), by file name; the rules
     as they were asked, None if nothing was. `proved` are the spans of the requirements that were
-    proved.
+    proved. `lacks_solver` is true if nothing was asked because z3 is not installed.
     """
 
     findings: tuple[Finding, ...]
     witnesses: dict[str, str]
     compiled: Compiled | None = None
     proved: frozenset[Span] = frozenset()
+    lacks_solver: bool = False
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -60,6 +62,8 @@ def analyze_file(
         compiled = compile_checked(result, message_folders)
     except RulesError:
         return without_answers
+    if EXTRAS.missing("solver"):
+        return replace(without_answers, compiled=compiled, lacks_solver=True)
     found = analyzed(compiled, result.diagnostics, rules, thorough, toggle_ns, on_step)
     return replace(found, compiled=compiled)
 

@@ -12,7 +12,9 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.sources import hashed_files, hashed_sources
 from rossmarie.engines.python_monitor import PythonMonitor
 from rossmarie.ir import Machine, Verdict
-from rossmarie.recordings import Update, begun_together, open_recording, updates_in
+from rossmarie.recordings.batches import begun_together, updates_in
+from rossmarie.recordings.model import Update
+from rossmarie.recordings.opening import open_recording
 from rossmarie.report.safety import EvidenceKind, evidence_text
 from rossmarie.report.safety.exercised import coverage_results
 from rossmarie.report.spare import spares

@@ -11,8 +11,11 @@ from rossmarie.driver.sampler import Sampler
 from rossmarie.driver.taking import taking
 from rossmarie.engines import MonitorEngine, Started, start_monitor
 from rossmarie.ir import Batch, Category, Event
-from rossmarie.recordings import Recording, begun_together, open_recording
-from rossmarie.report import Replay, rehearse
+from rossmarie.recordings.batches import begun_together
+from rossmarie.recordings.model import Recording
+from rossmarie.recordings.opening import open_recording
+from rossmarie.report.model import Replay
+from rossmarie.report.rehearsal import rehearse
 
 Progress = Callable[[float], None]
 """Called now and then with the part of the recording that is done, from 0 to 1."""

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
-import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from dslkit.examples import files_of, named
 from rossmarie.driver.workspace import SYSTEM_MODEL
 
 ROBOTS = Path(__file__).parents[1] / "robots"
@@ -46,20 +45,7 @@ class Robot:
     @property
     def files(self) -> Sequence[Path]:
         """All its files, by their paths in its folder, in the order of their names."""
-        inside = (path for path in self.folder.rglob("*") if path.is_file())
-        return sorted(path.relative_to(self.folder) for path in inside)
-
-
-class UnknownRobotError(LookupError):
-    """There is no robot of this name; the message says so to a user."""
-
-
-class FilesAreThereError(Exception):
-    """Files of this name are there already: `paths`. None was written."""
-
-    def __init__(self, paths: Sequence[Path]) -> None:
-        super().__init__(", ".join(map(str, paths)))
-        self.paths = paths
+        return files_of(self.folder)
 
 
 def robots() -> Sequence[Robot]:
@@ -69,25 +55,5 @@ def robots() -> Sequence[Robot]:
 
 
 def robot(name: str) -> Robot:
-    """The robot of a name, in upper or lower case. Raises `UnknownRobotError`."""
-    known = {each.name: each for each in robots()}
-    if found := known.get(name.lower()):
-        return found
-    near = difflib.get_close_matches(name.lower(), known, n=1)
-    hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(known)}"
-    raise UnknownRobotError(f"there is no robot `{name}` in the box; {hint}")
-
-
-def copy_robot(copied: Robot, folder: Path) -> Sequence[Path]:
-    """Copy the files of a robot into a folder, which need not exist yet: what was written. Raises
-    `FilesAreThereError` before anything is written, and `OSError`.
-    """
-    targets = [folder / each for each in copied.files]
-    present = [path for path in targets if os.path.lexists(path)]
-    if present:
-        raise FilesAreThereError(present)
-    for source, target in zip(copied.files, targets, strict=True):
-        target.parent.mkdir(parents=True, exist_ok=True)
-        with target.open("xb") as stream:  # a file that somebody else has just written stays
-            stream.write((copied.folder / source).read_bytes())
-    return targets
+    """The robot of a name, in upper or lower case. Raises `UnknownExampleError`."""
+    return named({each.name: each for each in robots()}, name, "robot")

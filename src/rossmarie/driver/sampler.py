@@ -10,7 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rossmarie.ir import Machine
-from rossmarie.report import Axis, Plot, plan_plots, share, thinned
+from rossmarie.report.axis import Axis
+from rossmarie.report.envelope import share, thinned
+from rossmarie.report.model import Plot
+from rossmarie.report.plots import plan_plots
 
 _BLOCK = 20_000
 """Samples that are noted before they are thinned."""

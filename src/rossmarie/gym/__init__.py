@@ -3,10 +3,12 @@
 Needs the extra `rossmarie[gym]`.
 """
 
+from rossmarie.extras import EXTRAS
+
 try:
     import gymnasium as _  # noqa: F401
 except ModuleNotFoundError as error:
-    raise ImportError("rossmarie.gym needs Gymnasium: pip install 'rossmarie[gym]'") from error
+    raise ImportError(f"rossmarie.gym needs Gymnasium: {EXTRAS.advice('gym')}") from error
 
 from rossmarie.gym.environment import GuardedEnv
 from rossmarie.gym.vector import GuardedVectorEnv

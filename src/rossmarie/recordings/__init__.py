@@ -1,24 +1,6 @@
 """Recordings of robots, as updates for a monitor.
 
-`open_recording` opens ROS 1 and ROS 2 bags, MCAP and CSV; `Recording.batches` gives what they say
-to a machine, in the order of time, and `updates_in` the updates in that.
+`opening.open_recording` opens ROS 1 and ROS 2 bags, MCAP and CSV; `model.Recording.batches` gives
+their samples in the order of time, and `batches.updates_in` the updates in a batch. This package
+imports none of its modules: diagnostics of recordings are explained without NumPy.
 """
-
-from rossmarie.recordings.batches import begun_together, updates_in
-from rossmarie.recordings.errors import ALL, RecordingError
-from rossmarie.recordings.model import Recording, Topic, Update
-from rossmarie.recordings.opening import open_recording
-from rossmarie.recordings.system_model import definition_path, write_model
-
-__all__ = [
-    "ALL",
-    "Recording",
-    "RecordingError",
-    "Topic",
-    "Update",
-    "begun_together",
-    "definition_path",
-    "open_recording",
-    "updates_in",
-    "write_model",
-]

@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from rossmarie.recordings import Recording, RecordingError, Topic, write_model
-from rossmarie.recordings.errors import at_file
+from rossmarie.recordings.errors import RecordingError, at_file
 from rossmarie.recordings.matching import listed
-from rossmarie.recordings.model import Observe, Survey
-from rossmarie.recordings.system_model import can_be_declared
+from rossmarie.recordings.model import Observe, Recording, Survey, Topic
+from rossmarie.recordings.system_model import can_be_declared, write_model
 from rossmarie.starter.commands import (
     Wanted,
     are_commands,

@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from rossmarie.recordings import Topic
+from rossmarie.recordings.model import Topic
 from rossmarie.starter.numbers import plain, rounded_up
 from rossmarie.starter.robot import UNFILTERED, Commands, Proposal, Robot
 

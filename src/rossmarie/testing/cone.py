@@ -23,9 +23,7 @@ from rossmarie.ir import ChannelValues, TruthValue
 from rossmarie.ir.comparison import COMPARISONS
 from rossmarie.ir.support import compared_signals, proposition_operands
 from rossmarie.testing.history import Elements, History, backwards
-
-Reported = tuple[int, int, int]
-"""A verdict: rule, change, instant in nanoseconds."""
+from rossmarie.testing.margins import Reported
 
 _NEVER_NS = 2 * ir.LATEST_NS
 # A proposition is fed in as two flags, of which one is missing where it is not known: that of an

@@ -13,11 +13,13 @@ from dataclasses import dataclass
 from functools import cache
 
 from rossmarie import ir
-from rossmarie.testing.cone import Reported
 from rossmarie.testing.goals import edges
 
 NEAREST_PLACES = 64
 """On each side of a threshold so many places are tried one by one."""
+
+Reported = tuple[int, int, int]
+"""A verdict: rule, change, instant in nanoseconds."""
 
 Verdicts = tuple[tuple[Reported, ...], ...]
 """Of each trace what the rules that rest on the threshold say, in the order of the trace."""

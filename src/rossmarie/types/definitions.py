@@ -17,6 +17,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from dslkit.source import SourceFile, ending
+from rossmarie.types.message_lines import read_line
 
 STORED = Path(__file__).with_name("messages.msg")
 OWN = Path(__file__).with_name("skill_context.msg")
@@ -193,19 +194,16 @@ def read_file(path: Path) -> SourceFile:
 
 
 def _read_line(path: Path, number: int, line: str, name: str) -> Definition:
-    """Lines are parsed one by one, because rosbags does not say which one it stumbled over."""
-    if not line.partition("#")[0].strip():
-        return Definition({}, {})
-    from rosbags.typesys import TypesysError, get_types_from_msg
-
-    package, _, short = name.partition("/")
     try:
-        types = get_types_from_msg(line, f"{package}/msg/{short}")
-    except (TypesysError, AssertionError, ValueError) as error:
-        # Parts that rosbags asserts or converts while parsing fail with the latter two.
+        found = read_line(line, name.partition("/")[0])
+    except ValueError as error:
         reason = f"not a field or constant of a message: {line.strip()[:60]!r}"
         raise MessageDefinitionError(path, number, reason) from error
-    return from_rosbags(types)[name]
+    if found is None:
+        return Definition({}, {})
+    if found.value is not None:
+        return Definition({}, {found.name: found.value})
+    return Definition({found.name: Field(normalized(found.base) or found.base, found.is_array)}, {})
 
 
 def from_rosbags(types: Mapping[str, Any]) -> dict[str, Definition]:

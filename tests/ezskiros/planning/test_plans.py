@@ -266,7 +266,7 @@ def test_without_the_planner_it_is_said_how_to_install_it(
     gripping: Checked, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setitem(sys.modules, "up_fast_downward", None)
-    with pytest.raises(planner.NoPlannerError, match=r"pip install 'rossmarie\[plan\]'"):
+    with pytest.raises(planner.NoPlannerError, match=r"pip install 'ezskiros\[plan\]'"):
         planned(gripping, "(contain shelf starter)")
 
 

@@ -35,12 +35,12 @@ static void quantifiers(const double x[], double found[])
 {
     const size_t trues = (size_t)x[0], unknowns = (size_t)x[1], count = (size_t)x[2];
     const bool is_known = x[3] > 0.0;
-    found[0] = some(propositions, unknowns, count);
-    found[1] = every(propositions, unknowns, count);
-    found[2] = how_many(propositions, unknowns, count);
-    found[3] = some_of_list(propositions, unknowns, is_known);
-    found[4] = every_of_list(propositions, unknowns, count, is_known);
-    found[5] = how_many_of_list(propositions, unknowns, is_known);
+    found[0] = some(trues, unknowns, count);
+    found[1] = every(trues, unknowns, count);
+    found[2] = how_many(trues, unknowns, count);
+    found[3] = some_of_list(trues, unknowns, is_known);
+    found[4] = every_of_list(trues, unknowns, count, is_known);
+    found[5] = how_many_of_list(trues, unknowns, is_known);
 }
 
 static void make(const call *made)

@@ -13,7 +13,7 @@ from support.parts import LEARNERS, require
 
 require(LEARNERS)
 
-from campaign import Value
+from dslkit.campaign import Value
 from heron.evaluation.expectation import Verdict
 from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
 from heron.evaluation.learning.expectations import expectations_of

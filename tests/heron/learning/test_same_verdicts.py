@@ -20,7 +20,7 @@ from heron.learning.arms import RULES
 from heron.variants import LearningArm
 from rossmarie.driver import compile_file
 from rossmarie.ir import Change, Event, Machine, Verdict
-from rossmarie.report import event_lines
+from rossmarie.report.jsonl import event_lines
 from support.insertions import (
     Policy,
     in_process,

@@ -17,7 +17,7 @@ from pathlib import Path
 import pytest
 import typer
 
-from campaign import Campaign, Failure
+from dslkit.campaign import Campaign, Failure
 from dslkit.command_line import INTERNAL_ERROR, ReportFormat
 from rossmarie.cli import replays
 from support import command_line

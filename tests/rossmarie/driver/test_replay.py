@@ -8,7 +8,8 @@ import pytest
 
 from rossmarie.driver.replay import replay_file
 from rossmarie.ir import Change, OrderKind, TimeJump, Verdict
-from rossmarie.report import Replay, summarize
+from rossmarie.report.model import Replay
+from rossmarie.report.spans import summarize
 
 RULES = """action stop;
 input volts = topic /battery : std_msgs/Float32 in V timeout 1 sec;

@@ -10,7 +10,8 @@ from dslkit.diagnostics import Collector
 from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.ir import Change, Machine, Verdict
-from rossmarie.recordings import begun_together, open_recording, updates_in
+from rossmarie.recordings.batches import begun_together, updates_in
+from rossmarie.recordings.opening import open_recording
 from support.recordings import KINDS, START_NS, Reading, battery, scan, store_of, write_kind
 
 RULES = """action stop;

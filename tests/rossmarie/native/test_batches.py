@@ -13,8 +13,8 @@ from rossmarie.ir import Batch, ChannelValues
 from rossmarie.native import NativeMonitor, load_native
 from rossmarie.native import batches as native_batches
 from rossmarie.native import monitor as native_monitor
-from rossmarie.recordings import Update
 from rossmarie.recordings.batches import batched
+from rossmarie.recordings.model import Update
 from rossmarie.targets.c99 import generate_loadable
 from support.batches import in_batches, one_by_one
 from support.c99_cases import CASES

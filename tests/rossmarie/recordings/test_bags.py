@@ -14,7 +14,8 @@ from rosbags.typesys import Stores, get_types_from_msg, get_typestore
 
 from dslkit.diagnostics import Collector
 from rossmarie.ir import Array, Kind
-from rossmarie.recordings import open_recording, updates_in
+from rossmarie.recordings.batches import updates_in
+from rossmarie.recordings.opening import open_recording
 from support.recordings import (
     KINDS,
     ROS1,

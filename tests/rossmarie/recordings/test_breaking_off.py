@@ -10,9 +10,11 @@ import pytest
 from rosbags.interfaces import MessageDefinition, MessageDefinitionFormat
 
 from dslkit.diagnostics import Collector
-from rossmarie.recordings import bag_opening, open_recording, updates_in
+from rossmarie.recordings import bag_opening
 from rossmarie.recordings.bag import BagRecording
+from rossmarie.recordings.batches import updates_in
 from rossmarie.recordings.clock import Arrivals, by_topic
+from rossmarie.recordings.opening import open_recording
 from rossmarie.recordings.stored import Connection, Packed, Stored, packed
 from support.recordings import machine, slot
 

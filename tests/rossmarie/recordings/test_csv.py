@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from rossmarie.ir import Array, Kind
-from rossmarie.recordings import RecordingError, open_recording
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.opening import open_recording
 from support.recordings import BATTERY, codes, machine, replay, slot, volts
 
 POSE = machine(

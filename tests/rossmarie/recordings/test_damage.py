@@ -17,7 +17,8 @@ from rosbags.typesys.store import Typestore
 
 from dslkit.diagnostics import Severity
 from rossmarie.ir import Machine
-from rossmarie.recordings import RecordingError, open_recording
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.opening import open_recording
 from rossmarie.recordings.salvage import SalvagedStorage, Scan
 from support.recordings import (
     ROS1,

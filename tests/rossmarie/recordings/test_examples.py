@@ -15,7 +15,9 @@ from dslkit.diagnostics import Collector
 from rossmarie.driver import compile_file
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, Verdict
-from rossmarie.recordings import open_recording, updates_in, write_model
+from rossmarie.recordings.batches import updates_in
+from rossmarie.recordings.opening import open_recording
+from rossmarie.recordings.system_model import write_model
 from support.parts import A_DRIVE, needs
 from support.shared import HUSKY_DRIVE
 

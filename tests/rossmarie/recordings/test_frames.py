@@ -11,7 +11,8 @@ import pytest
 from rosbags.rosbag2 import StoragePlugin
 
 from rossmarie.ir import Channel, Edge, Machine
-from rossmarie.recordings import RecordingError, Update
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.model import Update
 from support.frames import Placed, transforms
 from support.recordings import (
     KINDS,

@@ -9,7 +9,8 @@ import pytest
 
 from dslkit.diagnostics import Severity
 from rossmarie.ir import Array, Kind, Machine
-from rossmarie.recordings import ALL, RecordingError, open_recording
+from rossmarie.recordings.errors import ALL, RecordingError
+from rossmarie.recordings.opening import open_recording
 from support.recordings import (
     BATTERY,
     ROS1,

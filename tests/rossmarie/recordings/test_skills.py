@@ -15,7 +15,7 @@ from rosbags.typesys.store import Typestore
 
 from rossmarie.ir import Doing, Kind, Machine, Quantity, SkillStep, Slot
 from rossmarie.ir.skills import SkillContext, answer
-from rossmarie.recordings import RecordingError
+from rossmarie.recordings.errors import RecordingError
 from support.recordings import (
     KINDS,
     ROS2,

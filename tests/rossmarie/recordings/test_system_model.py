@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from rossmarie.recordings import RecordingError, open_recording, write_model
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.opening import open_recording
+from rossmarie.recordings.system_model import write_model
 from support.frames import Placed, pose, transforms
 from support.recordings import ROS1, START_NS, battery, readings, write_mcap, write_ros1
 

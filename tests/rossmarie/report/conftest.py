@@ -13,7 +13,9 @@ import pytest
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues, Comparison, Event
-from rossmarie.report import Axis, Replay, plan_plots
+from rossmarie.report.axis import Axis
+from rossmarie.report.model import Replay
+from rossmarie.report.plots import plan_plots
 from support.drafts import SECOND, Draft
 
 START_NS = 1_700_000_000 * SECOND

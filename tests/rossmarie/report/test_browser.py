@@ -9,7 +9,8 @@ from pathlib import Path
 import numpy as np
 
 from rossmarie.ir import TimeJump
-from rossmarie.report import Plot, Replay, render_timeline
+from rossmarie.report.model import Plot, Replay
+from rossmarie.report.timeline import render_timeline
 from support.browser import document_of, needs_browser
 from support.docking import docking
 

@@ -7,8 +7,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rossmarie.report import Plot
 from rossmarie.report.envelope import envelope, share, thinned
+from rossmarie.report.model import Plot
 
 steps = st.floats(0.0, 1.0)
 levels = st.one_of(st.sampled_from((0.0, 1.0, math.nan)), st.floats(-100, 100))

@@ -12,7 +12,9 @@ from hypothesis import given
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import ChannelValues
-from rossmarie.report import Replay, event_lines, rehearse, verdict_lines
+from rossmarie.report.jsonl import event_lines, verdict_lines
+from rossmarie.report.model import Replay
+from rossmarie.report.rehearsal import rehearse
 from support.docking import docking
 from support.drafts import SECOND, Draft
 from support.golden import assert_golden

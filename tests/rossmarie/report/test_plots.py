@@ -7,7 +7,8 @@ import pytest
 
 from rossmarie import ir
 from rossmarie.ir import Comparison
-from rossmarie.report import PlotPlan, Threshold, plan_plots
+from rossmarie.report.model import Threshold
+from rossmarie.report.plots import PlotPlan, plan_plots
 from support.drafts import SECOND, Draft
 
 INFINITY = math.inf

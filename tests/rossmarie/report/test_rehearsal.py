@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 
 from rossmarie import ir
 from rossmarie.ir import Change, Event, OrderKind, TimeJump, Verdict
-from rossmarie.report import Rehearsed, rehearse
-from rossmarie.report.rehearsal import TaskSummary, summarize_tasks
+from rossmarie.report.rehearsal import Rehearsed, TaskSummary, rehearse, summarize_tasks
 from support.docking import docking
 from support.drafts import SECOND
 from support.plans import Plans, call, cancel, log, publish, reported, send

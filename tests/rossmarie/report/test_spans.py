@@ -9,8 +9,9 @@ from hypothesis import strategies as st
 from rossmarie import ir
 from rossmarie.interpreter import Interpreter
 from rossmarie.ir import Change, TimeJump, Verdict
-from rossmarie.report import Axis, Replay, active_spans, summarize
-from rossmarie.report.axis import place
+from rossmarie.report.axis import Axis, place
+from rossmarie.report.model import Replay
+from rossmarie.report.spans import active_spans, summarize
 from support.drafts import SECOND, Draft
 from support.machines import Step, cases, take
 

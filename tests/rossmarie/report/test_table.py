@@ -5,7 +5,8 @@ import re
 
 import pytest
 
-from rossmarie.report import Replay, write_table
+from rossmarie.report.model import Replay
+from rossmarie.report.table import write_table
 from support.docking import docking
 
 

@@ -11,7 +11,9 @@ from typing import Any
 import numpy as np
 
 from rossmarie.ir import Change, InputState, TruthValue, Verdict
-from rossmarie.report import Plot, Replay, active_spans, render_timeline, summarize
+from rossmarie.report.model import Plot, Replay
+from rossmarie.report.spans import active_spans, summarize
+from rossmarie.report.timeline import render_timeline
 from rossmarie.report.wording import format_length
 from support.docking import docking
 

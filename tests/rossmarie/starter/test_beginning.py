@@ -13,9 +13,11 @@ from hypothesis import strategies as st
 
 from dslkit.diagnostics import Diagnostic
 from rossmarie.driver import check_file
-from rossmarie.recordings import Recording, RecordingError, definition_path, open_recording
 from rossmarie.recordings.bag import BagRecording
-from rossmarie.recordings.model import Rhythm
+from rossmarie.recordings.errors import RecordingError
+from rossmarie.recordings.model import Recording, Rhythm
+from rossmarie.recordings.opening import open_recording
+from rossmarie.recordings.system_model import definition_path
 from rossmarie.starter import Beginning, begin
 from rossmarie.starter.kinds import KINDS
 from rossmarie.starter.numbers import is_steady, rounded_down, rounded_up, timeout_s

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 
-from campaign import Value
+from dslkit.campaign import Value
 from heron.evaluation.learning.trainings import Trainings, number
 from heron.evaluation.plots import drawn
 from heron.learning.arms import ARM_NAMES

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
-from campaign import Value
+from dslkit.campaign import Value
 from heron.evaluation.learning.curves import curves_of
 from heron.evaluation.learning.page import name_of, page_of
 from heron.evaluation.learning.trainings import trainings_of

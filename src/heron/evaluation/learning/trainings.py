@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from campaign import Scalar, Value
+from dslkit.campaign import Scalar, Value
 from heron.evaluation.statistics import Comparison, compare
 from heron.variants import Formulation, LearningArm
 

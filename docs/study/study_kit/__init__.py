@@ -1,0 +1,1 @@
+"""The study kit: prepares sessions, watches them, and analyses what they leave."""

@@ -1,0 +1,42 @@
+"""The bar that shows how far a campaign is, and the failures above it."""
+
+from __future__ import annotations
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from dslkit.campaign.workers import Result
+
+
+class Bar:
+    """To be used in a `with`."""
+
+    def __init__(self, console: Console, title: str) -> None:
+        self._progress = Progress(
+            TextColumn("{task.description}"),
+            BarColumn(),
+            MofNCompleteColumn(),
+            TimeRemainingColumn(),
+            console=console,
+        )
+        self._task = self._progress.add_task(title, total=None)
+
+    def __enter__(self) -> Bar:
+        self._progress.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._progress.stop()
+
+    def begin(self, count: int, done: int) -> None:
+        """Of `count` episodes, `done` were in the journal."""
+        self._progress.update(self._task, total=count, completed=done)
+        if done:
+            self._progress.console.print(f"{done} of {count} are done already", highlight=False)
+
+    def hear(self, result: Result) -> None:
+        """One more."""
+        if result.value is None:
+            words = f"{result.key} failed: {result.failure}"
+            self._progress.console.print(words, markup=False, highlight=False)
+        self._progress.advance(self._task)

@@ -1,0 +1,55 @@
+"""Running a campaign: what is in the journal is not run again, what comes goes into it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from contextlib import closing
+from dataclasses import dataclass
+from typing import Protocol
+
+from dslkit.campaign.journal import Journal
+from dslkit.campaign.workers import Result, Value, Work, Workers
+
+
+@dataclass(frozen=True)
+class Failure:
+    """An episode that was not finished. It is not in the journal, so it will be tried again."""
+
+    key: str
+    reason: str
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """The outcome: rows by key, in the order of the keys."""
+
+    values: Mapping[str, Value]
+    failures: tuple[Failure, ...]
+
+
+class Witness(Protocol):
+    """Hears how far it is."""
+
+    def begin(self, count: int, done: int) -> None:
+        """Of `count` episodes, `done` were in the journal."""
+
+    def hear(self, result: Result) -> None:
+        """One more."""
+
+
+def run(
+    keys: Sequence[str], work: Work, journal: Journal, workers: Workers, witness: Witness
+) -> Campaign:
+    """Run the episodes of all keys that are not in the journal."""
+    missing = [key for key in dict.fromkeys(keys) if key not in journal.values]
+    witness.begin(len(set(keys)), len(set(keys)) - len(missing))
+    failures = []
+    with closing(workers.results(work, missing)) as results:
+        for result in results:
+            if result.value is None:
+                failures.append(Failure(result.key, result.failure))
+            else:
+                journal.append(result.key, result.value)
+            witness.hear(result)
+    values = {key: journal.values[key] for key in keys if key in journal.values}
+    return Campaign(values, tuple(failures))

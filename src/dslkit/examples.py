@@ -1,0 +1,56 @@
+"""Copies folders of examples for users: all files or none, and never over a file that is there."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TypeVar
+
+Example = TypeVar("Example")
+
+
+class UnknownExampleError(LookupError):
+    """There is no example of this name; the message says so to a user."""
+
+
+class FilesAreThereError(Exception):
+    """Files of this name are there already: `paths`. None was written."""
+
+    def __init__(self, paths: Sequence[Path]) -> None:
+        super().__init__(", ".join(map(str, paths)))
+        self.paths = paths
+
+
+def named(known: Mapping[str, Example], name: str, kind: str) -> Example:
+    """The example of a name, in upper or lower case; `kind` is the word for it in the message.
+    Raises `UnknownExampleError`.
+    """
+    if found := known.get(name.lower()):
+        return found
+    near = difflib.get_close_matches(name.lower(), known, n=1)
+    hint = f"did you mean `{near[0]}`?" if near else f"there are {', '.join(known)}"
+    raise UnknownExampleError(f"there is no {kind} `{name}` in the box; {hint}")
+
+
+def files_of(folder: Path) -> Sequence[Path]:
+    """All files of an example, by their paths in its folder, in the order of their names."""
+    inside = (path for path in folder.rglob("*") if path.is_file())
+    return sorted(path.relative_to(folder) for path in inside if "__pycache__" not in path.parts)
+
+
+def copy_example(example: Path, folder: Path) -> Sequence[Path]:
+    """Copy the files of an example into a folder, which need not exist yet, and return what was
+    written. Raises `FilesAreThereError` before anything is written, and `OSError`.
+    """
+    files = files_of(example)
+    targets = [folder / each for each in files]
+    present = [path for path in targets if os.path.lexists(path)]
+    if present:
+        raise FilesAreThereError(present)
+    for source, target in zip(files, targets, strict=True):
+        target.parent.mkdir(parents=True, exist_ok=True)
+        with target.open("xb") as stream:  # a file that somebody else has just written stays
+            stream.write((example / source).read_bytes())
+    return targets
