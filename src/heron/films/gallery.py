@@ -53,8 +53,8 @@ EXHIBITS = (
         "place",
         Table.HIGH,
         "The table is higher than the arm's model of it. Without a monitor, the arm hammers on the "
-        "table until it releases the block. The rules make the arm retract, lower its stiffness, and "
-        "place the block again.",
+        "table until it releases the block. The rules make the arm retract, lower its stiffness, "
+        "and place the block again.",
     ),
     Exhibit(
         "human",
@@ -128,7 +128,7 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
         "",
         "<!-- Written by `heron gallery`; do not edit. -->",
         "",
-        f"Each film shows two episodes with the same seed ({seed}), synchronized and at the same speed.",
+        f"Each film shows two episodes with the same seed ({seed}), synchronized in time.",
         "The line below each picture shows the running skill and the active rules.",
         "[The experiments](experiments.md) page has the figures of many seeds.",
         "",
