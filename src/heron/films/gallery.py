@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from dslkit.ownership import Comment, list_written, marked
 from dslkit.writing import write_whole
 from heron.experiments import EXPERIMENTS
 from heron.experiments.experiment import ARM_NAMES
@@ -17,7 +18,7 @@ from heron.films.processes import in_processes
 from heron.variants import Arm, Blockage, Encounter, Passage, Person, Table, Terrain, Trouble
 
 PAGE = "gallery.md"
-_FOLDER = "gallery"
+FOLDER = "gallery"
 _SIZE = (400, 225)
 
 
@@ -103,7 +104,7 @@ def write_gallery(out: Path, seed: int) -> Path:
 
     Raises `CannotDrawError` and `OSError`.
     """
-    folder = out / _FOLDER
+    folder = out / FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder) as unfinished:
         films = [(each, seed, Path(unfinished) / f"{each.name}.webp") for each in EXHIBITS]
@@ -111,7 +112,8 @@ def write_gallery(out: Path, seed: int) -> Path:
         for _, _, film in films:
             film.replace(folder / film.name)
     page = out / PAGE
-    write_whole(page, page_of(EXHIBITS, seed))
+    list_written(folder, [film.name for _, _, film in films], "heron")
+    write_whole(page, marked(page_of(EXHIBITS, seed), "heron", Comment.MARKUP))
     return page
 
 
@@ -144,7 +146,7 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
             "",
             exhibit.words,
             "",
-            f"![{title}: {without}, and with {guard}]({_FOLDER}/{exhibit.name}.webp)",
+            f"![{title}: {without}, and with {guard}]({FOLDER}/{exhibit.name}.webp)",
             "",
             "Make a film of one episode, as MP4 or GIF:",
             "",

@@ -20,7 +20,9 @@ class Escalated(Remark):
 class WheneverNot(Remark):
     """The label of a rule that is active whenever another one is."""
 
-    says = "whenever this is not, that is not either"
+    says = "whenever `{active}` is inactive, `{rule}` is inactive too"
+    active: str
+    rule: str
 
 
 class Decided(Remark):
