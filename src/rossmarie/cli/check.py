@@ -67,9 +67,6 @@ def run_check(
         reported = each_once(found)
         output.log_study(study, "check", files, reported)
         output.print_diagnostics(reported, form, file_count=len(files))
-        if any(each.lacks_solver for each in analyses):
-            advice = output.extras().advice("solver")
-            output.complain(f"without z3, no rules were checked against each other: {advice}")
         if witnesses is not None and is_tests:
             _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
         elif witnesses is not None:
