@@ -146,6 +146,14 @@ def no_option_has(*parts: str) -> Callable[[Path], bool]:
     )
 
 
+def no_option_of_heron_run(option: str, *experiments: str) -> Callable[[Path], bool]:
+    """A probe: `heron run EXPERIMENT` has no such option."""
+    runs = typer.main.get_command(heron.cli.main.app).commands["run"].commands  # type: ignore[attr-defined]
+    return lambda _: (
+        not [name for name in experiments for each in runs[name].params if option in each.opts]
+    )
+
+
 def batches_are_not_copied(folder: Path) -> bool:
     """A probe: a batch of guards refuses to be copied."""
     batch = guard_of("python", folder).batch(2)
@@ -209,6 +217,11 @@ DENIALS = (
     ),
     Denial("docs/reference/limits.md", r"[Nn]o option raises", no_option_has("limit", "max")),
     Denial("docs/explanation/security.md", r"[Nn]o option raises", no_option_has("limit", "max")),
+    Denial(
+        "docs/how-to/run-the-experiments.md",
+        r"Experiments II to IV",
+        no_option_of_heron_run("--ros1", "place", "human", "contact"),
+    ),
     Denial("docs/reference/python.md", r"batch cannot be copied", batches_are_not_copied),
 )
 """What pages say that the programs cannot do, with a probe for each."""
