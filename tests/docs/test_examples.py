@@ -27,6 +27,11 @@ from support.rule_skills import put_skills
 
 ROOT = Path(__file__).parents[2]
 STUDY = ROOT / "docs" / "study"
+TUTORIALS = ROOT / "docs" / "tutorial"
+"""Their Python finds its files from any current folder."""
+CLONE = re.compile(r"in a\s+clone\s+of\s+the\s+repository")
+FIRST_FOLDER = re.compile(r"Begin in (?:an empty folder|the folder of)")
+"""A tutorial begins in a clone, which has the examples, or in a folder without files."""
 PAGES = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 NEEDS = {"docs/how-to/learn-behind-rules.md": LEARNERS}
 """Parts of a machine that pages need."""
@@ -47,22 +52,31 @@ def examples() -> Iterator[Any]:
 def test_the_examples_of_a_page_work(page: Path, tmp_path: Path) -> None:
     text = page.read_text(encoding="utf-8")
     folder = tmp_path / "project"
-    shutil.copytree(ROOT / "examples", folder / "examples")
-    put_skills(folder)
+    folder.mkdir()
+    is_tutorial = page.is_relative_to(TUTORIALS)
+    if not is_tutorial or CLONE.search(text):
+        shutil.copytree(ROOT / "examples", folder / "examples")
+    else:
+        assert FIRST_FOLDER.search(text), "a tutorial says in which folder a reader begins"
+    if not is_tutorial:
+        put_skills(folder)
     if page.is_relative_to(STUDY):
         shutil.copytree(STUDY, folder / "docs" / "study")
+    elsewhere = tmp_path / "elsewhere"
+    elsewhere.mkdir()
     for block in blocks(text):
-        problems = check_block(block, folder)
+        problems = check_block(block, folder, elsewhere if is_tutorial else folder)
         assert not problems, f"{name(page)}:{block.line}: " + "\n".join(problems)
 
 
-def check_block(block: Block, folder: Path) -> list[str]:
+def check_block(block: Block, folder: Path, current: Path) -> list[str]:
+    """The problems with a block that belongs in `folder`; Python runs in the folder `current`."""
     if block.language == "ross":
         return check_rules(block, folder)
     if block.language == "console":
         return transcript.run(block.text, folder)
     if block.language == "python":
-        return run_python(block, folder)
+        return run_python(block, folder, current)
     if block.language == "text" and block.name:
         (folder / block.name).write_text(block.text, encoding="utf-8")
     return []
@@ -82,11 +96,11 @@ def check_rules(block: Block, folder: Path) -> list[str]:
     ]
 
 
-def run_python(block: Block, folder: Path) -> list[str]:
+def run_python(block: Block, folder: Path, current: Path) -> list[str]:
     path = folder / (block.name or "example.py")
     path.write_text(block.text, encoding="utf-8")
     done = subprocess.run(
-        [sys.executable, path], cwd=folder, capture_output=True, text=True, check=False
+        [sys.executable, path], cwd=current, capture_output=True, text=True, check=False
     )
     return [done.stderr] if done.returncode else []
 

@@ -13,7 +13,7 @@ from rossmarie.naming import public_prefix
 from support.markdown import blocks
 
 ROOT = Path(__file__).parents[2]
-FIRST = ("README.md", "docs/tutorial/first-rules.md")
+FIRST = ("README.md", "docs/tutorial/tour.md", "docs/tutorial/first-rules.md")
 """Pages whose listings, but those with planted faults, are built for either generation of ROS."""
 
 FAULTY = {"wrong.ross"}

@@ -24,7 +24,7 @@ _SIZE = (400, 225)
 
 @dataclass(frozen=True)
 class Exhibit:
-    """Episodes of a variant, and what there is to see in their film."""
+    """Episodes of a variant, and the text beside their film."""
 
     experiment: str
     variant: enum.Enum
@@ -40,64 +40,70 @@ EXHIBITS = (
     Exhibit(
         "nav",
         Terrain.GENTLE,
-        "A bump, and a ramp that needs more torque than the base usually gives. Without a monitor "
-        "the base hits the bump at full speed and stalls on the ramp. The rules slow it down on "
-        "the bump and let it push on the ramp, until the ground is level again.",
+        "The base drives over a bump and up a ramp that needs more than its normal torque. Without "
+        "a monitor, the base hits the bump at full speed and stalls on the ramp. The rules slow "
+        "the base down on the bump, and raise its torque limit until the ground is level again.",
     ),
     Exhibit(
         "nav",
         Terrain.STEEP,
-        "The same corridor with a ramp of 25 degrees. Without a monitor the base stalls at its "
-        "toe. The rules let it back off, and take the other way into the room.",
+        "The same corridor has a ramp of 25 degrees. Without a monitor, the base stalls at the "
+        "foot of the ramp. The rules make the base back off, and take the other path to the room.",
     ),
     Exhibit(
         "place",
         Table.HIGH,
-        "A table that is higher than the arm believes. Without a monitor the arm hammers on it "
-        "until it lets go. The rules let it retract, soften, and place the block once more.",
+        "The table is higher than the arm's model of it. Without a monitor, the arm hammers on the "
+        "table until it releases the block. The rules make the arm retract, lower its stiffness, "
+        "and place the block again.",
     ),
     Exhibit(
         "human",
         Person.INSIDE,
-        "Somebody comes into the room where the arm works. Without a monitor it goes on at full "
-        "speed beside them. With rules it is slower as soon as they are in the room, stands still "
-        "before they are within its reach, gives way when they push it, and goes on when they "
-        "have left.",
+        "A person enters the room where the arm works. Without a monitor, the arm continues at "
+        "full speed beside the person. The rules slow the arm down when the person enters the "
+        "room, and stop the arm before the person is within its reach. The arm yields when the "
+        "person pushes it, and continues when the person has left.",
     ),
     Exhibit(
         "contact",
         Encounter.COLLISION,
-        "The arm pushes a box and wipes a board. In between it hits a forearm. Without a monitor "
-        "it presses on until the forearm is drawn back. The rules know that pushing and wiping "
-        "need contact, and let it be; on the forearm they let the arm back off at once.",
+        "The arm pushes a box and wipes a board. In between, the arm hits a forearm. Without a "
+        "monitor, the arm keeps pressing until the person draws the forearm back. The rules know "
+        "that pushing and wiping need contact, and permit it. When the arm hits the forearm, the "
+        "rules make the arm back off at once.",
     ),
     Exhibit(
         "corridor",
         Passage.CHILD,
-        "The base drives along a corridor, and a child runs out of a door. Without a monitor the "
+        "The base drives along a corridor, and a child runs out of a door. Without a monitor, the "
         "base hits the child at full speed. The rules know which part of the corridor belongs to a "
-        "school: the base is slow there before any sensor sees a child, and stands in time.",
+        "school. The base is slow there before any sensor sees a child, and stops in time.",
     ),
     Exhibit(
         "blocked",
         Blockage.PALLET,
-        "A pallet stands across the short way to a hall. Without a monitor the base stands before "
-        "it until an operator takes it away. The rules let the base run a behavior tree: it waits, "
-        "turns back to the junction, and marks the way as blocked. Then the planner finds the "
-        "other way.",
+        "A pallet blocks the short path to a hall. Without a monitor, the base waits in front of "
+        "the pallet until an operator removes it. The rules start a behavior tree: the base waits, "
+        "turns back to the junction, and marks the path as blocked. Then the planner finds the "
+        "other path.",
     ),
     Exhibit(
         "second",
         Trouble.LASTING,
-        "The same scene, where a pallet stands across the short way in most runs. Without "
-        "knowledge of earlier runs the planner takes the short way, and the base loses time there. "
-        "With what `ezskiros learn` has counted in other runs, it takes the way by the yard.",
+        "In the same scene, a pallet blocks the short path in most runs. Without knowledge of "
+        "earlier runs, the planner takes the short path, and the base loses time there. With the "
+        "counts of `ezskiros learn` from earlier runs, the planner takes the path through the "
+        "yard.",
     ),
 )
 
 
 def write_gallery(out: Path, seed: int) -> Path:
-    """The page, and beside it a folder with the films. Raises `CannotDrawError` and `OSError`."""
+    """Write the page, and beside the page a folder with the films.
+
+    Raises `CannotDrawError` and `OSError`.
+    """
     folder = out / FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder) as unfinished:
@@ -124,9 +130,9 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
         "",
         "<!-- Written by `heron gallery`; do not edit. -->",
         "",
-        f"Each film shows two episodes with the same seed ({seed}), at the same time and speed.",
-        "The line below a picture has the skill that runs, and the rules that are active.",
-        "[The experiments](experiments.md) has the figures of many seeds.",
+        f"Each film shows two episodes with the same seed ({seed}), synchronized in time.",
+        "The line below each picture shows the running skill and the active rules.",
+        "[The experiments](experiments.md) page has the figures of many seeds.",
         "",
     ]
     for exhibit in exhibits:
@@ -142,7 +148,7 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
             "",
             f"![{title}: {without}, and with {guard}]({FOLDER}/{exhibit.name}.webp)",
             "",
-            "For a film of your own, of one episode, as MP4 or GIF:",
+            "Make a film of one episode, as MP4 or GIF:",
             "",
             f"    heron run {exhibit.experiment} --variant {exhibit.variant.value} "
             f"--seed {seed} --film {exhibit.name}.mp4",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from threading import Lock
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
@@ -59,6 +59,12 @@ class GuardBatch:
     def __len__(self) -> int:
         """The number of guards."""
         return self._count
+
+    def __reduce__(self) -> NoReturn:
+        """Refuse `copy`, `deepcopy` and `pickle`: the copy would share the state of the guards."""
+        raise TypeError(
+            "a batch of guards cannot be copied or pickled: make another with `guard.batch(n)`"
+        )
 
     @property
     def margin(self) -> NDArray[np.float64]:

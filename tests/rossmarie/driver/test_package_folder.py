@@ -29,7 +29,7 @@ BUILD_TOOL = {"ros1": "catkin", "ros2": "ament_cmake"}
 
 @pytest.fixture
 def rules(tmp_path: Path) -> Path:
-    path = tmp_path / "slope.ross"
+    path = tmp_path / "tilt_stop.ross"
     path.write_text(RULES, encoding="utf-8")
     return path
 
@@ -69,14 +69,14 @@ def test_a_package_of_the_user_is_refused(target: str, rules: Path, folder: Path
     (folder / "package.xml").write_text(OF_THE_USER.format(BUILD_TOOL[target]), encoding="utf-8")
     found = refused(rules, target, folder)
     assert (found.code, found.primary.span.text) == ("ROSS806", "<name>my_robot</name>")
-    assert "`my_robot`, which was not generated from slope.ross" in found.title
+    assert "`my_robot`, which was not generated from tilt_stop.ross" in found.title
 
 
 def test_the_package_of_other_rules_is_refused(rules: Path, folder: Path) -> None:
     build_files(rules, "ros2", folder)
     other = rules.rename(rules.with_name("arm.ross"))
     found = refused(other, "ros2", folder)
-    assert (found.code, found.primary.span.text) == ("ROSS806", "<name>slope_safety</name>")
+    assert (found.code, found.primary.span.text) == ("ROSS806", "<name>tilt_stop_safety</name>")
 
 
 def test_a_package_that_names_no_build_system_is_another_one(rules: Path, folder: Path) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from pathlib import Path
 from typing import Any
 
@@ -140,3 +142,10 @@ def test_each_row_has_margins_of_its_own(guard: Guard) -> None:
     assert batch.rules_with_margin == ("fast", "near")
     batch.step(0, SEEN, WANTED)
     np.testing.assert_allclose(batch.margin[2], [3.6, -200.0])
+
+
+def test_a_batch_refuses_to_be_copied(guard: Guard) -> None:
+    batch = guard.batch(2)
+    for copied in (copy.copy, copy.deepcopy, pickle.dumps):
+        with pytest.raises(TypeError, match=r"make another with `guard.batch\(n\)`"):
+            copied(batch)
