@@ -287,8 +287,8 @@ def test_messages_say_what_to_write(parsed: Parsed) -> None:
     assert "joined by `and`" in (found.help or "")
     (found,) = parsed("const a = 1,000 m")[1]
     assert (
-        found.help
-        == "write `1.000` if the comma begins the decimals, or `1000` if the comma separates thousands"
+        found.help == "write `1.000` if the comma begins the decimals, "
+        "or `1000` if the comma separates thousands"
     )
     (found,) = parsed("if a then { b; } \n else { c; }")[1]
     assert "no `else`" in (found.help or "")
