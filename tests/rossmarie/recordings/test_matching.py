@@ -199,7 +199,7 @@ def test_a_topic_that_is_mapped_to_nothing(tmp_path: Path) -> None:
     _, found = replay(path, rules, {"/odom": "/nothing"})
     assert codes(found) == ["ROSS601"]
     assert "`/nothing` is not in the recording" in found[0].title
-    assert found[0].help == "did you mean `/scan`? then say `--topic-map /odom=/scan`"
+    assert found[0].help == "did you mean `/scan`? then add `--topic-map /odom=/scan`"
     assert replay(path, rules, {"/odom": "/scan"})[1] == ()
 
 
