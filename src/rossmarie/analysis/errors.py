@@ -14,7 +14,7 @@ class WhileActive(Remark):
 class Escalated(Remark):
     """The label of what an escalation does to a command."""
 
-    says = "in force once what stands before its `else` has failed"
+    says = "in force once the part before `else` has failed"
 
 
 class WheneverNot(Remark):
@@ -28,7 +28,7 @@ class WheneverNot(Remark):
 class Decided(Remark):
     """The label of the part of a condition that decides it."""
 
-    says = "this is {outcome}"
+    says = "this part is {outcome}"
     outcome: str
 
 
@@ -43,35 +43,35 @@ class NumberIs(Remark):
 class NeedsItToo(Remark):
     """The label of the other of two rules that need the same thing."""
 
-    says = "this rule needs it too"
+    says = "this rule needs the same resource"
 
 
 class Shown(Remark):
     """The note that tells a witness."""
 
-    says = "shown by this: {trace}"
+    says = "example: {trace}"
     trace: str
 
 
 class ShownWithLoss(Remark):
     """The note that tells a witness in which an input is missing."""
 
-    says = "shown by this, where an input is missing: {trace}"
+    says = "example with a missing input: {trace}"
     trace: str
 
 
 class NameRules(Remark):
     """The help where rules that need an order have no names."""
 
-    says = "name both rules, and say which is more important: `priority RULE over RULE;`"
+    says = "name both rules, and declare which rule is more important: `priority RULE over RULE;`"
 
 
 class OrderRules(Remark):
     """The help where rules need an order."""
 
     says = (
-        "say which is more important: `priority {first} over {second};`, or the other way round; "
-        "or let one give way: `if ... unless RULE then`"
+        "declare which rule is more important: `priority {first} over {second};` or the reverse; "
+        "or let one rule give way: `if ... unless RULE then`"
     )
     first: str
     second: str
@@ -81,8 +81,8 @@ class RulesConflict(Warning, code="ROSS700", name="rules-conflict"):
     """Two rules that are active together and need the same thing, with no order between them."""
 
     title = "rules `{first}` and `{second}` can be active together, and both need {resource}"
-    label = "which one gets it?"
-    note = "without an order, the rule that stands first in the file gets it: `{first}`"
+    label = "which rule gets the resource?"
+    note = "without a priority, the first rule in the file gets the resource: `{first}`"
     first: str
     second: str
     resource: str
@@ -92,7 +92,7 @@ class NeverTogether(Note, code="ROSS701", name="never-together"):
     """A proof that two rules that need the same thing are never active together."""
 
     title = "proved: rules `{first}` and `{second}` are never active together"
-    label = "both need {resource}, and need no order"
+    label = "both rules need {resource}; no priority is needed"
     first: str
     second: str
     resource: str
@@ -101,7 +101,7 @@ class NeverTogether(Note, code="ROSS701", name="never-together"):
 class ConflictOrdered(Note, code="ROSS702", name="conflict-ordered"):
     """Two rules that need the same thing, and the order that says which one gets it."""
 
-    title = "rules `{first}` and `{second}` both need {resource}: `{first}` comes first"
+    title = "rules `{first}` and `{second}` both need {resource}: `{first}` has priority"
     label = "{together}"
     first: str
     second: str
@@ -114,7 +114,7 @@ class NeverActive(Warning, code="ROSS703", name="never-active"):
 
     title = "rule `{rule}` is never active: its condition cannot be true"
     label = "{rest}"
-    help = "mend the condition, or leave the rule out"
+    help = "correct the condition, or remove the rule"
     rule: str
     rest: str
 
@@ -124,7 +124,7 @@ class AlwaysActive(Warning, code="ROSS704", name="always-active"):
 
     title = "rule `{rule}` is always active: its condition cannot be false"
     label = "once active, nothing clears it"
-    help = "mend the condition; what is always to be done needs no rule"
+    help = "correct the condition; an effect that is always wanted needs no rule"
     rule: str
 
 
@@ -132,8 +132,8 @@ class ConstantPart(Warning, code="ROSS705", name="constant-part"):
     """A part of a condition that has one outcome whatever is measured."""
 
     title = "`{condition}` is {outcome}"
-    label = "whatever is measured"
-    help = "mend it, or leave it out"
+    label = "for all input values"
+    help = "correct this part, or remove it"
     condition: str
     outcome: str
 
@@ -141,9 +141,12 @@ class ConstantPart(Warning, code="ROSS705", name="constant-part"):
 class RuleImplied(Warning, code="ROSS706", name="rule-implied"):
     """A rule that does what another one does whenever it is active."""
 
-    title = "rule `{rule}` adds nothing: whenever it is active, `{other}` is, with the same actions"
-    label = "leaving it out changes nothing"
-    help = "leave it out, or give it actions of its own"
+    title = (
+        "rule `{rule}` adds nothing: whenever it is active, `{other}` is active with the same "
+        "actions"
+    )
+    label = "removing this rule changes nothing"
+    help = "remove the rule, or give the rule actions of its own"
     rule: str
     other: str
 
@@ -152,8 +155,8 @@ class NoWayOut(Warning, code="ROSS707", name="no-way-out"):
     """A rule that nothing clears once it is active."""
 
     title = "rule `{rule}` is never cleared"
-    label = "its condition cannot be false while its contract is met"
-    help = "mend the contract; if somebody has to look first, write `latched until reset`"
+    label = "the condition cannot be false while the resume contract is met"
+    help = "correct the contract; if an operator has to look first, write `latched until reset`"
     rule: str
 
 
@@ -171,9 +174,9 @@ class Chattering(Warning, code="ROSS708", name="chattering"):
 class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
     """A command that a limit in force at the same time cuts to zero."""
 
-    title = "rule `{rule}` publishes {field} = {value} on {topic}, and {limit} makes it 0"
-    label = "this command does nothing"
-    help = "let the limit leave room for the command: its bounds are [{low}, {high}]"
+    title = "rule `{rule}` publishes {field} = {value} on {topic}, but {limit} makes it 0"
+    label = "this command has no effect"
+    help = "change the limit so that it allows the command; the bounds are [{low}, {high}]"
     rule: str
     field: str
     value: str
@@ -183,15 +186,18 @@ class RecoveryBlocked(Warning, code="ROSS709", name="recovery-blocked"):
     high: str
 
     class Limit(Remark):
-        says = "this lies on it at the same time"
+        says = "this limit is in force at the same time"
 
 
 class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition"):
     """A rule keeps its own condition from becoming false, by its effect on a command."""
 
-    title = "rule `{rule}` keeps itself active: it {does}, which its condition reads"
-    label = "so nothing clears the rule"
-    help = "read what the planner asks for ({asked}) or what the robot does, not what has passed"
+    title = "rule `{rule}` keeps itself active: it {does}, and its condition reads the result"
+    label = "nothing clears this rule"
+    help = (
+        "read the command of the planner ({asked}) or the motion of the robot, not the filtered "
+        "command"
+    )
     rule: str
     does: str
     asked: str
@@ -200,9 +206,12 @@ class LimitHoldsCondition(Warning, code="ROSS710", name="limit-holds-condition")
 class LimitEndsCondition(Warning, code="ROSS720", name="limit-ends-condition"):
     """A rule that is cleared by its own effect on a command, while its reason lasts."""
 
-    title = "rule `{rule}` switches itself off: it {does}, which its condition reads"
-    label = "the next command that passes clears the rule, and the one after it is free again"
-    help = "read what the planner asks for ({asked}) or what the robot does, not what has passed"
+    title = "rule `{rule}` switches itself off: it {does}, and its condition reads the result"
+    label = "the next filtered command clears the rule, and the command after it is not limited"
+    help = (
+        "read the command of the planner ({asked}) or the motion of the robot, not the filtered "
+        "command"
+    )
     rule: str
     does: str
     asked: str
@@ -211,9 +220,15 @@ class LimitEndsCondition(Warning, code="ROSS720", name="limit-ends-condition"):
 class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
     """A rule that never gets what it needs."""
 
-    title = "rule `{rule}` never gets {resource}: whenever it is active, `{other}` is, and has it"
-    label = "`{other}` comes first"
-    help = "put it first: `priority {rule} over {other};`, or narrow the condition of `{other}`"
+    title = (
+        "rule `{rule}` never gets {resource}: whenever it is active, `{other}` is active and has "
+        "priority"
+    )
+    label = "`{other}` has priority"
+    help = (
+        "give this rule priority: `priority {rule} over {other};`, or narrow the condition of "
+        "`{other}`"
+    )
     rule: str
     other: str
     resource: str
@@ -222,9 +237,9 @@ class NeverItsTurn(Warning, code="ROSS711", name="never-its-turn"):
 class LossUnnoticed(Warning, code="ROSS712", name="loss-unnoticed"):
     """An input with a timeout on whose loss no rule becomes active."""
 
-    title = "nothing happens when `{input}` is stale"
-    label = "no rule becomes active when its timeout is over"
-    help = "let a rule notice: `if age({input}) > ... then ...`"
+    title = "no rule reacts when `{input}` is stale"
+    label = "no rule becomes active after the timeout of this input"
+    help = "add a rule for the stale input: `if age({input}) > ... then ...`"
     input: str
 
 
@@ -241,18 +256,18 @@ class LatchReleased(Warning, code="ROSS716", name="latch-released"):
         says = "this rule waits for a reset"
 
     class OwnLatch(Remark):
-        says = "leave the reset to an operator, or leave `latched until reset` out"
+        says = "leave the reset to an operator, or remove `latched until reset`"
 
     class NameRules(Remark):
         says = (
-            "leave the reset to an operator; or name both rules, and say that it is meant: "
-            "`priority RULE over RULE;`"
+            "leave the reset to an operator; if the reset is intended, name both rules and "
+            "declare: `priority RULE over RULE;`"
         )
 
     class GiveWay(Remark):
         says = (
             "leave the reset to an operator, or write `unless {latched}` after the condition of "
-            "`{rule}`; if the reset is meant, say so: `priority {rule} over {latched};`"
+            "`{rule}`; if the reset is intended, declare: `priority {rule} over {latched};`"
         )
         rule: str
         latched: str
@@ -262,30 +277,33 @@ class LimitHoldsRelease(Warning, code="ROSS717", name="limit-holds-release"):
     """A rule keeps its own `clear when` from becoming true, by its effect on a command."""
 
     title = "rule `{rule}` is never cleared: it {does}, and so `{release}` is {when}"
-    label = "so nothing clears the rule"
-    help = "read what the planner asks for or what the robot does, not what has passed the filter"
+    label = "nothing clears this rule"
+    help = "read the command of the planner or the motion of the robot, not the filtered command"
     rule: str
     does: str
     release: str
     when: str
 
     class Release(Remark):
-        says = "this is what clears the rule"
+        says = "this condition clears the rule"
 
 
 class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
     """Rules that become active again and again by what they publish."""
 
     title = "{rules} {whom} off again and again by publishing"
-    label = "it publishes on {topic}, which {reader} reads"
-    help = "publish on a topic that none of these rules reads, or leave room between conditions"
+    label = "this rule publishes on {topic}, which {reader} reads"
+    help = (
+        "publish on a topic that none of these rules reads, or leave a margin between the "
+        "conditions"
+    )
     rules: str
     whom: str
     topic: str
     reader: str
 
     class Other(Remark):
-        says = "this one publishes on {topic}, which {reader} reads"
+        says = "this rule publishes on {topic}, which {reader} reads"
         topic: str
         reader: str
 
@@ -298,17 +316,17 @@ class RulesAlternate(Warning, code="ROSS718", name="rules-alternate"):
 class NotInTime(Error, code="ROSS721", name="not-in-time"):
     """A rule that is not active when it is too late to brake."""
 
-    title = "rule `{rule}` acts too late: `{motion}` can arrive there faster than {speed}"
-    label = "it is too late to brake, and the condition of the rule is false"
-    help = "compare the distance with `stopping({motion}, {speed})`, or ask for less"
+    title = "rule `{rule}` acts too late: `{motion}` can arrive faster than {speed}"
+    label = "braking is too late here, but the condition of the rule is still false"
+    help = "compare the distance with `stopping({motion}, {speed})`, or demand less"
     rule: str
     motion: str
     speed: str
 
     class Reaction(Remark):
         says = (
-            "the brakes of `{motion}` hold up to {reaction} after a message: {timeout} until the "
-            "next one is missed, and {latency} of latency"
+            "the brakes of `{motion}` engage up to {reaction} after a message: {timeout} until the "
+            "next message is missed, plus {latency} of latency"
         )
         motion: str
         reaction: str
@@ -320,7 +338,7 @@ class InTime(Note, code="ROSS722", name="in-time"):
     """A proof that a rule acts before it is too late to brake."""
 
     title = "proved: rule `{rule}` acts in time"
-    label = "it {text}, with the slowest brakes and the latest message"
+    label = "the rule {text}, even with the slowest brakes and the latest message"
     rule: str
     text: str
 
@@ -328,7 +346,7 @@ class InTime(Note, code="ROSS722", name="in-time"):
 class NotProved(Error, code="ROSS723", name="not-proved-in-time"):
     """A rule that keeps a speed, of which nobody knows whether it acts in time."""
 
-    title = "nobody knows whether rule `{rule}` acts in time"
+    title = "cannot decide whether rule `{rule}` acts in time"
     label = "{reason}"
     help = "compare the distance from {places} itself with `stopping({motion}, {speed})`"
     rule: str
@@ -343,7 +361,7 @@ class Undecided(Note, code="ROSS729", name="undecided"):
 
     title = "undecided: {query}"
     label = "{reason}"
-    note = "this is neither proved nor shown; do not take it for an answer"
+    note = "the property is neither proved nor refuted: do not rely on it"
     query: str
     reason: str
 

@@ -9,23 +9,25 @@ class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
     """A duration that no message rate of the system model can satisfy."""
 
     title = "`{condition}` is never true at the rate of {topic}"
-    label = "not while messages come as the system model says"
-    help = "mend the timeout, the duration, or the rate in the system model"
+    label = "not while messages arrive at the rate in the system model"
+    help = "correct the timeout, the duration, or the rate in the system model"
     condition: str
     topic: str
 
     class Rate(Remark):
-        says = "messages on {topic} come {apart}; {reason}"
+        says = "messages on {topic} arrive {apart}; {reason}"
         topic: str
         apart: str
         reason: Remark
 
     class NeverCleared(Remark):
-        says = "so rule `{rule}` is never cleared then"
+        says = "rule `{rule}` is then never cleared"
         rule: str
 
     class Over(Remark):
-        says = "{age} after each `{condition}` can no longer be true, until the next"
+        says = (
+            "{age} after each message, `{condition}` can no longer be true until the next message"
+        )
         age: str
         condition: str
 
@@ -35,7 +37,9 @@ class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
         time: str
 
     class Forgotten(Remark):
-        says = "`{input}` is stale {timeout} after each, and the value before it is forgotten"
+        says = (
+            "`{input}` is stale {timeout} after each message, and its previous value is forgotten"
+        )
         input: str
         timeout: str
 
@@ -43,9 +47,12 @@ class NeverAtRate(Warning, code="ROSS713", name="never-at-rate"):
 class StaleBetweenMessages(Warning, code="ROSS714", name="stale-between-messages"):
     """An input whose timeout is shorter than the time from message to message."""
 
-    title = "`{input}` is stale although messages come: {timeout} after one, the next is not due"
-    label = "messages on {topic} come {apart}"
-    help = "write a timeout longer than {longest}, or mend the rate in the system model"
+    title = (
+        "`{input}` becomes stale between messages: the next message is not due {timeout} after a "
+        "message"
+    )
+    label = "messages on {topic} arrive {apart}"
+    help = "write a timeout longer than {longest}, or correct the rate in the system model"
     input: str
     topic: str
     apart: str
@@ -62,8 +69,10 @@ class OneMessageEnough(Warning, code="ROSS715", name="one-message-enough"):
     """A `for` that is over before the next message can come."""
 
     title = "one message is enough for `{condition}`"
-    label = "over before the next message on {topics}, which comes {least} later or more"
-    help = "a `for` that is to outlast a single reading has to be longer than {least}"
+    label = (
+        "this time ends before the next message on {topics}, which arrives at least {least} later"
+    )
+    help = "to require more than one reading, write a `for` longer than {least}"
     condition: str
     topics: str
     least: str
@@ -73,19 +82,22 @@ class UnfitWindow(Warning, code="ROSS719", name="unfit-window"):
     """A window in which more samples come than it holds, or one only."""
 
     title = "the window of `{text}` does not fit the rate of {topic}"
-    label = "messages on {topic} come {apart}"
+    label = "messages on {topic} arrive {apart}"
     text: str
     topic: str
     apart: str
 
     class TooMany(Remark):
-        says = "up to {count} samples come in {window}, and only the last {most} count"
+        says = "up to {count} samples arrive in {window}, but only the last {most} count"
         count: int
         window: str
         most: int
 
     class Single(Remark):
-        says = "there is never a second sample within {window}, so this is the last one"
+        says = (
+            "a second sample never arrives within {window}, so the window holds only the last "
+            "sample"
+        )
         window: str
 
     class Shorter(Remark):

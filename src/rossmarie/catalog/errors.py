@@ -8,8 +8,8 @@ from dslkit.diagnostics import Error, Template
 class InternalError(Error, code="ROSS900", name="internal-error"):
     """Something that cannot happen did."""
 
-    title = "this is a defect of rossmarie, not of your rules"
-    help = "please report it, with the file that you checked"
+    title = "internal error in rossmarie; the rules are not the cause"
+    help = "please report the error, with the file that you checked"
 
 
 ALL: tuple[type[Template], ...] = (InternalError,)

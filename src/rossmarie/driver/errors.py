@@ -10,7 +10,7 @@ class FileUnreadable(Error, code="ROSS801", name="file-unreadable"):
 
     title = "cannot read `{path}`"
     label = "{reason}"
-    help = "check the path, and that the file may be read"
+    help = "check the path and the read permission of the file"
     path: str
     reason: str
 
@@ -29,9 +29,9 @@ class NotUtf8(Error, code="ROSS802", name="not-utf8"):
 class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
     """An import that leads nowhere."""
 
-    title = "no file `{path}` to import"
+    title = "there is no file `{path}` to import"
     label = "looked for {looked_for}"
-    note = "the path of an import is relative to the file that imports"
+    note = "the path of an import is relative to the importing file"
     path: str
     looked_for: str
 
@@ -42,9 +42,9 @@ class ImportNotFound(Error, code="ROSS803", name="import-not-found"):
 class TooManyWarnings(Warning, code="ROSS804", name="too-many-warnings"):
     """The point from which on the warnings of a file are no longer shown."""
 
-    title = "there are more than {limit} warnings in this file"
-    label = "none is shown from here on"
-    help = "mend what the warnings above say; many of the others usually have the same cause"
+    title = "this file has more than {limit} warnings"
+    label = "warnings from here on are not shown"
+    help = "fix the warnings above; many of the others usually have the same cause"
     limit: int
 
 
@@ -52,9 +52,9 @@ class OtherGeneration(Error, code="ROSS805", name="other-generation"):
     """A package of one generation of ROS where one of the other is to be generated."""
 
     title = "`{folder}` holds a package for {found}, not for {wanted}"
-    label = "this makes it a package for {found}"
-    note = "files of the old package would stay beside the new ones, and {wanted} cannot build them"
-    help = "choose another folder by --out, or remove `{folder}`"
+    label = "this line makes the package a package for {found}"
+    note = "old files would stay beside the new files, and {wanted} cannot build the old files"
+    help = "choose another folder with --out, or remove `{folder}`"
     folder: str
     found: str
     wanted: str
@@ -64,8 +64,8 @@ class OtherPackage(Error, code="ROSS806", name="other-package"):
     """A package that was not generated from the rules, where theirs is to be generated."""
 
     title = "`{folder}` holds the package `{package}`, which was not generated from {rules}"
-    label = "this package would be replaced"
-    help = "choose another folder by --out: a generated package has a folder of its own"
+    label = "`build` would replace this package"
+    help = "choose another folder with --out: a generated package needs a folder of its own"
     folder: str
     package: str
     rules: str
@@ -76,18 +76,26 @@ class MalformedPackageXml(Error, code="ROSS807", name="malformed-package-xml"):
 
     title = "this package.xml is not well-formed XML"
     label = "{reason}"
-    note = "a build reads the package.xml in its folder, and the one of the package of the rules"
-    help = "correct the file at this place; `xmllint --noout package.xml` finds the next error"
+    note = (
+        "`build` reads the package.xml in the output folder, and the package.xml of the package "
+        "that holds the rules"
+    )
+    help = "correct the file at this position; `xmllint --noout package.xml` finds the next error"
     reason: str
 
 
 class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
     """A field of the package of the rules that a generated package cannot take over."""
 
-    title = "the generated package cannot take over this `{field}`"
+    title = "the generated package cannot use this `{field}`"
     label = "{form}"
-    note = "licence, maintainers and version come from the package.xml of the folder of the rules"
-    help = "correct it here; a licence and a maintainer can also be given as options of `build`"
+    note = (
+        "`build` takes licence, maintainers and version from the package.xml in the folder of the "
+        "rules"
+    )
+    help = (
+        "correct the field here; a licence and a maintainer can also be given as options of `build`"
+    )
     field: str
     form: str
 
@@ -95,22 +103,25 @@ class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
 class RulesAsSystem(Error, code="ROSS811", name="rules-as-system"):
     """A file with rules in the place of a system model."""
 
-    title = "`{path}` is no system model: it has rules"
-    label = "the first one"
+    title = "`{path}` is not a system model: it contains rules"
+    label = "the first rule"
     note = (
         "a system model declares the topics, types and places of a robot, for several rules files"
     )
-    help = "name the system model by --system, and the rules file as RULES"
+    help = "give the system model with --system, and the rules file as RULES"
     path: str
 
 
 class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
     """A file that is read as rules beside those that are checked, and is called otherwise."""
 
-    title = "`{path}` is no rules file: its name does not end in .ross"
-    label = "it is not read"
-    note = "the author of an import may lack the right to read the file, so no text of it is shown"
-    help = "name a file that ends in .ross; a link must lead to such a file"
+    title = "`{path}` is not a rules file: its name does not end in .ross"
+    label = "this file is not read"
+    note = (
+        "the author of an import may lack permission to read the file, so no text of the file is "
+        "shown"
+    )
+    help = "name a file that ends in .ross; a link must point to such a file"
     path: str
 
 
@@ -118,16 +129,24 @@ class ForeignFile(Error, code="ROSS810", name="foreign-file"):
     """A file of another kind, in the place of rules."""
 
     title = "`{path}` is {kind}, not a rules file"
-    label = "it begins like this"
-    note = "its name says so, or the signs that it begins with; nothing else of it is read"
+    label = "the file begins with this text"
+    note = (
+        "the file name or the first bytes of the file show the kind; the rest of the file is not "
+        "read"
+    )
     path: str
     kind: str
 
     class NameRules(Remark):
-        says = "name a file of rules, which ends in .ross; rules in this file need another name"
+        says = (
+            "name a rules file, which ends in .ross; if this file contains rules, rename the file"
+        )
 
     class Download(Remark):
-        says = "download the file itself and not the page that shows it: `raw` on most sites"
+        says = (
+            "download the file itself, not the page that shows the file: most sites have a `raw` "
+            "link"
+        )
 
 
 ALL: tuple[type[Template], ...] = (

@@ -45,17 +45,18 @@ class TopicNotRecorded(Warning, code="ROSS601", name="topic-not-recorded"):
     """An input whose topic is not in the recording."""
 
     title = "`{topic}` is not in the recording"
-    label = "stays unknown in this replay"
+    label = "this input stays unknown in this replay"
     note = "the recording holds {recorded}"
     help = (
-        "replay a recording of this topic, or name the recorded one: `--topic-map {read_as}=NAME`"
+        "replay a recording that has this topic, or give the recorded name: `--topic-map "
+        "{read_as}=NAME`"
     )
     topic: str
     read_as: str
     recorded: str
 
     class Near(Remark):
-        says = "did you mean `{near}`? then say `--topic-map {topic}={near}`"
+        says = "did you mean `{near}`? then add `--topic-map {topic}={near}`"
         near: str
         topic: str
 
@@ -64,8 +65,8 @@ class TopicOfAnotherType(Warning, code="ROSS602", name="topic-of-another-type"):
     """An input whose topic was recorded with another message type."""
 
     title = "`{topic}` was recorded as {recorded}"
-    label = "expects {expected}, and stays unknown in this replay"
-    help = "declare the input as {recorded}, or check that this is the topic meant"
+    label = "this input expects {expected}, and stays unknown in this replay"
+    help = "declare the input as {recorded}, or check that `{topic}` is the right topic"
     topic: str
     recorded: str
     expected: str
@@ -74,16 +75,16 @@ class TopicOfAnotherType(Warning, code="ROSS602", name="topic-of-another-type"):
 class TopicNeverSent(Warning, code="ROSS603", name="topic-never-sent"):
     """An input whose topic is in the recording, without a single message."""
 
-    title = "`{topic}` was recorded, but nothing was sent on it"
-    label = "stays unknown in this replay"
-    help = "check that the node that publishes it was running while this was recorded"
+    title = "`{topic}` is in the recording, but has no messages"
+    label = "this input stays unknown in this replay"
+    help = "check that the publisher of `{topic}` was running during the recording"
     topic: str
 
 
 class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
     """A field that a recorded topic does not have, or not as a value of this kind."""
 
-    title = "`{topic}` is recorded without a field `{field}` that holds {kind}"
+    title = "the recorded `{topic}` has no field `{field}` that holds {kind}"
     label = "this field stays unknown in this replay"
     note = "{reason}"
     help = "record again with {field}, or read another field"
@@ -97,18 +98,18 @@ class FieldNotRecorded(Warning, code="ROSS604", name="field-not-recorded"):
         column: str
 
     class OtherCloud(Remark):
-        says = "record again with clouds as ROS defines {message_type}"
+        says = "record again with point clouds in the ROS layout of {message_type}"
         message_type: str
 
     class OtherScan(Remark):
-        says = "record again with scans as ROS defines {message_type}"
+        says = "record again with laser scans in the ROS layout of {message_type}"
         message_type: str
 
     class Beams(Remark):
-        says = "a table holds no scans: replay the bag, or the MCAP file"
+        says = "a CSV table cannot hold laser scans: replay the bag or the MCAP file"
 
     class Points(Remark):
-        says = "a table holds no clouds: replay the bag, or the MCAP file"
+        says = "a CSV table cannot hold point clouds: replay the bag or the MCAP file"
 
 
 class NameNeverRecorded(Warning, code="ROSS609", name="name-never-recorded"):
@@ -116,22 +117,22 @@ class NameNeverRecorded(Warning, code="ROSS609", name="name-never-recorded"):
 
     title = "no message on `{topic}` has an element `{element}`"
     label = "`{field}` stays unknown in this replay"
-    note = "they have {names}"
+    note = "the recorded elements are {names}"
     topic: str
     element: str
     field: str
     names: str
 
     class Check(Remark):
-        says = "check the name, and that the recording is of this robot"
+        says = "check the name, and check that this robot made the recording"
 
 
 class LengthNeverRecorded(Warning, code="ROSS619", name="length-never-recorded"):
     """Elements with declared names, of an array that never has as many elements."""
 
-    title = "`{field}` on `{topic}` never has {count} elements, one for each name"
-    label = "elements by these names stay unknown in this replay"
-    note = "it has {lengths}"
+    title = "`{field}` on `{topic}` never has {count} elements (one for each name)"
+    label = "elements with these names stay unknown in this replay"
+    note = "the array has {lengths}"
     help = "correct the list of names, or replay a recording of this robot"
     topic: str
     field: str
@@ -142,9 +143,9 @@ class LengthNeverRecorded(Warning, code="ROSS619", name="length-never-recorded")
 class SkillsOfAnotherExport(Warning, code="ROSS624", name="skills-of-another-export"):
     """A topic that tells which skills run, never of those that the rules were checked with."""
 
-    title = "the skills on `{topic}` are from another export than those of the rules"
-    label = "nobody knows which of them run in this replay"
-    note = "the rules know the export {known}, the recording has {recorded}"
+    title = "the skills on `{topic}` come from another export than the skills of the rules"
+    label = "the replay cannot tell which of these skills run"
+    note = "the rules use the export {known}, the recording has {recorded}"
     help = "check the rules with the `skills.json` of the recorded robot"
     topic: str
     known: str
@@ -155,9 +156,9 @@ class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     """Messages of a topic, or cells of a CSV file, that are not what they should be."""
 
     title = "{count} of {total} {what} cannot be read"
-    label = "is unknown there"
+    label = "this input is unknown at these times"
     note = "the first one, {seconds:.3f} s into the recording: {reason}"
-    help = "check the recording, and that its type definitions are those it was recorded with"
+    help = "check the recording; its type definitions must be the definitions used for recording"
     what: str
     count: int
     total: int
@@ -165,16 +166,16 @@ class MessagesUnreadable(Warning, code="ROSS605", name="messages-unreadable"):
     reason: str
 
     class Cells(Remark):
-        says = "correct these cells, or leave them empty: that is not known"
+        says = "correct these cells, or leave them empty (an empty cell is unknown)"
 
 
 class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
     """A topic of a type of which no definition is known."""
 
-    title = "no definition of {type_name}, the type of `{topic}`"
-    label = "stays unknown in this replay"
+    title = "there is no definition of {type_name}, the type of `{topic}`"
+    label = "this input stays unknown in this replay"
     note = "{reason}"
-    help = "name the folder that holds {type_name} as a .msg file: `--messages DIR`"
+    help = "give the folder that holds {type_name} as a .msg file: `--messages DIR`"
     type_name: str
     topic: str
     reason: str
@@ -183,10 +184,10 @@ class DefinitionMissing(Warning, code="ROSS606", name="definition-missing"):
 class MessagesPassedOver(Warning, code="ROSS608", name="messages-passed-over"):
     """Messages of a topic that are not for the rules, or at no instant that can be."""
 
-    title = "{count} of {total} messages on `{topic}` are passed over"
-    label = "does not see them"
+    title = "{count} of {total} messages on `{topic}` are skipped"
+    label = "this input does not receive the skipped messages"
     note = "{reason}"
-    help = "check what else was sent on `{topic}` while this was recorded"
+    help = "check what else was sent on `{topic}` during the recording"
     topic: str
     count: int
     total: int
@@ -199,8 +200,8 @@ class MessagesPassedOver(Warning, code="ROSS608", name="messages-passed-over"):
 class TopicMapUnused(Error, code="ROSS607", name="topic-map-unused"):
     """A topic map that renames a topic which no rule reads."""
 
-    title = "the rules read no topic `{topic}`"
-    label = "a topic of the rules stands left of `=`, the recorded one right of it"
+    title = "no rule reads the topic `{topic}`"
+    label = "write the topic of the rules left of `=`, and the recorded topic right of `=`"
     help = "the rules read {known}"
     topic: str
     known: str
@@ -227,7 +228,7 @@ class RecordingUnreadable(Error, code="ROSS611", name="recording-unreadable"):
     """A file that the operating system does not hand out."""
 
     title = "the recording cannot be opened: {reason}"
-    help = "check that the file may be read"
+    help = "check the read permission of the file"
     reason: str
 
 
@@ -246,7 +247,7 @@ class RecordingEmpty(Error, code="ROSS613", name="recording-empty"):
     """A recording without a message."""
 
     title = "the recording is empty: {reason}"
-    help = "record again, and wait until the recorder says that it has subscribed"
+    help = "record again, and wait until the recorder reports that it has subscribed"
     reason: str
 
 
@@ -254,7 +255,7 @@ class RecordingCorrupt(Error, code="ROSS614", name="recording-corrupt"):
     """A file of which nothing can be read."""
 
     title = "nothing in this recording can be read: {reason}"
-    help = "check that the file was copied whole, and that its ending says what it is"
+    help = "check that the file was copied completely, and that the extension matches the content"
     reason: str
 
 
@@ -271,30 +272,30 @@ class RecordingDamaged(Warning, code="ROSS615", name="recording-damaged"):
 class NothingToReplay(Error, code="ROSS616", name="nothing-to-replay"):
     """A recording that holds nothing that the rules read."""
 
-    title = "the rules read nothing that is in this recording"
+    title = "the recording holds nothing that the rules read"
     note = "the rules read {expected}; the recording holds {recorded}"
     help = "name the recorded topics with `--topic-map TOPIC=RECORDED`"
     expected: str
     recorded: str
 
     class Columns(Remark):
-        says = "name the columns after the inputs, or after topics: `/topic.field`"
+        says = "name each column after an input, or after a field of a topic: `/topic.field`"
 
 
 class RecordingUntyped(Error, code="ROSS617", name="recording-untyped"):
     """A system model is wanted of a recording that does not know types."""
 
-    title = "a CSV file does not say of what types its topics are"
-    help = "write the system model from a .bag, .db3 or .mcap, or by hand"
+    title = "a CSV file does not contain the message types of its topics"
+    help = "write the system model from a .bag, .db3 or .mcap file, or by hand"
 
 
 class ClockSetBack(Warning, code="ROSS618", name="clock-set-back"):
     """A recording whose stamps go back, in the order in which its messages were stored."""
 
-    title = "the stamps go back {often}, by up to {length}"
-    label = "the clock was set back while this was recorded"
+    title = "the timestamps go back {often}, by up to {length}"
+    label = "the clock was set back during the recording"
     note = "{effect}"
-    help = "record again, or replay the parts before and after one by one"
+    help = "record again, or replay the parts before and after each jump separately"
     often: str
     length: str
     effect: str
@@ -308,7 +309,7 @@ class TimeColumnMissing(Error, code="ROSS620", name="time-column-missing"):
 
     title = "the first column is not the time"
     label = "expected `time`, `t` or `stamp` (seconds) or `time_ns`"
-    help = "name the column with the instants `time`, and put it first"
+    help = "name the time column `time`, and put it first"
 
 
 class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
@@ -316,7 +317,7 @@ class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
 
     title = "{count} of {total} rows are skipped"
     label = "{reason}"
-    help = "give every row an instant, and as many cells as there are columns"
+    help = "give every row a time, and as many cells as there are columns"
     count: int
     total: int
     reason: str
@@ -325,9 +326,9 @@ class RowsSkipped(Warning, code="ROSS621", name="rows-skipped"):
 class ColumnRepeated(Error, code="ROSS622", name="column-repeated"):
     """Two columns of one name."""
 
-    title = "there are two columns `{column}`"
-    label = "this name stands there before"
-    help = "give each column a name of its own, or remove one of them"
+    title = "two columns are named `{column}`"
+    label = "an earlier column has this name"
+    help = "give each column a unique name, or remove one of the two columns"
     column: str
 
 
@@ -335,7 +336,7 @@ class ColumnMissing(Warning, code="ROSS623", name="column-missing"):
     """An input that no column of a CSV file is named after."""
 
     title = "no column is named after the input `{input}`"
-    label = "stays unknown in this replay"
+    label = "this input stays unknown in this replay"
     note = "columns that no input reads: {unread}"
     help = "add {expected}, or rename the column that holds it"
     input: str

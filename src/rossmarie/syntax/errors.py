@@ -9,8 +9,8 @@ class FileTooLarge(Error, code="ROSS001", name="file-too-large"):
     """More text than anybody writes by hand."""
 
     title = "this file is too large to be a rules file"
-    label = "it has {size} {what}, at most {limit} are read"
-    note = "a monitor has to be small enough to be reviewed; large inputs are usually a mix-up"
+    label = "the file has {size} {what}; the limit is {limit}"
+    note = "a monitor must be small enough to review; a large input is usually a mix-up"
     help = "check the path, or split the file and `import` its parts"
     size: int
     what: str
@@ -31,26 +31,26 @@ class UnterminatedString(Error, code="ROSS003", name="unterminated-string"):
     """A `"` without its partner."""
 
     title = "this string is never closed"
-    label = "the string begins here, and its line ends without a closing quotation mark"
-    note = "a string stands on one line"
+    label = "the string begins here, but no closing quotation mark follows on this line"
+    note = "a string must end on the line on which it begins"
     help = 'close it with `"`'
 
     class Escape(Remark):
-        says = "there are no escapes: a string cannot contain a quotation mark"
+        says = "a string cannot contain a quotation mark: there are no escapes"
 
 
 class UnterminatedDocumentation(Error, code="ROSS004", name="unterminated-documentation"):
     """A `'''` without its partner."""
 
     title = "this documentation string is never closed"
-    label = "it begins here"
+    label = "the documentation string begins here"
     help = "close it with `'''`"
 
 
 class UnknownItem(Error, code="ROSS005", name="unknown-item"):
     """Something at the outermost level that is none of the things a file is made of."""
 
-    title = "`{found}` does not begin anything that a file is made of"
+    title = "`{found}` does not begin a declaration or a rule"
     label = "expected `import`, `system`, `action`, `const`, `input`, `entity`, `rule` or `if`"
     found: str
 
@@ -58,23 +58,23 @@ class UnknownItem(Error, code="ROSS005", name="unknown-item"):
         says = "this belongs inside a system: `system NAME {{ ... }}`"
 
     class Condition(Remark):
-        says = "conditions stand inside an entity: `entity NAME {{ ... }}`"
+        says = "write conditions inside an entity: `entity NAME {{ ... }}`"
 
     class Constant(Remark):
-        says = "to give a value a name, write `const {name} = ...;`"
+        says = "to name a value, write `const {name} = ...;`"
         name: str
 
     class Else(Remark):
         says = "a rule has no `else`: write another rule, with `not` in front of the condition"
 
     class InAction(Remark):
-        says = "this belongs into the body of an action: `action NAME {{ ... }}`"
+        says = "this belongs in the body of an action: `action NAME {{ ... }}`"
 
     class Then(Remark):
         says = "`then` belongs to a rule: `if CONDITION then {{ ACTION; }};`"
 
     class NoItemWord(Remark):
-        says = "begin with the word that says what it is, such as `const` or `rule`"
+        says = "begin with a keyword, such as `const` or `rule`"
 
 
 class MissingSign(Error, code="ROSS006", name="missing-sign"):
@@ -93,7 +93,7 @@ class UnclosedBracket(Error, code="ROSS007", name="unclosed-bracket"):
 
     title = "this `{bracket}` is never closed"
     label = "opened here"
-    help = "write `{closing}` where it ends"
+    help = "write the closing `{closing}`"
     bracket: str
     closing: str
 
@@ -106,7 +106,7 @@ class UnopenedBracket(Error, code="ROSS008", name="unopened-bracket"):
 
     title = "this `{bracket}` closes nothing"
     label = "there is no open `{opening}` before it"
-    help = "remove it, or write the `{opening}` that it belongs to"
+    help = "remove the `{bracket}`, or write the matching `{opening}`"
     bracket: str
     opening: str
 
@@ -116,7 +116,7 @@ class MissingThen(Error, code="ROSS009", name="missing-then"):
 
     title = "`then` is missing"
     label = "expected `then` after this"
-    note = "a rule is read aloud: if the condition holds, then do this"
+    note = "a rule has the form `if CONDITION then {{ ACTION; }};`"
     help = "write `then` between the condition and the actions"
 
 
@@ -149,9 +149,9 @@ class NestingTooDeep(Error, code="ROSS012", name="nesting-too-deep"):
     """More brackets and prefix operators inside each other than anybody can follow."""
 
     title = "this is nested too deeply"
-    label = "level {limit} is exceeded here"
-    note = "brackets, `not` and `-` may stand {limit} levels inside each other"
-    help = "give a part of it a name, as a condition of its own"
+    label = "more than {limit} levels here"
+    note = "brackets, `not` and `-` can be nested {limit} levels deep"
+    help = "move a part into a condition of its own, and use the name of that condition"
     limit: int
 
 
@@ -160,15 +160,15 @@ class ExpressionTooLong(Error, code="ROSS013", name="expression-too-long"):
 
     title = "this expression is too long"
     label = "it has more than {limit} operators that depend on each other"
-    note = "memory and time of the compiler are bounded"
-    help = "give parts of it names, as conditions of their own"
+    note = "the memory and time of the compiler are limited"
+    help = "move parts into conditions of their own, and use the names of these conditions"
     limit: int
 
 
 class ReservedWord(Error, code="ROSS014", name="reserved-word"):
     """A keyword where a name should stand."""
 
-    title = "`{word}` is a word of the language and cannot be a name"
+    title = "`{word}` is a keyword and cannot be a name"
     label = "expected a name"
     help = "choose another name, such as `{suggestion}`"
     word: str
@@ -186,7 +186,7 @@ class MissingName(Error, code="ROSS015", name="missing-name"):
     form: str
 
     class NoUnit(Remark):
-        says = "an instant has a unit: write `at {number} sec {name}`"
+        says = "a time needs a unit: write `at {number} sec {name}`"
         number: str
         name: str
 
@@ -195,7 +195,7 @@ class MissingValue(Error, code="ROSS016", name="missing-value"):
     """An operator or sign with nothing behind or before it."""
 
     title = "a value is missing {place} `{sign}`"
-    label = "{place} this there should be a value"
+    label = "expected a value {place} this"
     help = "{form}"
     place: str
     sign: str
@@ -205,7 +205,7 @@ class MissingValue(Error, code="ROSS016", name="missing-value"):
 class Unfinished(Error, code="ROSS017", name="unfinished"):
     """Something that stops in the middle."""
 
-    title = "this is not finished"
+    title = "this is incomplete"
     label = "more is expected after this"
     help = "{form}"
     form: str
@@ -245,24 +245,27 @@ class MalformedOscillates(Error, code="ROSS021", name="malformed-oscillates"):
 class TooManyErrors(Error, code="ROSS022", name="too-many-errors"):
     """The point from which on the errors of a file are no longer shown."""
 
-    title = "there are more than {limit} errors in this file"
-    label = "none is shown from here on"
-    note = "where so many are errors of syntax, the rest of the file is not read"
-    help = "correct the errors above first; or is this no rules file at all?"
+    title = "this file has more than {limit} errors"
+    label = "errors from here on are not shown"
+    note = "if that many are syntax errors, the rest of the file is not read"
+    help = "correct the errors above first, and check that this is a rules file"
     limit: int
 
 
 class MalformedNumber(Error, code="ROSS023", name="malformed-number"):
     """`.5`, `1.` or `1,5`."""
 
-    title = "`{found}` is not how numbers are written"
+    title = "`{found}` is not a valid number"
     label = "{reason}"
-    note = "decimals stand after a point, with at least one digit on each side of it"
+    note = "write decimals after a point, with at least one digit on each side of the point"
     found: str
     reason: str
 
     class Thousands(Remark):
-        says = "write `{decimals}` if the comma begins the decimals, else `{whole}`"
+        says = (
+            "write `{decimals}` if the comma begins the decimals, or `{whole}` if the comma "
+            "separates thousands"
+        )
         decimals: str
         whole: str
 
@@ -271,7 +274,7 @@ class KeywordInCapitals(Error, code="ROSS024", name="keyword-in-capitals"):
     """`IF` for `if`."""
 
     title = "`{found}` is written `{meant}` here"
-    label = "the words of the language are in small letters"
+    label = "keywords are in lower case"
     help = "write `{meant}`"
     found: str
     meant: str
@@ -280,18 +283,18 @@ class KeywordInCapitals(Error, code="ROSS024", name="keyword-in-capitals"):
 class BlockComment(Error, code="ROSS025", name="block-comment"):
     """`/* ... */`."""
 
-    title = "comments are not written `/* ... */` here"
-    label = "this comment begins with `/*`"
-    note = "a comment begins with `//` and goes to the end of its line"
-    help = "begin each of its lines with `//`"
+    title = "`/* ... */` is not a comment in this language"
+    label = "the comment begins with `/*`"
+    note = "a comment begins with `//` and ends at the end of the line"
+    help = "begin each line of the comment with `//`"
 
 
 class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
     """A character that makes a text look other than it is read."""
 
-    title = "{character} hides what the file says"
+    title = "{character} hides the real text of the file"
     label = "{reason}"
-    note = "what a reviewer sees has to be what the monitor does (CVE-2021-42574)"
+    note = "a reviewer must see exactly the text that the monitor executes (CVE-2021-42574)"
     character: str
     reason: str
 
@@ -299,13 +302,13 @@ class HiddenCharacter(Error, code="ROSS026", name="hidden-character"):
         says = "end lines with a line feed"
 
     class Remove(Remark):
-        says = "remove it"
+        says = "remove the character"
 
 
 class ForeignForm(Error, code="ROSS027", name="foreign-form"):
     """Something that is written differently here, out of habit or from another language."""
 
-    title = "`{found}` is not written like this here"
+    title = "`{found}` is not valid in this language"
     label = "{problem}"
     found: str
     problem: str
@@ -315,14 +318,14 @@ class ForeignForm(Error, code="ROSS027", name="foreign-form"):
         form: str
 
     class Documentation(Remark):
-        says = "put it between `'''` and `'''`"
+        says = "write the text between `'''` and `'''`"
 
 
 class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
     """Something in the body of an action that begins like no effect."""
 
-    title = "`{found}` is nothing that an action can do"
-    label = "no effect begins like this"
+    title = "`{found}` is not an effect of an action"
+    label = "no effect begins with this word"
     note = (
         "an action can limit, scale or block a command, publish, call a service, set a parameter, "
         "switch controllers, send or cancel a goal, log, diagnose, call a hook, and reset"
@@ -330,15 +333,15 @@ class UnknownEffect(Error, code="ROSS028", name="unknown-effect"):
     found: str
 
     class NoEffectWord(Remark):
-        says = "begin with the word that says what it does"
+        says = "begin with the keyword of an effect, such as `limit` or `log`"
 
 
 class UnknownStatement(Error, code="ROSS029", name="unknown-statement"):
     """A statement of a test that begins with no word of the language."""
 
-    title = "`{found}` begins no statement of a test"
-    label = "not a statement"
-    note = "a statement of a test begins with `at`, `every` or `expect`"
+    title = "`{found}` does not begin a test statement"
+    label = "not a test statement"
+    note = "a test statement begins with `at`, `every` or `expect`"
     help = "did you mean `{meant}`?"
     found: str
     meant: str

@@ -10,8 +10,8 @@ class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
 
     title = "these rules are too large for one {target} monitor"
     label = "with this rule there are {found} {what}; a monitor holds up to {most}"
-    note = "the tables of a monitor are indexed by 16 bits, so that they stay small"
-    help = "split the rules over several files: each becomes a monitor of its own"
+    note = "a monitor uses 16-bit indexes for its tables, to keep the tables small"
+    help = "split the rules into several files: each file becomes a monitor of its own"
     target: str
     what: str
     found: int
@@ -21,16 +21,16 @@ class MonitorTooLarge(Error, code="ROSS501", name="monitor-too-large"):
 class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
     """Timers that can fall due too often, one after the other, before one message."""
 
-    title = "these rules could take more than {most} evaluations in one call of their monitor"
-    label = "with this timer, which can fall due {often}, there are {found}"
+    title = "these rules could need more than {most} evaluations in one call of their monitor"
+    label = "with this timer, which can expire {often}, there are {found}"
     note = (
-        "a call first evaluates the rules at each instant at which a timer fell due since the last "
-        "call; that of a `for` does each time that its condition becomes true, so that each `for` "
-        "around others can double the number"
+        "a call first evaluates the rules once for each instant at which a timer expired since the "
+        "last call; the timer of a `for` expires each time its condition becomes true, so each "
+        "`for` around another `for` can double the number"
     )
     help = (
-        "use fewer `for` inside the conditions of others, or split the rules over several files: "
-        "each becomes a monitor of its own"
+        "use fewer `for` inside the conditions of other `for`, or split the rules into several "
+        "files: each file becomes a monitor of its own"
     )
     often: str
     found: int
@@ -40,28 +40,28 @@ class TooManyEvaluations(Error, code="ROSS502", name="too-many-evaluations"):
 class UnsupportedEffect(Error, code="ROSS503", name="unsupported-effect"):
     """An effect of an action that a target cannot carry out."""
 
-    title = "the target {target} cannot do `{effect}`"
+    title = "the target {target} cannot carry out `{effect}`"
     label = "{reason}"
-    note = "a node that left it out would do less than these rules say"
+    note = "a node without this effect would do less than the rules demand"
     target: str
     effect: str
     reason: str
 
     class StateType(Remark):
-        says = "say it in a system model, `server {server} : PACKAGE/TYPE;`"
+        says = "declare the type in a system model, `server {server} : PACKAGE/TYPE;`"
         server: str
 
     class OtherParameter(Remark):
-        says = "name a parameter that the node has in ROS 1, or do it in a `hook`"
+        says = "name a parameter that the node has in ROS 1, or set the parameter in a `hook`"
 
 
 class NothingToDo(Error, code="ROSS504", name="nothing-to-do"):
     """Rules whose actions all have no body."""
 
     title = "a node of the target {target} would have nothing to do"
-    label = "neither the actions of this rule nor those of others have a body"
-    note = "a node carries out what stands in the bodies of actions; the monitor alone is `c99`"
-    help = "say what an action does: `action stop {{ block /cmd_vel; }}`, or at least `log`"
+    label = "no action of this rule or of another rule has a body"
+    note = "a node carries out the bodies of actions; the target `c99` generates only the monitor"
+    help = "write the effects of an action: `action stop {{ block /cmd_vel; }}`, or at least `log`"
     target: str
 
 

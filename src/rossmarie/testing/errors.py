@@ -11,7 +11,7 @@ class ExpectationNotMet(Error, code="ROSS760", name="expectation-not-met"):
     title = "`{rule}` is {found} at {instant}"
     label = "expected {expected}"
     note = "{reason}"
-    help = "mend the rule, or write what it is to do"
+    help = "correct the rule, or correct the expectation"
     rule: str
     found: str
     instant: str
@@ -24,7 +24,7 @@ class EnginesDiffer(Error, code="ROSS761", name="engines-differ"):
 
     title = "the C monitor differs from the interpreter in `{test}`"
     label = "interpreter: {expected}; C: {found}"
-    help = "this is a defect of this tool or of the C compiler: please report it"
+    help = "this is a defect of ROSSMARie or of the C compiler: please report the defect"
     test: str
     expected: str
     found: str
@@ -33,9 +33,9 @@ class EnginesDiffer(Error, code="ROSS761", name="engines-differ"):
 class NotRunInC(Warning, code="ROSS762", name="not-run-in-c"):
     """Tests that ran on the interpreter only."""
 
-    title = "the tests ran on the interpreter only"
+    title = "the tests ran in the interpreter only"
     label = "{reason}"
-    note = "nothing is known of the generated C"
+    note = "the generated C was not tested"
     help = "install a C compiler, or name one: `CC=clang rossmarie test ...`"
     reason: str
 
@@ -44,8 +44,8 @@ class NoTests(Warning, code="ROSS763", name="no-tests"):
     """Rules without any test."""
 
     title = "there are no tests"
-    label = "neither this file nor `{beside}` has any"
-    help = "write one, or let them be generated: `rossmarie test {path} --write`"
+    label = "neither this file nor `{beside}` contains a test"
+    help = "write a test, or generate tests: `rossmarie test {path} --write`"
     beside: str
     path: str
 
@@ -53,10 +53,10 @@ class NoTests(Warning, code="ROSS763", name="no-tests"):
 class SettingUnread(Warning, code="ROSS764", name="setting-unread"):
     """A field that a test sets and that nothing in the rules reads."""
 
-    title = "no rule reads what is set here"
-    label = "nothing changes with it"
+    title = "no rule reads the field that the test sets here"
+    label = "setting this field has no effect"
     note = "of {topic} the rules read {read}"
-    help = "set what is read, or write `{input}` alone to send the message"
+    help = "set a field that the rules read, or write `{input}` alone to send the message"
     topic: str
     read: str
     input: str
@@ -68,9 +68,7 @@ class CommandNotWithin(Error, code="ROSS765", name="command-not-within"):
     title = "`{field}` of {topic} may be {found} at {instant}"
     label = "expected within {expected}"
     note = "{reason}"
-    help = (
-        "limit the field in an action of a rule that is active then, or write what is let through"
-    )
+    help = "limit the field in an action of a rule that is active then, or correct the expectation"
     field: str
     topic: str
     found: str

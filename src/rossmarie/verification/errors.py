@@ -10,26 +10,26 @@ class PartRefuted(Error, code="ROSS790", name="part-refuted"):
 
     title = "refuted: {part}"
     label = "does not hold: {sentence}"
-    note = "shown by `check_{check}` of the harness"
+    note = "`check_{check}` of the harness fails"
     help = (
-        "this is a defect of this tool, in the C or in its specification: do not use the C, "
-        "and please report it, with the rules and what `--keep DIR` writes"
+        "this is a defect of ROSSMARie, in the C or in its specification: do not use the C, and "
+        "please report the defect, with the rules and the files that `--keep DIR` writes"
     )
     part: str
     sentence: str
     check: str
 
     class NorDoes(Remark):
-        says = "nor does: {sentence}"
+        says = "does not hold either: {sentence}"
         sentence: str
 
 
 class NoProver(Error, code="ROSS791", name="no-prover"):
     """A system on which nothing can be proved."""
 
-    title = "nothing can be proved here: CBMC 6 or a solver of it is missing"
+    title = "cannot prove anything: CBMC 6 or one of its solvers is missing"
     label = "{reason}"
-    note = "cbmc, cadical and z3 are packages of Debian 13"
+    note = "Debian 13 has the packages cbmc, cadical and z3"
     help = (
         "install these packages, use the Docker image debian:trixie, or on another Linux run "
         "`tools/setup_prover_debian.sh` of ROSSMARie's sources as root"
@@ -40,12 +40,12 @@ class NoProver(Error, code="ROSS791", name="no-prover"):
 class ProgramRefused(Error, code="ROSS792", name="program-refused"):
     """A program that CBMC does not translate."""
 
-    title = "CBMC does not take the generated C"
+    title = "CBMC does not accept the generated C"
     label = "{reason}"
-    note = "nothing was asked, so nothing is proved"
+    note = "no query reached a solver, so nothing is proved"
     help = (
-        "see that the headers of the C library are there (on Debian: libc6-dev); if they are, this "
-        "is a defect of this tool: please report it, with the rules"
+        "check that the headers of the C library are installed (on Debian: libc6-dev); if they "
+        "are, this is a defect of ROSSMARie: please report the defect, with the rules"
     )
     reason: str
 

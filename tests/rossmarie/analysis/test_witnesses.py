@@ -162,9 +162,7 @@ def test_the_numbers_of_a_witness_are_round(tmp_path: Path) -> None:
     """
     (conflict,) = ask(tmp_path, rules).shown("ROSS700")
     (note,) = (text for text in conflict.diagnostic.notes if "shown" in text)
-    shown = re.fullmatch(
-        r"shown by this: at 0 s orientation\.pitch\(\) = (\d+) deg; until 4 s", note
-    )
+    shown = re.fullmatch(r"example: at 0 s orientation\.pitch\(\) = (\d+) deg; until 4 s", note)
     assert shown is not None, note
     assert 20 < int(shown[1]) <= 45
     assert cost(float(shown[1]))[0] <= 2

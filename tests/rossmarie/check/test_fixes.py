@@ -120,5 +120,5 @@ def test_a_misspelt_topic_of_a_test_becomes_the_one_that_an_action_commands(miss
 def test_a_topic_that_is_like_none_is_reported_which_ones_are_commanded() -> None:
     text = COMMANDED + 'test "t" { expect /arm_joints.x in [0, 1] at 0 s; }'
     (finding,) = check_text(text)[1]
-    assert finding.notes == ("commanded are `/cmd_vel`",)
+    assert finding.notes == ("actions command `/cmd_vel`",)
     assert finding.fix is None

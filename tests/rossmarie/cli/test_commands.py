@@ -209,7 +209,8 @@ def test_check_says_what_a_target_cannot_do(rules: Path, tmp_path: Path) -> None
     done = run("check", setting, rules, "--target", "ros1")
     assert done.returncode == 1
     assert (
-        "error[ROSS503]: the target ros1 cannot do `set /planner.path.speed to 0.1`" in done.stdout
+        "error[ROSS503]: the target ros1 cannot carry out `set /planner.path.speed to 0.1`"
+        in done.stdout
     )
     assert "error[ROSS504]" in done.stdout
     assert done.stdout.endswith("\n2 errors in 2 files\n")

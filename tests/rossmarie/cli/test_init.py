@@ -153,7 +153,7 @@ def test_nothing_to_watch(tmp_path: Path) -> None:
     write_ros1(tmp_path / "drive.bag", drive(ROS1, [camera]))
     done = run(tmp_path, "drive.bag")
     assert (done.returncode, done.stderr) == (1, "")
-    assert done.stdout.startswith("error[ROSS625]: no rules can be begun from this recording: ")
+    assert done.stdout.startswith("error[ROSS625]: cannot write first rules for this recording: ")
     assert "the recording holds `sensor_msgs/Image`" in done.stdout
     assert not (tmp_path / "robot").exists()
 

@@ -200,7 +200,7 @@ def test_a_setting_that_no_rule_reads_is_reported(rules: Path) -> None:
     )
     code, printed = run("test", rules)
     assert code == 0
-    assert "no rule reads what is set here" in printed
+    assert "no rule reads the field that the test sets here" in printed
     assert printed.count("ROSS764") == 1
     assert "acceleration = [0, 0, 1] m/s^2" in printed
     assert "of /imu/data the rules read only that it arrives" in printed

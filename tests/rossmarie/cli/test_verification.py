@@ -168,7 +168,7 @@ def test_a_program_that_the_prover_does_not_take_is_reported(rules: Path, prove_
     prove_by(StandIn(refuses=f"{reason}\n 2 | #include <math.h>\ncompilation terminated.\n"))
     code, printed = verify(rules)
     assert code == 1
-    assert "error[ROSS792]: CBMC does not take the generated C" in printed
+    assert "error[ROSS792]: CBMC does not accept the generated C" in printed
     assert f"| {reason}\n" in printed
 
 

@@ -75,7 +75,7 @@ def test_exit_codes_are_the_same_and_every_format_says_that_there_are_more(
     path = written(tmp_path, line, 3 * MAXIMUM_ERRORS)
     result = CliRunner().invoke(app, ["check", str(path), "--format", form])
     assert result.exit_code == exit_code
-    assert f"there are more than {MAXIMUM_ERRORS} " in result.stdout
+    assert f"this file has more than {MAXIMUM_ERRORS} " in result.stdout
     if form == "json":
         counts = json.loads(result.stdout)["summary"]
         assert max(counts["errors"], counts["warnings"]) == MAXIMUM_ERRORS + 1

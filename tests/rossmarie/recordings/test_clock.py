@@ -42,7 +42,7 @@ def test_a_clock_that_was_set_back_is_reported(tmp_path: Path, kind: str) -> Non
     stored = at_seconds(store_of(kind), 0, 5, 10, 0.5, 5.5, 3.5)
     updates, found = replay(write_kind(tmp_path, kind, stored))
     assert codes(found) == ["ROSS618"]
-    assert found[0].title == "the stamps go back 2 times, by up to 9.5 s"
+    assert found[0].title == "the timestamps go back 2 times, by up to 9.5 s"
     assert [update.at_ns for update in updates] == sorted(update.at_ns for update in updates)
 
 
@@ -67,7 +67,7 @@ def test_topics_may_be_stored_one_after_the_other(tmp_path: Path, kind: str) -> 
 def test_a_clock_that_was_set_back_between_chunks(tmp_path: Path) -> None:
     stored = at_seconds(ROS1, *range(100), *range(100))
     _, found = replay(write_ros1(tmp_path / "drive.bag", stored, chunk_size=100))
-    assert found[0].title == "the stamps go back once, by up to 99.0 s"
+    assert found[0].title == "the timestamps go back once, by up to 99.0 s"
 
 
 def test_a_clock_that_was_set_back_is_reported_of_damaged_files(tmp_path: Path) -> None:
@@ -88,7 +88,7 @@ def test_a_clock_that_was_set_back_is_reported_of_csv(tmp_path: Path) -> None:
     path.write_text("time,battery\n0,1\n5,2\n4.75,3\n4.75,4\n6,5\n5.9999,6\n")
     updates, found = replay(path)
     assert codes(found) == ["ROSS618"]
-    assert found[0].title == "the stamps go back 2 times, by up to 0.2 s"
+    assert found[0].title == "the timestamps go back 2 times, by up to 0.2 s"
     assert "in the order of the file" in found[0].notes[0]
     assert [update.at_ns / SECOND_NS for update in updates] == [0, 5, 4.75, 4.75, 6, 5.9999]
 
@@ -96,7 +96,7 @@ def test_a_clock_that_was_set_back_is_reported_of_csv(tmp_path: Path) -> None:
 def test_a_small_setback_of_csv_is_reported_in_milliseconds(tmp_path: Path) -> None:
     path = tmp_path / "drive.csv"
     path.write_text("time,battery\n0,1\n1.002,2\n1,3\n2,4\n")
-    assert replay(path)[1][0].title == "the stamps go back once, by up to 2 ms"
+    assert replay(path)[1][0].title == "the timestamps go back once, by up to 2 ms"
 
 
 @pytest.mark.parametrize("kind", ["mcap", "compressed mcap"])
@@ -107,7 +107,7 @@ def test_a_clock_that_was_set_back_is_reported_without_message_indexes(
     path.write_bytes(without_message_indexes(path.read_bytes()))
     updates, found = replay(path)
     assert len(updates) == 3
-    assert [one.title for one in found] == ["the stamps go back once, by up to 3.0 s"]
+    assert [one.title for one in found] == ["the timestamps go back once, by up to 3.0 s"]
 
 
 def without_message_indexes(content: bytes) -> bytes:

@@ -106,7 +106,10 @@ def test_what_is_called_a_cloud_and_defined_otherwise_is_none(
     updates, found = replay(path, reads("x"))
     assert not any(update.channels[0].arrays for update in updates)
     assert codes(found)[0] == "ROSS604"
-    assert found[0].help == "record again with clouds as ROS defines sensor_msgs/PointCloud2"
+    assert (
+        found[0].help
+        == "record again with point clouds in the ROS layout of sensor_msgs/PointCloud2"
+    )
 
 
 def test_a_table_has_no_points(tmp_path: Path) -> None:

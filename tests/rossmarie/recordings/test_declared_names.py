@@ -67,7 +67,7 @@ def test_a_length_that_never_fits_is_reported_once(tmp_path: Path, kind: str) ->
     path = write_kind(tmp_path, kind, recorded(ros, [[1.0, 2.0], [1.0], [1.0, 2.0]]))
     _, found = replay(path, READS)
     assert codes(found) == ["ROSS619"]
-    assert found[0].title == "`data` on `/effort_states` never has 3 elements, one for each name"
+    assert found[0].title == "`data` on `/effort_states` never has 3 elements (one for each name)"
     assert found[0].notes == ("it has 1 or 2 elements",)
 
 

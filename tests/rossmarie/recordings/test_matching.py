@@ -176,7 +176,7 @@ def test_topic_with_two_types(tmp_path: Path) -> None:
     path = write_ros1(tmp_path / "drive.bag", readings(ROS1) + other)
     updates, found = replay(path)
     assert codes(found) == ["ROSS608"]
-    assert found[0].title == "1 of 11 messages on `/battery` are passed over"
+    assert found[0].title == "1 of 11 messages on `/battery` are skipped"
     assert "std_msgs/Float64" in found[0].notes[0]
     assert volts(updates) == [12.0 + i / 2 for i in range(10)]
 
@@ -199,7 +199,7 @@ def test_a_topic_that_is_mapped_to_nothing(tmp_path: Path) -> None:
     _, found = replay(path, rules, {"/odom": "/nothing"})
     assert codes(found) == ["ROSS601"]
     assert "`/nothing` is not in the recording" in found[0].title
-    assert found[0].help == "did you mean `/scan`? then say `--topic-map /odom=/scan`"
+    assert found[0].help == "did you mean `/scan`? then add `--topic-map /odom=/scan`"
     assert replay(path, rules, {"/odom": "/scan"})[1] == ()
 
 

@@ -96,7 +96,7 @@ def test_another_export_is_reported_once(tmp_path: Path) -> None:
     path = write_kind(tmp_path, "mcap", recorded(ROS2, contexts))
     updates, found = replay(path, asking(PUSH, DEPTH))
     assert codes(found) == ["ROSS624"]
-    known = "the rules know the export `c0ffee`, the recording has `5b1fb2a09c3e` and `none`"
+    known = "the rules use the export `c0ffee`, the recording has `5b1fb2a09c3e` and `none`"
     assert found[0].notes == (known,)
     assert all(math.isnan(each) for update in updates for each in update.channels[0].slots.values())
     contexts.append(SkillContext(DIGEST))

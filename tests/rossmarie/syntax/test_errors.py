@@ -223,7 +223,7 @@ def test_a_mistake_costs_nothing_around_it(
 def test_an_instant_without_a_unit_says_what_to_write(parsed: Parsed) -> None:
     _, (found,) = parsed('test "a" { at 0 speed = 1 m/s; }')
     assert found.code == "ROSS015"
-    assert found.help == "an instant has a unit: write `at 0 sec speed`"
+    assert found.help == "a time needs a unit: write `at 0 sec speed`"
 
 
 def test_capitals_are_reported_once_for_each_word(parsed: Parsed) -> None:
@@ -286,7 +286,10 @@ def test_messages_say_what_to_write(parsed: Parsed) -> None:
     assert found.fix is None
     assert "joined by `and`" in (found.help or "")
     (found,) = parsed("const a = 1,000 m")[1]
-    assert found.help == "write `1.000` if the comma begins the decimals, else `1000`"
+    assert (
+        found.help == "write `1.000` if the comma begins the decimals, "
+        "or `1000` if the comma separates thousands"
+    )
     (found,) = parsed("if a then { b; } \n else { c; }")[1]
     assert "no `else`" in (found.help or "")
     (found,) = parsed("entitty e { }")[1]

@@ -68,4 +68,4 @@ def test_more_evaluations_in_one_call_than_any_target_may_need(
     monkeypatch.setattr(ir, "MOST_EVALUATIONS", 3)
     (found,) = unsupported(machine)
     assert found.code == "ROSS502"
-    assert found.primary.text == "with this timer, which can fall due once, there are 4"
+    assert found.primary.text == "with this timer, which can expire once, there are 4"

@@ -9,8 +9,8 @@ class UnknownSentType(Error, code="ROSS118", name="unknown-sent-type"):
     """The type of a service or of an action server of which there is no definition."""
 
     title = "there is no {kind} type `{identifier}`"
-    label = "no definition is known"
-    help = 'name the folder of its definition in a system model: `messages "msg";`'
+    label = "no definition of this type is known"
+    help = 'name the folder of the definition in a system model: `messages "msg";`'
     kind: str
     identifier: str
 
@@ -19,7 +19,7 @@ class UntypedTarget(Error, code="ROSS119", name="untyped-target"):
     """A topic, service or action server of which nobody says what is sent to it."""
 
     title = "the type of {kind} `{identifier}` is not known"
-    label = "nothing says what is sent to this"
+    label = "no declaration gives the type"
     kind: str
     identifier: str
 
@@ -39,7 +39,7 @@ class UnknownLevel(Error, code="ROSS121", name="unknown-level"):
     """A level of a log or a diagnosis that does not exist."""
 
     title = "`{identifier}` is not a level"
-    label = "how bad is it?"
+    label = "not a level"
     help = "write one of {known}"
     identifier: str
     known: str
@@ -49,19 +49,19 @@ class FieldGivenTwice(Error, code="ROSS124", name="field-given-twice"):
     """A field that one effect bounds or sets twice."""
 
     title = "field `{field}` is given twice"
-    label = "the second time"
+    label = "given again here"
     help = "keep one of the two"
     field: str
 
     class First(Remark):
-        says = "the first time"
+        says = "first given here"
 
 
 class ReservedHook(Error, code="ROSS125", name="reserved-hook"):
     """A hook that cannot be the name of a function."""
 
     title = "`{identifier}` cannot be the name of a C++ function"
-    label = "a word of C++"
+    label = "a C++ keyword"
     help = "choose another name, such as `{identifier}_hook`"
     identifier: str
 
@@ -70,12 +70,12 @@ class UncommandedTopic(Error, code="ROSS133", name="uncommanded-topic"):
     """A test that expects something of commands that nothing holds back."""
 
     title = "no action commands {topic}"
-    label = "whatever comes in on this topic goes out"
+    label = "every message on this topic passes unchanged"
     help = "limit, scale or block {topic} in an action, or name a topic of an action"
     topic: str
 
     class Commanded(Remark):
-        says = "commanded are {known}"
+        says = "actions command {known}"
         known: str
 
 
@@ -91,14 +91,14 @@ class UnknownTarget(Error, code="ROSS140", name="unknown-target"):
 class SharedTarget(Error, code="ROSS141", name="shared-target"):
     """A topic or the like that belongs to two resources, or to one twice."""
 
-    title = "`{target}` belongs to resource `{resource}` already"
+    title = "`{target}` already belongs to resource `{resource}`"
     label = "named again"
-    help = "name it once; what commands the same thing is one resource"
+    help = "name `{target}` once; use one resource for everything that commands the same thing"
     target: str
     resource: str
 
     class Other(Remark):
-        says = "here, too"
+        says = "also named here"
 
 
 class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
@@ -107,10 +107,10 @@ class NothingToBound(Error, code="ROSS225", name="nothing-to-bound"):
     title = "`{type}` has no numbers that can be bounded"
     label = "this carries `{type}`"
     note = (
-        "the safety filter works on the floating-point numbers of a message, outside of headers "
-        "and of arrays of messages"
+        "the safety filter bounds the floating-point numbers of a message, except in headers and "
+        "in arrays of messages"
     )
-    help = "name a topic of commands, such as one of `geometry_msgs/Twist`"
+    help = "name a topic with commands, such as a topic of type `geometry_msgs/Twist`"
     type: str
 
 
@@ -138,8 +138,8 @@ class NotAnInterval(Error, code="ROSS227", name="not-an-interval"):
     """Something else than an interval behind the `in` of a limit."""
 
     title = "a limit needs an interval, and this is {found}"
-    label = "between which numbers may the field be?"
-    help = "write `[-0.2, 0.2] m/s`"
+    label = "expected a lower and an upper bound"
+    help = "write an interval, such as `[-0.2, 0.2] m/s`"
     found: str
 
 
@@ -170,7 +170,7 @@ class FieldNotAssignable(Error, code="ROSS229", name="field-not-assignable"):
         says = "name one of its fields"
 
     class Scalars(Remark):
-        says = "set numbers, booleans and strings"
+        says = "only numbers, booleans and strings can be set"
 
     class Part(Remark):
         says = "name one of its parts, such as `{field}.x`"
@@ -203,19 +203,19 @@ class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
     expected: str
 
     class Unit(Remark):
-        says = "write it in {unit}"
+        says = "write the value in {unit}"
         unit: str
 
     class Unknown(Remark):
         says = (
-            "leave the unit out: the number is sent as it is; or say in a system model which "
-            "unit the field has, `unit PACKAGE/TYPE.{field} = {unit};`"
+            "leave the unit out (the number is sent unchanged), or declare the unit of the field "
+            "in a system model: `unit PACKAGE/TYPE.{field} = {unit};`"
         )
         field: str
         unit: str
 
     class Angle(Remark):
-        says = "write it in deg or rad"
+        says = "write the value in deg or rad"
 
     class NoUnit(Remark):
         says = "leave the unit out"
@@ -224,16 +224,16 @@ class FieldUnitMismatch(Error, code="ROSS315", name="field-unit-mismatch"):
 class RampMismatch(Error, code="ROSS316", name="ramp-mismatch"):
     """A ramp that is the rate of change of nothing that the effect bounds."""
 
-    title = "this ramp belongs to nothing that is bounded here"
+    title = "this ramp fits none of the fields that are bounded here"
     label = "{found}"
-    note = "a ramp says how fast a bound is lifted: per second, by how much of its field"
+    note = "a ramp sets how fast a bound is lifted: the change of the bound per second"
     found: str
 
     class Number(Remark):
         says = "write a number, such as `ramp 0.3 m/s^2`"
 
     class Unit(Remark):
-        says = "write it in {unit}"
+        says = "write the ramp in {unit}"
         unit: str
 
 
@@ -241,7 +241,7 @@ class RepeatedRamp(Error, code="ROSS317", name="repeated-ramp"):
     """Two ramps for the same fields."""
 
     title = "there are two ramps for the same fields"
-    label = "the second one"
+    label = "the second ramp"
     help = "keep one of the two"
 
 
@@ -249,16 +249,16 @@ class BoundWithoutZero(Error, code="ROSS410", name="bound-without-zero"):
     """A limit under which a robot could not stand still."""
 
     title = "a limit must let the robot stand still"
-    label = "zero is outside of this"
-    note = "a command below the limit would be raised to it: the limit would move the robot"
-    help = "let the interval contain 0"
+    label = "zero is outside this interval"
+    note = "the filter would raise a smaller command to the limit: the limit would move the robot"
+    help = "choose an interval that contains 0"
 
 
 class ZeroIsAPose(Error, code="ROSS411", name="zero-is-a-pose"):
     """A command of positions that is to be scaled or held at zero."""
 
-    title = "zero is a place for `{field}`, not rest"
-    label = "this would send the robot to zero"
+    title = "for `{field}`, zero is a position, not standstill"
+    label = "this would move the robot to zero"
     note = "`{field}` is in {unit}"
     help = "cancel the goal, or block a topic of velocities"
     field: str
@@ -270,16 +270,16 @@ class FactorOutOfRange(Error, code="ROSS412", name="factor-out-of-range"):
 
     title = "a command can be scaled by 0 to 100 %"
     label = "this is {found}"
-    help = "write a share, as in `by 50 %`"
+    help = "write a percentage, as in `by 50 %`"
     found: str
 
 
 class PartlyRamped(Warning, code="ROSS413", name="partly-ramped"):
     """A bound that is lifted at once, where others are lifted gently."""
 
-    title = "the bound of `{field}` is lifted at once"
-    label = "no ramp here is for this field"
-    note = "the others follow a ramp; this one jumps"
+    title = "the bound of `{field}` is lifted without a ramp"
+    label = "no ramp applies to this field"
+    note = "the other bounds follow a ramp; this bound jumps"
     help = "add a ramp: `ramp ..., {example}`"
     field: str
     example: str
@@ -289,11 +289,11 @@ class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
     """An action, effect or rule that is written down and has nothing in it."""
 
     title = "this {what} does nothing"
-    label = "nothing in here"
+    label = "empty"
     what: str
 
     class Words(Remark):
-        says = "say what is the matter"
+        says = "write a text that describes the situation"
 
     class Switch(Remark):
         says = "name the controllers: `{{ stop NAME; start NAME; }}`"
@@ -302,7 +302,7 @@ class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
         says = "bound a field: `{{ FIELD in [LOW, HIGH] UNIT; }}`"
 
     class Action(Remark):
-        says = "say what it does, or write `action {name};`"
+        says = "write the effects of the action, or write `action {name};`"
         name: str
 
     class Rule(Remark):
@@ -312,32 +312,32 @@ class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
 class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):
     """A goal that may take for ever."""
 
-    title = "how long may this goal take?"
-    label = "nothing says when it has failed"
-    note = "how long a goal takes depends on the goal; nobody else can know"
-    help = "write `within 30 sec` behind {place}"
+    title = "this goal needs a time limit"
+    label = "nothing defines when this goal has failed"
+    note = "the right time limit depends on the goal, so there is no default"
+    help = "write `within 30 sec` after {place}"
     place: str
 
 
 class UnguardedConfirmation(Warning, code="ROSS416", name="unguarded-confirmation"):
     """A confirmation that may fail, with nothing that follows."""
 
-    title = "if this is not confirmed, nobody acts"
-    label = "cancelled, and perhaps not stopped"
-    note = "the confirmation is there because the server's word is not enough"
-    help = "say what follows then: `else ACTION`"
+    title = "nothing happens if this confirmation fails"
+    label = "the goal is cancelled, but the robot may not have stopped"
+    note = "the confirmation exists because the reply of the server is not enough"
+    help = "name an action for this case: `else ACTION`"
 
 
 class ControllerConflict(Error, code="ROSS419", name="controller-conflict"):
     """A controller that is to be started and stopped at once."""
 
     title = "controller `{identifier}` is both started and stopped"
-    label = "the second time"
+    label = "named again here"
     help = "keep one of the two"
     identifier: str
 
     class First(Remark):
-        says = "the first time"
+        says = "first named here"
 
 
 ALL: tuple[type[Template], ...] = (

@@ -8,10 +8,12 @@ from dslkit.diagnostics import Error, Template
 class NotAPose(Error, code="ROSS253", name="not-a-pose"):
     """A `retrace` of what is no pose that arrives with messages."""
 
-    title = "`{identifier}` is no pose that can be retraced"
+    title = "`{identifier}` is not a pose that can be retraced"
     label = "this is {found}"
-    note = "a pose is a position in m, or a geometry_msgs/Pose, of an input"
-    help = "name an input of poses, or the part of one: `retrace INPUT.pose on ...`"
+    note = (
+        "a pose is an input, or a field of an input, with a position in m or a geometry_msgs/Pose"
+    )
+    help = "name an input that is a pose, or the pose in an input: `retrace INPUT.pose on ...`"
     identifier: str
     found: str
 
@@ -19,8 +21,8 @@ class NotAPose(Error, code="ROSS253", name="not-a-pose"):
 class MessageWithoutPose(Error, code="ROSS254", name="message-without-pose"):
     """A topic to retrace on whose messages do not hold such a pose."""
 
-    title = "a message {type} does not hold one {pose}"
-    label = "the poses would be sent here"
+    title = "a message of type {type} does not hold exactly one {pose}"
+    label = "the poses would be published here"
     help = "use a topic of {examples}"
     type: str
     pose: str
@@ -30,19 +32,19 @@ class MessageWithoutPose(Error, code="ROSS254", name="message-without-pose"):
 class OddDistance(Error, code="ROSS255", name="odd-distance"):
     """An `apart` that is no distance and no time, or is said twice."""
 
-    title = "poses are a distance or a time apart"
+    title = "`apart` needs a distance or a time"
     label = "{found}"
-    note = "without it, poses of a robot that stands would fill the memory"
-    help = "write it like this: `apart 1 cm`, `apart 0.2 sec` or `apart 1 cm, 0.2 sec`"
+    note = "without `apart`, the poses of a robot that stands still would fill the memory"
+    help = "write for example `apart 1 cm`, `apart 0.2 sec` or `apart 1 cm, 0.2 sec`"
     found: str
 
 
 class PoseCount(Error, code="ROSS428", name="pose-count"):
     """A memory for no number of poses."""
 
-    title = "a memory holds a whole number of poses, from 1 to {most}"
+    title = "`up to` needs a whole number of poses, from 1 to {most}"
     label = "this is {found}"
-    help = "write how many poses are kept, as in `up to 100`; when there are more the oldest goes"
+    help = "write how many poses are kept, as in `up to 100`; a full memory drops the oldest pose"
     most: int
     found: str
 
@@ -50,10 +52,13 @@ class PoseCount(Error, code="ROSS428", name="pose-count"):
 class RetracedCommand(Error, code="ROSS429", name="retraced-command"):
     """A topic to retrace on which somebody else commands the robot."""
 
-    title = "the poses would be mixed with the commands of others on {topic}"
+    title = "the poses would be mixed with other commands on {topic}"
     label = "a node publishes on this topic, or an action bounds it"
-    note = "a robot that gets two targets in turn goes to neither"
-    help = "retrace on a topic of its own, and let the controller take it while it has messages"
+    note = "a robot that gets two targets in turn reaches neither"
+    help = (
+        "retrace on a separate topic, and let the controller prefer this topic while it has "
+        "messages"
+    )
     topic: str
 
 
@@ -61,8 +66,8 @@ class PosesInAll(Error, code="ROSS430", name="poses-in-all"):
     """Memories of poses that are more together than a monitor can hold."""
 
     title = "all memories together hold more than {most} poses"
-    label = "with these there are {found}"
-    help = "keep fewer, or poses that are further apart"
+    label = "with this memory there are {found}"
+    help = "keep fewer poses, or keep poses that are further apart"
     most: int
     found: int
 

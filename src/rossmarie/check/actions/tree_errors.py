@@ -9,9 +9,10 @@ class MissingTreeArgument(Error, code="ROSS268", name="missing-tree-argument"):
     """A tree without a value for a parameter that it needs."""
 
     title = "`{skill}` needs {missing}"
-    label = "nobody gives it when the rule fires"
+    label = "the rule gives no value for the missing parameters"
     help = (
-        "write `{skill}({form})`; a skill that runs may have it: `{first}: doing SKILL.PARAMETER`"
+        "write `{skill}({form})`; a running skill can provide a value: `{first}: doing "
+        "SKILL.PARAMETER`"
     )
     skill: str
     missing: str
@@ -30,7 +31,7 @@ class UnfitTreeArgument(Error, code="ROSS269", name="unfit-tree-argument"):
     found: str
 
     class Declared(Remark):
-        says = "`{parameter}` stands here"
+        says = "`{parameter}` is declared here"
         parameter: str
 
 

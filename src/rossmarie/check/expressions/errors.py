@@ -24,25 +24,25 @@ class NotPositive(Error, code="ROSS318", name="not-positive"):
         says = "publish more often, or once: leave `at` out"
 
     class HowOften(Remark):
-        says = "write how often messages come"
+        says = "write the rate of the messages"
 
 
 class NotAFrequency(Error, code="ROSS319", name="not-a-frequency"):
     """Something else than a frequency behind `at`."""
 
-    title = "`at` needs how often it is published, and this is {found}"
-    label = "how often a second?"
-    help = "write it in Hz, as in `at 2 Hz`"
+    title = "`at` needs a frequency, and this is {found}"
+    label = "expected a frequency"
+    help = "write a frequency in Hz, as in `at 2 Hz`"
     found: str
 
 
 class ConstantCondition(Warning, code="ROSS406", name="constant-condition"):
     """A condition that nothing can change."""
 
-    title = "this is always {outcome}"
-    label = "no input has any influence on this"
-    note = "a monitor is there to watch what changes; here nothing does"
-    help = "compare an input with something, or leave this out"
+    title = "this condition is always {outcome}"
+    label = "no input influences this condition"
+    note = "a monitor watches values that change; nothing changes here"
+    help = "compare an input with a value, or remove this condition"
     outcome: str
 
 
@@ -50,11 +50,12 @@ class NeverCleared(Warning, code="ROSS408", name="never-cleared"):
     """A rule that is to be cleared by what keeps it active."""
 
     title = "this rule can never be cleared"
-    label = "while this holds, so does the condition of the rule"
+    label = "while this condition is true, the condition of the rule is true too"
     note = (
-        "a rule is cleared once its own condition is false and the one after `clear when` is true"
+        "a rule is cleared once its own condition is false and the condition after `clear when` is "
+        "true"
     )
-    help = "write when it may end, with a margin; or leave the contract out"
+    help = "write a condition with a margin, or remove the contract"
 
 
 ALL: tuple[type[Template], ...] = (

@@ -17,8 +17,8 @@ class UnknownMotionPart(Error, code="ROSS263", name="unknown-motion-part"):
 class IncompleteMotion(Error, code="ROSS264", name="incomplete-motion"):
     """A motion of which something is not said."""
 
-    title = "motion `{motion}` lacks {missing}"
-    label = "the way on which it stops cannot be worked out"
+    title = "motion `{motion}` has no {missing}"
+    label = "the stopping distance cannot be computed"
     help = "add {form}"
     motion: str
     missing: str
@@ -28,9 +28,9 @@ class IncompleteMotion(Error, code="ROSS264", name="incomplete-motion"):
 class UnlimitedReaction(Error, code="ROSS266", name="unlimited-reaction"):
     """A motion that is seen by an input whose loss nobody notices."""
 
-    title = "motion `{motion}` is seen by `{input}`, which has no timeout"
-    label = "nobody notices when its messages end, so no way to stop is long enough"
-    help = "say how long a message may be awaited: `input {input} = ... timeout 0.2 sec;`"
+    title = "motion `{motion}` is measured by `{input}`, which has no timeout"
+    label = "missing messages would go unnoticed, so no stopping distance is long enough"
+    help = "declare the longest wait for a message: `input {input} = ... timeout 0.2 sec;`"
     motion: str
     input: str
 
@@ -51,9 +51,9 @@ class UndeclaredMotion(Error, code="ROSS267", name="undeclared-motion"):
 class KeptGivesWay(Error, code="ROSS270", name="kept-gives-way"):
     """A rule that keeps something, and that another rule switches off."""
 
-    title = "rule `{rule}` keeps `{motion}` below a speed, and gives way to `{other}`"
-    label = "while `{other}` is active, nothing keeps it"
-    help = "leave `unless {other}` out, or let another rule keep it, which gives way to nobody"
+    title = "rule `{rule}` keeps `{motion}` below a speed, but gives way to `{other}`"
+    label = "while `{other}` is active, no rule keeps `{motion}` below the speed"
+    help = "remove `unless {other}`, or keep the speed in another rule that gives way to no rule"
     rule: str
     motion: str
     other: str

@@ -22,7 +22,7 @@ class UnknownParameter(Error, code="ROSS153", name="unknown-parameter"):
     """A value for a parameter that the imported file does not have."""
 
     title = "`{path}` has no parameter `{identifier}`"
-    label = "nothing takes this value"
+    label = "no parameter takes this value"
     path: str
     identifier: str
 
@@ -31,7 +31,9 @@ class UnknownParameter(Error, code="ROSS153", name="unknown-parameter"):
         known: str
 
     class NoneThere(Remark):
-        says = "it has no parameters; names are given to numbers there by `parameter NAME = 1 m;`"
+        says = (
+            "the file has no parameters; declare a parameter in the file: `parameter NAME = 1 m;`"
+        )
 
 
 class MissingParameter(Error, code="ROSS154", name="missing-parameter"):
@@ -82,7 +84,7 @@ class EndlessImport(Error, code="ROSS157", name="endless-import"):
 
     title = "{problem}"
     label = "{reason}"
-    note = "each import under a name adds the names of its file once more"
+    note = "each import with a name adds all names of the imported file again"
     help = "import the file without `as`, or move what is needed into a file of its own"
     problem: str
     reason: str
@@ -91,13 +93,13 @@ class EndlessImport(Error, code="ROSS157", name="endless-import"):
 class CannotTighten(Error, code="ROSS158", name="cannot-tighten"):
     """A parameter of the running node, with which a rule could be less strict."""
 
-    title = "a parameter that tightens could loosen this"
+    title = "a parameter with `tightens` could loosen this rule"
     label = "{reason}"
     note = (
         "the running node may set such a parameter, so a rule with a tighter value must be active "
         "whenever it is active with the default, and must not clear earlier"
     )
-    help = "turn the comparison, or the word behind `tightens`; or leave out `tightens`"
+    help = "reverse the comparison, or the word after `tightens`; or remove `tightens`"
     reason: str
 
 

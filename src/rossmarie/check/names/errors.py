@@ -16,7 +16,7 @@ class UndeclaredName(Error, code="ROSS101", name="undeclared-name"):
     """A value that nothing declares."""
 
     title = "`{identifier}` is not declared"
-    label = "no constant, input or condition in reach has this name"
+    label = "no constant, input or condition in scope has this name"
     help = "declare it: `const {identifier} = ...` or `input {identifier} = topic ...`"
     identifier: str
 
@@ -50,11 +50,11 @@ class UnknownCondition(Error, code="ROSS103", name="unknown-condition"):
     entity: str
 
     class Known(Remark):
-        says = "it has {known}"
+        says = "its conditions are {known}"
         known: str
 
     class NoneThere(Remark):
-        says = "it has no conditions"
+        says = "this entity has no conditions"
 
 
 class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
@@ -62,7 +62,7 @@ class UndeclaredAction(Error, code="ROSS104", name="undeclared-action"):
 
     title = "action `{identifier}` is not declared"
     label = "no action has this name"
-    note = "a rule may only start actions that the file, or one that it imports, declares"
+    note = "a rule can only start actions that this file or an imported file declares"
     help = "declare it: `action {identifier};`"
     identifier: str
 
@@ -71,24 +71,24 @@ class WrongKindOfName(Error, code="ROSS106", name="wrong-kind-of-name"):
     """A name that stands for something else than what is needed here."""
 
     title = "`{identifier}` is {found}, not {expected}"
-    label = "{expected} is needed here"
+    label = "expected {expected}"
     identifier: str
     found: str
     expected: str
 
     class OfEntity(Remark):
-        says = "choose a condition of it: {conditions}"
+        says = "choose a condition of this entity: {conditions}"
         conditions: str
 
     class EmptyEntity(Remark):
-        says = "it has no conditions"
+        says = "this entity has no conditions"
 
     class NoAction(Remark):
         says = "name one of {actions}, or declare an action"
         actions: str
 
     class NoValue(Remark):
-        says = "actions are named after `then`; conditions are made of inputs"
+        says = "name actions only after `then`; write conditions with inputs"
 
 
 class UnknownField(Error, code="ROSS108", name="unknown-field"):
@@ -109,7 +109,10 @@ class UnknownField(Error, code="ROSS108", name="unknown-field"):
         known: str
 
     class InList(Remark):
-        says = "a list has no fields, its elements have: `any(each in LIST: each.{name} ...)`"
+        says = (
+            "a list has no fields, but its elements have fields: `any(each in LIST: each.{name} "
+            "...)`"
+        )
         name: str
 
     class AlreadyData(Remark):
@@ -117,7 +120,7 @@ class UnknownField(Error, code="ROSS108", name="unknown-field"):
         owner: str
 
     class NoFields(Remark):
-        says = "it has no fields at all: leave this out"
+        says = "there are no fields here: remove the name after the dot"
 
 
 class UnknownMessageConstant(Error, code="ROSS134", name="unknown-message-constant"):
@@ -136,9 +139,12 @@ class UnknownMessageConstant(Error, code="ROSS134", name="unknown-message-consta
 class AmbiguousMessage(Error, code="ROSS135", name="ambiguous-message"):
     """A constant of one of several messages of the same name."""
 
-    title = "`{identifier}` is the name of several messages"
+    title = "several messages are named `{identifier}`"
     label = "of {messages}"
-    note = "a message that an input brings comes first; here none does, or several do"
+    note = (
+        "the message of an input takes precedence; here no input, or more than one input, has such "
+        "a message"
+    )
     help = "write the number, and give it a name: `const aborted = 4;`"
     identifier: str
     messages: str
@@ -149,7 +155,7 @@ class FieldNotUsable(Error, code="ROSS208", name="field-not-usable"):
 
     title = "field `{identifier}` cannot be used in rules"
     label = "{reason}"
-    help = "choose another field, or publish the value of interest on a topic of its own"
+    help = "choose another field, or publish the value on a topic of its own"
     identifier: str
     reason: str
 

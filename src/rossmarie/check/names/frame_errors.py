@@ -9,7 +9,7 @@ class UnknownFrame(Error, code="ROSS150", name="unknown-frame"):
     """A frame that no system model declares, where a way to it is needed."""
 
     title = "no system model declares the frame `{identifier}`"
-    label = "nobody says where this frame is"
+    label = "the position of this frame is not known"
     help = "declare it in the system model: `frame {identifier} in PARENT;`"
     identifier: str
 
@@ -19,8 +19,8 @@ class FrameConflict(Error, code="ROSS151", name="frame-conflict"):
 
     title = "{thing} cannot be both in `{found}` and in `{expected}`"
     label = "{words}"
-    note = "each message says one frame, and each frame lies in one other frame"
-    help = "say the same frame in both places, or leave one of them out"
+    note = "each message names one frame, and each frame lies in one other frame"
+    help = "write the same frame in both places, or leave one of the two out"
     thing: str
     found: str
     expected: str
@@ -31,9 +31,9 @@ class CircularFrames(Error, code="ROSS152", name="circular-frames"):
     """Frames that lie in each other."""
 
     title = "the frame `{identifier}` lies in itself: {cycle}"
-    label = "this frame is one of them"
-    note = "frames are a tree: the root, such as `map` or `odom`, lies in no other frame"
-    help = "leave out the declaration of the frame that is the root"
+    label = "this frame is part of the cycle"
+    note = "frames form a tree: the root, such as `map` or `odom`, lies in no other frame"
+    help = "remove the declaration of the root frame"
     identifier: str
     cycle: str
 
@@ -49,23 +49,23 @@ class Seen(Remark):
 class MixedFrames(Error, code="ROSS275", name="mixed-frames"):
     """Two things of different frames where one frame is needed."""
 
-    title = "`{text}` is in the frame `{found}`, and `{other}` in `{expected}`"
+    title = "`{text}` is in the frame `{found}`, but `{other}` is in `{expected}`"
     label = "`{text}` is in `{found}`"
-    note = "coordinates of one frame are other coordinates in another frame"
+    note = "the coordinates of a point differ from frame to frame"
     text: str
     found: str
     other: str
     expected: str
 
     class Transform(Remark):
-        says = "write `in {expected}` behind the input `{name}`"
+        says = "write `in {expected}` after the input `{name}`"
         name: str
         expected: str
 
     class Declare(Remark):
         says = (
-            "declare in the system model how `{found}` lies in `{expected}` (`frame {found} in "
-            "{expected};`), and write `in {expected}` behind the input `{name}`"
+            "declare the position of `{found}` in `{expected}` in the system model (`frame {found} "
+            "in {expected};`), and write `in {expected}` after the input `{name}`"
         )
         name: str
         found: str
@@ -77,13 +77,13 @@ class NothingToTransform(Error, code="ROSS276", name="nothing-to-transform"):
 
     title = "`{field}` cannot be transformed to `{frame}`"
     label = "{reason}"
-    note = "positions, orientations and vectors are seen from a frame"
+    note = "only positions, orientations and vectors can be transformed"
     field: str
     frame: str
     reason: str
 
     class Whole(Remark):
-        says = "choose all of it: `.{field}`"
+        says = "choose the whole field: `.{field}`"
         field: str
 
     class LeaveOut(Remark):
@@ -91,11 +91,11 @@ class NothingToTransform(Error, code="ROSS276", name="nothing-to-transform"):
         frame: str
 
     class Field(Remark):
-        says = "make an input of its own for `.{field}`, with `from` the frame that it is in"
+        says = "declare an input of its own for `.{field}`, with `from` and its frame"
         field: str
 
     class Untransformed(Remark):
-        says = "make an input of its own for `.{field}`, without `in` a frame"
+        says = "declare an input of its own for `.{field}`, without `in` and a frame"
         field: str
 
 
@@ -103,9 +103,12 @@ class UnknownSource(Error, code="ROSS277", name="unknown-source"):
     """`in FRAME` at an input of which nobody says the frame that it comes in."""
 
     title = "the frame in which `{field}` arrives is not known"
-    label = "there is no way from an unknown frame"
-    note = "the way between frames is worked out beforehand; a message in another frame is stale"
-    help = "write the frame that its messages say: `from FRAME in {frame}`"
+    label = "a value in an unknown frame cannot be transformed"
+    note = (
+        "the transform is computed before the monitor runs; a message in another frame counts as "
+        "stale"
+    )
+    help = "write the frame of the messages: `from FRAME in {frame}`"
     field: str
     frame: str
 
@@ -126,14 +129,14 @@ class UnfitPlacement(Error, code="ROSS278", name="unfit-placement"):
 class NoWay(Error, code="ROSS279", name="no-way-between-frames"):
     """Two frames that no declarations connect."""
 
-    title = "no declared frame leads from `{source}` to `{target}`"
-    label = "wanted here"
+    title = "no declared frame connects `{source}` with `{target}`"
+    label = "this needs the transform"
     help = "declare in the system model which frame connects them: `frame {source} in {target};`"
     source: str
     target: str
 
     class From(Remark):
-        says = "`{source}` is said here"
+        says = "`{source}` is named here"
         source: str
 
 

@@ -9,7 +9,7 @@ class NoLocation(Error, code="ROSS258", name="no-location"):
     """A class of which the scene has no thing, or that was exported without a scene."""
 
     title = "there is no {owl_class} in {path}"
-    label = "its places are asked for"
+    label = "the rules use the places of this class"
     help = "export the scene with the skills: `ezskiros export SKILLS SCENE.turtle -o {path}`"
     owl_class: str
     path: str
@@ -18,22 +18,22 @@ class NoLocation(Error, code="ROSS258", name="no-location"):
 class UnknownLocation(Error, code="ROSS259", name="unknown-location"):
     """A thing of which the scene does not say where it is."""
 
-    title = "nobody knows where {thing} is, which is a {owl_class}"
-    label = "this would leave it out"
-    help = "give it a polygon, or a position, in the scene; then run `ezskiros export` again"
+    title = "the place of {thing}, which is a {owl_class}, is not known"
+    label = "this condition would ignore {thing}"
+    help = "give {thing} a polygon or a position in the scene; then run `ezskiros export` again"
     thing: str
     owl_class: str
 
     class Described(Remark):
-        says = "the scene describes it here"
+        says = "the scene describes the thing here"
 
 
 class SeveralFrames(Error, code="ROSS260", name="several-frames"):
     """A class with things in more than one frame."""
 
     title = "the places of {owl_class} are in several frames: {frames}"
-    label = "a position is in one of them only"
-    help = "describe all of them in one frame, or ask for a class of things in one frame"
+    label = "a position is in only one of these frames"
+    help = "describe all of these places in one frame, or use a class whose things are in one frame"
     owl_class: str
     frames: str
 
@@ -51,8 +51,8 @@ class NoFrame(Error, code="ROSS261", name="no-frame"):
 class SeveralClasses(Error, code="ROSS262", name="several-classes"):
     """A name that several classes have."""
 
-    title = "several classes are called `{identifier}`"
-    help = "say which one is meant: {known}"
+    title = "several classes are named `{identifier}`"
+    help = "write which class is meant: {known}"
     identifier: str
     known: str
 

@@ -9,7 +9,7 @@ class NotACondition(Error, code="ROSS201", name="not-a-condition"):
     """A value where something true or false is needed."""
 
     title = "a condition is needed here"
-    label = "this is {found}, neither true nor false"
+    label = "this is {found}, which is neither true nor false"
     help = "compare it with something, `{text} > ...`"
     found: str
     text: str
@@ -44,7 +44,7 @@ class VectorAsScalar(Error, code="ROSS202", name="vector-as-scalar"):
 
     title = "a vector is not one number"
     label = "this is {found}"
-    note = "nothing says which of its three numbers is meant"
+    note = "it is not clear which of the three numbers is meant"
     help = "choose a component, `{text}.x`, `{text}.y` or `{text}.z`, or the length, `norm({text})`"
     found: str
     text: str
@@ -66,7 +66,7 @@ class Incomparable(Error, code="ROSS204", name="incomparable"):
         says = "use the condition by itself, or `not` and the condition"
 
     class Constant(Remark):
-        says = "`{constant}` is declared as {what}; declare what is to be compared"
+        says = "`{constant}` is declared as {what}; declare the value that you want to compare"
         constant: str
         what: str
 
@@ -115,14 +115,16 @@ class ArrayAsScalar(Error, code="ROSS206", name="array-as-scalar"):
     expected: str
 
     class NotWatched(Remark):
-        says = "no single element is watched over time: put `for` after the whole condition"
+        says = "single elements cannot be watched over time: put `for` after the whole condition"
 
     class WatchedOutside(Remark):
-        says = "no single element is watched over time: take it out of `{function}(...)`"
+        says = (
+            "single elements cannot be watched over time: move this part out of `{function}(...)`"
+        )
         function: str
 
     class WatchedTogether(Remark):
-        says = "no single element is watched over time: write `{meant}`"
+        says = "single elements cannot be watched over time: write `{meant}`"
         meant: str
 
     class Number(Remark):
@@ -146,7 +148,7 @@ class MessageAsValue(Error, code="ROSS207", name="message-as-value"):
         fields: str
 
     class NoFields(Remark):
-        says = "it has no fields; choose another"
+        says = "this message has no fields; choose another message"
 
 
 class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
@@ -161,9 +163,9 @@ class OrientationAsScalar(Error, code="ROSS214", name="orientation-as-scalar"):
 class NotConstant(Error, code="ROSS215", name="not-constant"):
     """Something that changes where a constant is needed."""
 
-    title = "{purpose} has to be constant"
+    title = "{purpose} must be constant"
     label = "this is not constant"
-    note = "it has to be known before the monitor runs"
+    note = "the value must be known before the monitor runs"
     help = "use numbers, strings, `true`, `false`, other constants and operators on them"
     purpose: str
 
@@ -173,7 +175,7 @@ class DivisionByZero(Error, code="ROSS217", name="division-by-zero"):
 
     title = "division by zero"
     label = "this is always zero"
-    note = "the result would never be known, and no rule on it could ever be decided"
+    note = "the result would always be unknown, so no rule that uses the result could be decided"
     help = "divide by something else"
 
 
@@ -202,7 +204,7 @@ class NotAnArray(Error, code="ROSS221", name="not-an-array"):
 
     class AllElements(Remark):
         says = (
-            "messages in a list are looked at all together: `{function}(each in {text}: each. ...)`"
+            "rules look at all messages of a list together: `{function}(each in {text}: each. ...)`"
         )
         function: str
         text: str
@@ -216,7 +218,7 @@ class ElementsWithoutNames(Error, code="ROSS231", name="elements-without-names")
     """An element chosen by its name, where the message has no list of names."""
 
     title = "the elements of `{text}` have no names"
-    label = "no list of strings stands beside it in the message"
+    label = "the message has no list of names for these elements"
     text: str
 
     class Place(Remark):
@@ -251,11 +253,11 @@ class BooleanCompared(Error, code="ROSS222", name="boolean-compared"):
 class StringsCompared(Error, code="ROSS223", name="strings-compared"):
     """A comparison of two texts that both arrive with messages."""
 
-    title = "a string can only be compared with a string that is written down"
+    title = "a string can only be compared with a string literal"
     label = "neither side is known before the monitor runs"
     note = (
-        "a monitor keeps apart only the strings that the rules mention: "
-        "all others are one and the same to it"
+        "a monitor distinguishes only the strings that the rules mention: all other strings are "
+        "equal to the monitor"
     )
     help = 'compare each with the strings that matter: `{left} == "..." and {right} == "..."`'
     left: str
@@ -265,7 +267,7 @@ class StringsCompared(Error, code="ROSS223", name="strings-compared"):
 class NotADuration(Error, code="ROSS306", name="not-a-duration"):
     """Something else where a length of time is needed."""
 
-    title = "{purpose} is a length of time"
+    title = "{purpose} must be a duration"
     label = "this is {found}"
     help = "write a time, such as `0.5 sec`"
     purpose: str
@@ -275,7 +277,7 @@ class NotADuration(Error, code="ROSS306", name="not-a-duration"):
 class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
     """A length of time that is zero, negative, or longer than any robot lives."""
 
-    title = "{purpose} has to be {bound}"
+    title = "{purpose} must be {bound}"
     label = "this is {found}"
     note = "{reason}"
     help = "write a time, such as `0.5 sec`"
@@ -291,7 +293,7 @@ class DurationOutOfRange(Error, code="ROSS307", name="duration-out-of-range"):
 class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"):
     """A sum, product or negation of temperatures whose zero is arbitrary."""
 
-    title = "a temperature in {unit} is no amount to calculate with"
+    title = "a temperature in {unit} cannot be used in this calculation"
     label = "this is in {unit}"
     note = "zero {unit} is not the absence of temperature: twice 10 {unit} is not 20 {unit}"
     help = "compare temperatures as they are, or calculate in K"
@@ -301,9 +303,11 @@ class TemperatureArithmetic(Error, code="ROSS310", name="temperature-arithmetic"
 class AmbiguousFor(Error, code="ROSS403", name="ambiguous-for"):
     """`for` behind two conditions without parentheses."""
 
-    title = "it is not clear what has to hold for {duration}"
-    label = "`{last}` alone, or all of it?"
-    note = "`for` binds tighter than `and` and `or`, but reads as if it covered all before it"
+    title = "it is not clear which condition must hold for {duration}"
+    label = "only `{last}`, or the whole condition?"
+    note = (
+        "`for` binds tighter than `and` and `or`, but looks as if it covered everything before it"
+    )
     help = "write `{narrow}` or `{wide}`"
     duration: str
     last: str
@@ -314,9 +318,11 @@ class AmbiguousFor(Error, code="ROSS403", name="ambiguous-for"):
 class AmbiguousSince(Error, code="ROSS232", name="ambiguous-since"):
     """`since` beside `and` or `or` without parentheses."""
 
-    title = "it is not clear how far `since` reaches"
-    label = "to `{near}` alone, or to all of it?"
-    note = "`since` binds tighter than `and` and `or`, but reads as if it covered all around it"
+    title = "it is not clear how much of the condition `since` covers"
+    label = "only `{near}`, or the whole condition?"
+    note = (
+        "`since` binds tighter than `and` and `or`, but looks as if it covered everything around it"
+    )
     help = "write `{narrow}` or `{wide}`"
     near: str
     narrow: str
@@ -326,7 +332,7 @@ class AmbiguousSince(Error, code="ROSS232", name="ambiguous-since"):
 class ExactEquality(Warning, code="ROSS404", name="exact-equality"):
     """Measured numbers compared for equality."""
 
-    title = "measured numbers are hardly ever exactly equal"
+    title = "measured numbers are almost never exactly equal"
     label = "`{operator}` compares every last bit"
     help = "compare with a tolerance: `{advice}`"
     operator: str
@@ -348,7 +354,7 @@ class JumpingAngle(Warning, code="ROSS409", name="jumping-angle"):
     axis: str
 
     class Unfiltered(Remark):
-        says = "compare `{angle}` itself, and let `for` pass over single messages"
+        says = "compare `{angle}` itself, and use `for` to ignore single messages"
         angle: str
 
 

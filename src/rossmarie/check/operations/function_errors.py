@@ -13,7 +13,7 @@ class UnknownFunction(Error, code="ROSS107", name="unknown-function"):
     identifier: str
 
     class Known(Remark):
-        says = "there are {known}"
+        says = "the functions are {known}"
         known: str
 
 
@@ -60,12 +60,12 @@ class ElementwiseMixture(Error, code="ROSS211", name="elementwise-mixture"):
         says = "the array"
 
     class OneProposition(Remark):
-        says = "`{text}` is one boolean for all elements: take it out of `{function}`"
+        says = "`{text}` is one boolean for all elements: move it out of `{function}`"
         text: str
         function: str
 
     class TakenOut(Remark):
-        says = "`{text}` is one boolean for all elements: take it out of `{function}`, `{meant}`"
+        says = "`{text}` is one boolean for all elements: move it out of `{function}`, `{meant}`"
         text: str
         function: str
         meant: str
@@ -84,7 +84,7 @@ class AgeMisused(Error, code="ROSS219", name="age-misused"):
 class OscillationCount(Error, code="ROSS220", name="oscillation-count"):
     """A number of turning points that cannot be counted."""
 
-    title = "a number of turning points is a whole number from 1 to {most}"
+    title = "the number of turning points must be a whole number from 1 to {most}"
     label = "this is {found}"
     help = "write `3 times`"
     found: str
@@ -96,7 +96,7 @@ class EdgesMisused(Error, code="ROSS234", name="edges-misused"):
 
     title = "a count of edges within a time can only be compared with a constant whole number"
     label = "{reason}"
-    note = "a monitor keeps no more edges than the comparison needs, so it has to know that number"
+    note = "a monitor keeps only as many edges as the comparison needs, so the number must be known"
     help = "write `count(edges of CONDITION within 10 sec) > 3`"
     reason: str
 
@@ -104,7 +104,7 @@ class EdgesMisused(Error, code="ROSS234", name="edges-misused"):
 class EdgeCount(Error, code="ROSS235", name="edge-count"):
     """A number of edges that cannot be counted up to, or that every count is above."""
 
-    title = "a count of edges is compared with a whole number from 0 to {most}"
+    title = "a count of edges must be compared with a whole number from 0 to {most}"
     label = "{reason}"
     help = "write `count(edges of CONDITION within 10 sec) > 3`"
     reason: str
@@ -114,14 +114,14 @@ class EdgeCount(Error, code="ROSS235", name="edge-count"):
 class ChangedMisused(Error, code="ROSS236", name="changed-misused"):
     """`changed` of something that is no number, vector or flag of a message."""
 
-    title = "`changed` compares a number, a vector or a flag with the message before"
+    title = "`changed` needs a number, a vector or a flag of a message"
     label = "this is {found}"
     found: str
 
     class Texts(Remark):
         says = (
-            "strings that the rules do not mention are one and the same to a monitor: "
-            "it would miss most changes"
+            "all strings that the rules do not mention are equal to a monitor: it would miss most "
+            "changes"
         )
 
     class Compared(Remark):
@@ -136,7 +136,7 @@ class ChangedMisused(Error, code="ROSS236", name="changed-misused"):
 class UnfitMotionPart(Error, code="ROSS265", name="unfit-motion-part"):
     """A part of a motion, or a speed to keep, that is not what it has to be."""
 
-    title = "{part} has to be {expected}"
+    title = "{part} must be {expected}"
     label = "this is {found}"
     part: str
     expected: str
@@ -146,7 +146,7 @@ class UnfitMotionPart(Error, code="ROSS265", name="unfit-motion-part"):
 class UnfitAmount(Error, code="ROSS283", name="unfit-amount"):
     """An argument of `braking_distance` or `time_to` that is not what it has to be."""
 
-    title = "{part} of `{function}` has to be {expected}"
+    title = "{part} of `{function}` must be {expected}"
     label = "this is {found}"
     help = "write `{usage}`"
     function: str

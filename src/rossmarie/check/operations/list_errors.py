@@ -11,10 +11,10 @@ class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
     title = "the list `{text}` needs a bound"
     label = "it can have any number of elements"
     note = (
-        "a monitor has room for as many elements as its input says; a message with more of them "
-        "counts as stale"
+        "a monitor has room for as many elements as its input declares; a message with more "
+        "elements counts as stale"
     )
-    help = "say it where the input is declared: `up to {bound}`"
+    help = "declare the bound at the input: `up to {bound}`"
     text: str
     bound: int
 
@@ -25,32 +25,38 @@ class UnboundedList(Error, code="ROSS237", name="unbounded-list"):
 class NotOfTheElement(Error, code="ROSS240", name="not-of-the-element"):
     """A part that stands neither for the element nor for a number where elements are looked at."""
 
-    title = "behind `{variable} in {text}:` may stand `{variable}`, constants, numbers of messages"
+    title = (
+        "after `{variable} in {text}:` only `{variable}`, constants and numbers of messages are "
+        "allowed"
+    )
     label = "{found}"
     note = (
-        "`{function}` looks at the elements of one list, one by one, while their message is there"
+        "`{function}` looks at the elements of one list one by one, while their message is "
+        "available"
     )
-    help = "ask this outside: `{function}({variable} in {text}: ...) and ...`"
+    help = "move the other part outside: `{function}({variable} in {text}: ...) and ...`"
     function: str
     variable: str
     text: str
     found: str
 
     class NotWatched(Remark):
-        says = "no single element is watched over time: put `for` after the whole condition"
+        says = "single elements cannot be watched over time: put `for` after the whole condition"
 
     class WatchedTogether(Remark):
-        says = "no single element is watched over time: write `{meant}`"
+        says = "single elements cannot be watched over time: write `{meant}`"
         meant: str
 
     class Samples(Remark):
-        says = "ask it of the result, as in `{called}(min({variable} in {text}: ...))`"
+        says = "apply the function to the result, as in `{called}(min({variable} in {text}: ...))`"
         called: str
         variable: str
         text: str
 
     class Number(Remark):
-        says = "compare the result with it, as in `min({variable} in {text}: ...) < {number}`"
+        says = (
+            "compare the result with this number, as in `min({variable} in {text}: ...) < {number}`"
+        )
         variable: str
         text: str
         number: str

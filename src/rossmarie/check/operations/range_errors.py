@@ -49,7 +49,7 @@ class RangeMismatch(Error, code="ROSS213", name="range-mismatch"):
         value: str
 
     class OfPoints(Remark):
-        says = "nothing is in a point; ask `distance({value}, {container}) < 1 m`"
+        says = "a point contains nothing; write `distance({value}, {container}) < 1 m`"
         value: str
         container: str
 
@@ -75,9 +75,9 @@ class IntervalEndsSwapped(Error, code="ROSS216", name="interval-ends-swapped"):
 class StringsAsRange(Error, code="ROSS224", name="strings-as-range"):
     """Texts in brackets, as if `in` looked for one in a list."""
 
-    title = "a bracket is a range of numbers, not a list of strings"
+    title = "brackets hold a range of numbers, not a list of strings"
     label = "these are strings"
-    note = "strings have no order, so nothing is between two of them"
+    note = "strings have no order, so no string is between two other strings"
     help = "compare with each string, `==` or `!=`, and join by `or` or `and`"
 
 

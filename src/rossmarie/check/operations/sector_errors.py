@@ -10,7 +10,7 @@ class NoSectors(Error, code="ROSS271", name="no-sectors"):
 
     title = "`{text}` has no sectors"
     label = "this is {found}"
-    note = "only the `ranges` of a sensor_msgs/LaserScan come with the angle of each reading"
+    note = "only the `ranges` of a sensor_msgs/LaserScan have an angle for each reading"
     text: str
     found: str
 
@@ -20,7 +20,9 @@ class NoSectors(Error, code="ROSS271", name="no-sectors"):
         sector: str
 
     class Points(Remark):
-        says = "look at the angle of each: `any(p in {text}: p.angle in [-30, 30] deg and ...)`"
+        says = (
+            "look at the angle of each point: `any(p in {text}: p.angle in [-30, 30] deg and ...)`"
+        )
         text: str
 
 
@@ -29,7 +31,10 @@ class NoSector(Error, code="ROSS272", name="no-sector"):
 
     title = "a sector goes from one angle to another"
     label = "{found}"
-    note = "it goes counter-clockwise; 0 deg is straight ahead of the scanner, 90 deg to its left"
+    note = (
+        "a sector goes counter-clockwise; 0 deg is straight ahead of the scanner, 90 deg is to its "
+        "left"
+    )
     help = "write two angles: `[-30 deg .. 30 deg]`"
     found: str
 
@@ -37,10 +42,10 @@ class NoSector(Error, code="ROSS272", name="no-sector"):
 class LongWay(Warning, code="ROSS273", name="long-way-round"):
     """A sector whose ends were probably exchanged."""
 
-    title = "this sector has {width} deg"
-    label = "counter-clockwise, and so through 180 deg"
-    help = "if the sector ahead is meant, exchange its ends: `[{last} .. {first}]`"
-    note = "to say that it is meant, let the second angle be the greater one: `{greater}`"
+    title = "this sector is {width} deg wide"
+    label = "the sector goes counter-clockwise, and so through 180 deg"
+    help = "if you mean the sector ahead, exchange its ends: `[{last} .. {first}]`"
+    note = "if you mean this sector, let the second angle be the greater angle: `{greater}`"
     width: str
     first: str
     last: str
@@ -50,23 +55,26 @@ class LongWay(Warning, code="ROSS273", name="long-way-round"):
 class RawReadings(Warning, code="ROSS274", name="raw-readings"):
     """Readings of a scan, those included that are no distances."""
 
-    title = "`{text}` has readings that are no distances"
+    title = "`{text}` has readings that are not distances"
     label = "a reading of 0 counts as something at 0 m"
     note = (
-        "many lidars say 0 where nothing returns; only the scan itself says from which distance on "
-        "a reading is one (`range_min`)"
+        "many lidars report 0 where nothing returns; only the scan itself gives the least valid "
+        "distance (`range_min`)"
     )
     text: str
 
     class Sector(Remark):
         says = (
-            "take the distances among them: `{text}[-30 deg .. 30 deg]` are those ahead, and "
-            "`{text}[-180 deg .. 180 deg]` those of a scanner that sees all around"
+            "use the distances in a sector: `{text}[-30 deg .. 30 deg]` for those ahead, or "
+            "`{text}[-180 deg .. 180 deg]` for a scanner that sees all around"
         )
         text: str
 
     class Angle(Remark):
-        says = "say at which angle it is: `min({text}[-5 deg .. 5 deg])` are those ahead"
+        says = (
+            "give the angle of the reading: `min({text}[-5 deg .. 5 deg])` for the readings "
+            "straight ahead"
+        )
         text: str
 
 

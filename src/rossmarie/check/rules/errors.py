@@ -10,17 +10,17 @@ class UndeclaredRule(Error, code="ROSS120", name="undeclared-rule"):
 
     title = "there is no rule `{identifier}`"
     label = "no rule has this name"
-    help = "name the rule that is meant: `rule {identifier}: if ...`"
+    help = "give the intended rule this name: `rule {identifier}: if ...`"
     identifier: str
 
 
 class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
     """Actions each of which is what happens when the other one fails."""
 
-    title = "action `{identifier}` is the escalation of its own failure"
+    title = "action `{identifier}` escalates to itself"
     label = "this leads back: {cycle}"
-    note = "each escalation has to lead to something stronger, and that has to end somewhere"
-    help = "let the last action of the chain have no `else`"
+    note = "each escalation must lead to a stronger action, and the chain must end"
+    help = "remove the `else` of the last action of the chain"
     identifier: str
     cycle: str
 
@@ -28,9 +28,9 @@ class CircularEscalation(Error, code="ROSS122", name="circular-escalation"):
 class CircularPriority(Error, code="ROSS123", name="circular-priority"):
     """Rules of which each is more important than the next, in a circle."""
 
-    title = "rule `{identifier}` is put over itself"
+    title = "rule `{identifier}` has priority over itself"
     label = "this leads back: {cycle}"
-    help = "remove one of the orders"
+    help = "remove one of the priorities"
     identifier: str
     cycle: str
 
@@ -40,7 +40,7 @@ class CircularUnless(Error, code="ROSS142", name="circular-unless"):
 
     title = "rule `{identifier}` gives way to itself"
     label = "this leads back: {cycle}"
-    note = "while all of them are active none would be carried out"
+    note = "while all these rules are active, none of them would be carried out"
     help = "remove one `unless`, so that one rule comes first"
     identifier: str
     cycle: str
@@ -60,7 +60,7 @@ class UnknownCategory(Error, code="ROSS250", name="unknown-category"):
 
     title = "there is no {said} `{identifier}`"
     label = "not one of {known}"
-    help = "write one of {known}, or leave it out"
+    help = "write one of {known}, or remove the word"
     identifier: str
     said: str
     known: str
@@ -71,8 +71,11 @@ class NothingSelected(Error, code="ROSS251", name="nothing-selected"):
 
     title = "no rule is {only}"
     label = "{known}"
-    note = "a monitor without rules would look as if it watched"
-    help = "select what rules have, or write it behind them: `category human task dependent`"
+    note = "a monitor without rules would only appear to watch the robot"
+    help = (
+        "select categories that the rules have, or add the categories after a rule: `category "
+        "human task dependent`"
+    )
     only: str
     known: str
 
@@ -92,19 +95,19 @@ class MissingTimeout(Warning, code="ROSS402", name="missing-timeout"):
     """An input that a rule rests on and that may fall silent unnoticed."""
 
     title = "input `{identifier}` has no timeout"
-    label = "if it falls silent, its last value is used for ever"
+    label = "if this input falls silent, its last value is used forever"
     note = (
-        "without a timeout, a rule that lacks this input is never activated by the lack; "
-        "with one, it fails closed"
+        "without a timeout, a silent input never activates a rule; with a timeout, the rule fails "
+        "closed"
     )
-    help = "write the longest silence you accept after it: `timeout 0.5 sec`"
+    help = "add the longest silence that you accept: `timeout 0.5 sec`"
     identifier: str
 
     class Rule(Remark):
-        says = "this rule rests on it"
+        says = "this rule depends on the input"
 
     class Confirmation(Remark):
-        says = "this confirmation rests on it"
+        says = "this confirmation depends on the input"
 
 
 class NoRules(Warning, code="ROSS407", name="no-rules"):
@@ -112,17 +115,17 @@ class NoRules(Warning, code="ROSS407", name="no-rules"):
 
     title = "there is no rule: nothing will be monitored"
     label = "{what}"
-    note = "only rules start actions and yield verdicts"
-    help = "write what follows from it: `if CONDITION then {{ ACTION; }};`"
+    note = "only rules start actions and produce verdicts"
+    help = "write a rule: `if CONDITION then {{ ACTION; }};`"
     what: str
 
 
 class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
     """A rule with a contract of its own that uses a latched action."""
 
-    title = "action `{identifier}` is latched, and this rule clears by itself"
-    label = "a contract other than that of the action"
-    help = "leave this contract out, or use an action that is not latched"
+    title = "action `{identifier}` is latched, but this rule clears by itself"
+    label = "this contract differs from the contract of the action"
+    help = "remove this contract, or use an action that is not latched"
     identifier: str
 
     class Latched(Remark):
@@ -133,9 +136,9 @@ class LatchConflict(Error, code="ROSS417", name="latch-conflict"):
 class PlanTooLarge(Error, code="ROSS420", name="plan-too-large"):
     """A rule whose actions and escalations are more than a reactor can hold."""
 
-    title = "this rule would do more than {most} things"
-    label = "its actions and all that follows when they fail"
-    note = "an escalation that several effects have in common counts for each of them"
+    title = "this rule has more than {most} effects"
+    label = "counted with all escalations of its actions"
+    note = "an escalation that several effects share counts once for each of these effects"
     help = "use fewer `else`, or actions with fewer effects"
     most: int
 
@@ -145,47 +148,52 @@ class UnmitigatedHazard(Warning, code="ROSS421", name="unmitigated-hazard"):
 
     title = "no rule mitigates hazard `{identifier}`"
     label = "declared here"
-    help = "write `mitigates {identifier}` behind the rules that do, or remove the hazard"
+    help = (
+        "write `mitigates {identifier}` after each rule that mitigates the hazard, or remove the "
+        "hazard"
+    )
     identifier: str
 
 
 class LastResortOverruled(Error, code="ROSS422", name="last-resort-overruled"):
     """The last action of a chain of escalations, which needs what another rule may have."""
 
-    title = "the last escalation of rule `{rule}` needs {resource}, which rule `{other}` has first"
-    label = "while `{other}` is engaged this is overruled, and nothing follows"
-    note = "a chain of escalations has to end with something that no other rule can overrule"
+    title = "the last escalation of rule `{rule}` needs {resource}, but rule `{other}` has priority"
+    label = "while `{other}` is engaged, this effect is overruled, and nothing follows"
+    note = "a chain of escalations must end with an effect that no other rule can overrule"
     help = (
-        "end the chain with an action that blocks or limits commands: no rule overrules that; "
-        "or put rule `{rule}` over rule `{other}` with `priority`"
+        "end the chain with an action that blocks or limits commands (no rule overrules such an "
+        "action), or put rule `{rule}` over rule `{other}` with `priority`"
     )
     rule: str
     other: str
     resource: str
 
     class Ends(Remark):
-        says = "rule `{rule}` ends with it"
+        says = "rule `{rule}` ends with this effect"
         rule: str
 
     class First(Remark):
-        says = "rule `{rule}` comes first"
+        says = "rule `{rule}` has priority"
         rule: str
 
 
 class OddFeedback(Error, code="ROSS423", name="odd-feedback"):
     """Feedback for a learner that is no amount that can be summed, or is said twice."""
 
-    title = "feedback is a plain number that is not negative, once per activation and once per time"
+    title = (
+        "feedback must be a plain number of at least 0, given once per activation and once per time"
+    )
     label = "{found}"
-    note = "a learner is told the sum of the feedback of all rules, as a loss"
-    help = "write it like this: `feedback 1.0 per activation, 0.5 per sec, margin in N`"
+    note = "a learner receives the sum of the feedback of all rules, as a loss"
+    help = "write for example `feedback 1.0 per activation, 0.5 per sec, margin in N`"
     found: str
 
 
 class NoMargin(Error, code="ROSS424", name="no-margin"):
     """A rule with a margin whose condition has a part that has no distance to a limit."""
 
-    title = "this has no distance to a limit, and so the rule has no margin"
+    title = "this part has no distance to a limit, so the rule has no margin"
     label = "{found}"
     note = (
         "a margin is made of the distances of `<`, `<=`, `>`, `>=`, `in` and `not in`; "
@@ -195,13 +203,13 @@ class NoMargin(Error, code="ROSS424", name="no-margin"):
     found: str
 
     class Asked(Remark):
-        says = "asked for here"
+        says = "margin requested here"
 
 
 class MarginUnit(Error, code="ROSS425", name="margin-unit"):
     """A margin in a unit that is not that of all comparisons."""
 
-    title = "a margin has one dimension, but this is {one}, and the comparison {other}"
+    title = "a margin has one dimension, but this side is {one}, and the comparison {other}"
     label = "this is {one}"
     note = "a margin is a single number: the least or the greatest of the distances"
     one: str
@@ -212,7 +220,7 @@ class MarginUnit(Error, code="ROSS425", name="margin-unit"):
         one: str
 
     class Asked(Remark):
-        says = "asked for here"
+        says = "margin requested here"
 
     class Apart(Remark):
         says = "leave out `margin`, or give each comparison a rule of its own"
@@ -225,28 +233,28 @@ class MarginUnit(Error, code="ROSS425", name="margin-unit"):
 class AlwaysLimited(Error, code="ROSS426", name="always-limited"):
     """A scope or an exemption of a rule that holds always."""
 
-    title = "this rule holds always, and has no {kind}"
-    label = "{kind} of a rule that holds always"
-    note = "`always` promises that no skill and no operator keeps the rule from being carried out"
-    help = "leave it out, or leave out `always`"
+    title = "a rule with `always` has no {kind}"
+    label = "{kind} of a rule with `always`"
+    note = "`always` guarantees that no skill and no operator suspends the rule"
+    help = "remove it, or remove `always`"
     kind: str
 
     class Always(Remark):
-        says = "it holds always"
+        says = "`always` is here"
 
 
 class ExemptedHazard(Error, code="ROSS427", name="exempted-hazard"):
     """An exemption with nothing instead, of a rule that mitigates a hazard."""
 
     title = "while `{skill}` nothing would mitigate hazard `{hazard}`"
-    label = "exempted, with nothing instead"
-    note = "a rule that is there for a hazard may do something else, but not nothing"
-    help = "say what holds instead: `unless doing SKILL then {{ ACTION; }}`"
+    label = "exempted without a replacement"
+    note = "a rule that mitigates a hazard may do something else, but not nothing"
+    help = "write a replacement: `unless doing SKILL then {{ ACTION; }}`"
     hazard: str
     skill: str
 
     class Mitigated(Remark):
-        says = "the rule mitigates it"
+        says = "the rule mitigates the hazard here"
 
 
 class RepeatedExemption(Error, code="ROSS431", name="repeated-exemption"):
@@ -254,8 +262,8 @@ class RepeatedExemption(Error, code="ROSS431", name="repeated-exemption"):
 
     title = "`{skill}` is exempted twice"
     label = "the same skill with the same things"
-    note = "it would not be clear which of the two says what holds instead"
-    help = "leave out one of the two"
+    note = "it would not be clear which of the two exemptions applies"
+    help = "remove one of the two"
     skill: str
 
     class First(Remark):

@@ -24,15 +24,15 @@ class DuplicateName(Error, code="ROSS105", name="duplicate-name"):
 class CircularConstant(Error, code="ROSS113", name="circular-constant"):
     """A constant that is defined by itself."""
 
-    title = "constant `{identifier}` is defined by itself"
+    title = "constant `{identifier}` depends on itself"
     label = "{cycle}"
-    note = "the value of a constant has to be known before it can be used"
-    help = "write the value of one of them as a number"
+    note = "the value of a constant must be known before it is used"
+    help = "write the value of one of these constants as a number"
     identifier: str
     cycle: str
 
     class Part(Remark):
-        says = "part of the circle"
+        says = "part of the cycle"
 
 
 class CircularCondition(Error, code="ROSS114", name="circular-condition"):
@@ -40,22 +40,22 @@ class CircularCondition(Error, code="ROSS114", name="circular-condition"):
 
     title = "condition `{identifier}` depends on itself"
     label = "{cycle}"
-    note = "the value of a condition follows from inputs; a circle of conditions has no start"
-    help = "write one of them without the others"
+    note = "conditions are computed from inputs; a cycle of conditions has no start"
+    help = "write one of these conditions without the others"
     identifier: str
     cycle: str
 
     class Next(Remark):
-        says = "and this on the next"
+        says = "this condition depends on the next"
 
 
 class SeveralContracts(Error, code="ROSS115", name="several-contracts"):
     """A rule with more than one resume contract."""
 
     title = "a rule has at most one resume contract"
-    label = "this one contradicts the first"
-    note = "it would not be clear which of them releases the actions"
-    help = "keep one; two conditions for release can be joined: `clear when (A and B) for 2 sec`"
+    label = "this contract contradicts the first"
+    note = "it would not be clear which contract clears the rule"
+    help = "keep one contract; to join two conditions, write `clear when (A and B) for 2 sec`"
 
     class First(Remark):
         says = "the first contract"
@@ -65,9 +65,12 @@ class RepeatedAction(Warning, code="ROSS405", name="repeated-action"):
     """An action that one rule names twice."""
 
     title = "action `{identifier}` is named twice in one rule"
-    label = "it is in force already"
-    note = "an action is in force from its turn to the release; named again, it only begins again"
-    help = "remove it"
+    label = "this action is already in force"
+    note = (
+        "an action is in force from its turn until the rule is cleared; naming the action again "
+        "only restarts it"
+    )
+    help = "remove the second name"
     identifier: str
 
     class First(Remark):

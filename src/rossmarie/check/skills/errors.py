@@ -15,7 +15,7 @@ class InSkills(Remark):
 class Known(Remark):
     """The names that there are."""
 
-    says = "the file of skills has {known}"
+    says = "the skills file has {known}"
     known: str
 
 
@@ -23,8 +23,8 @@ class UnknownSkill(Error, code="ROSS144", name="unknown-skill"):
     """A skill that the file of skills does not have."""
 
     title = "there is no skill `{identifier}`"
-    label = "the file of skills has none of this name"
-    help = "name a skill of {path}; after a change of the skills run `ezskiros export` again"
+    label = "the skills file has no skill of this name"
+    help = "name a skill of {path}; if the skills have changed, run `ezskiros export` again"
     identifier: str
     path: str
 
@@ -33,7 +33,7 @@ class UnknownSkillParameter(Error, code="ROSS145", name="unknown-skill-parameter
     """A parameter that a skill does not have."""
 
     title = "skill `{skill}` has no parameter `{identifier}`"
-    label = "not one of its parameters"
+    label = "not a parameter of this skill"
     help = "{known}"
     skill: str
     identifier: str
@@ -50,15 +50,15 @@ class UnknownSkillClass(Error, code="ROSS146", name="unknown-skill-class"):
     reason: str
 
     class Several(Remark):
-        says = "say which one is meant: {known}"
+        says = "write which class is meant: {known}"
         known: str
 
 
 class UnknownSkillProperty(Error, code="ROSS147", name="unknown-skill-property"):
     """A property that things of a class do not have."""
 
-    title = "things of the class {owner} have no property `{identifier}`"
-    label = "no data property of this class, or of one that it is derived from"
+    title = "class {owner} has no property `{identifier}`"
+    label = "not a data property of this class or of its base classes"
     help = "{known}"
     identifier: str
     owner: str
@@ -68,19 +68,21 @@ class UnknownSkillProperty(Error, code="ROSS147", name="unknown-skill-property")
 class NoSkills(Error, code="ROSS148", name="no-skills"):
     """A query about skills in a program that names no file of skills."""
 
-    title = "the rules ask for a skill, and name no file of skills"
-    label = "nobody knows which skills there are"
-    note = "`ezskiros export` writes the file; rules are checked against it"
+    title = "the rules query a skill, but name no skills file"
+    label = "the skills are not known"
+    note = "`ezskiros export` writes the skills file; the rules are checked against this file"
     help = 'name the file: `skills "skills.json";`'
 
 
 class SeveralSkills(Error, code="ROSS149", name="several-skills"):
     """Two files of skills, or two timeouts of one, in a program."""
 
-    title = "a program has one file of skills, and one timeout of it"
+    title = "a program has one skills file, with one timeout"
     label = "{found}"
-    note = "a robot tells of all its skills in one message, which carries the digest of the file"
-    help = "leave out one of the two"
+    note = (
+        "a robot reports all its skills in one message, which carries the digest of the skills file"
+    )
+    help = "remove one of the two"
     found: str
 
     class First(Remark):
@@ -93,7 +95,7 @@ class NoThing(Error, code="ROSS233", name="no-thing"):
 
     title = "parameter `{identifier}` of skill `{skill}` is {found}, and has no class"
     label = "only things have classes"
-    help = "leave it out; a number is asked for by `input NAME = doing {skill}.{identifier};`"
+    help = "leave the class out; to read a number, write `input NAME = doing {skill}.{identifier};`"
     identifier: str
     skill: str
     found: str
@@ -103,8 +105,8 @@ class ImpossibleClass(Error, code="ROSS245", name="impossible-class"):
     """A class that the parameter of a skill can never have."""
 
     title = "parameter `{identifier}` of skill `{skill}` can never be {found}"
-    label = "it is {expected}, and no thing is both"
-    note = "the ontology has no class that is derived from both"
+    label = "the parameter is {expected}, and no thing is both"
+    note = "no class in the ontology is derived from both"
     help = "name a class that is derived from {expected}, or leave the parameter out"
     identifier: str
     skill: str
@@ -129,14 +131,14 @@ class NoSkillNumber(Error, code="ROSS246", name="no-skill-number"):
         extra: str
 
     class Other(Remark):
-        says = "name a parameter that is a number, or a property of a thing that is one"
+        says = "name a parameter that is a number, or a property of a thing that is a number"
 
 
 class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-parameter"):
     """One parameter, twice in one `doing` or in one `tree`."""
 
     title = "parameter `{identifier}` is named twice"
-    label = "it stands there already"
+    label = "an earlier value names this parameter"
     help = "{way}"
     identifier: str
     way: str
@@ -148,15 +150,17 @@ class RepeatedSkillParameter(Error, code="ROSS247", name="repeated-skill-paramet
 class SkillsUnreadable(Error, code="ROSS249", name="skills-unreadable"):
     """A file of skills that is missing, or is not as its format demands."""
 
-    title = "cannot use the skills in `{path}`"
+    title = "cannot use the skills file `{path}`"
     label = "{problem}"
-    note = "the path is relative to the file that names it; the format is that of `ezskiros export`"
-    help = "run `ezskiros export` to write it"
+    note = (
+        "the path is relative to the file that names it; `ezskiros export` writes the right format"
+    )
+    help = "run `ezskiros export` to write the file"
     path: str
     problem: str
 
     class Here(Remark):
-        says = "this cannot be read"
+        says = "this part cannot be read"
 
 
 class SkillsOutOfDate(Error, code="ROSS257", name="skills-out-of-date"):
@@ -164,8 +168,8 @@ class SkillsOutOfDate(Error, code="ROSS257", name="skills-out-of-date"):
 
     title = "`{path}` is out of date"
     label = "`{source}` {problem}"
-    note = "rules would be checked against skills that the robot does not have any more"
-    help = "run `ezskiros export` again to write it anew"
+    note = "rules would be checked against skills that the robot no longer has"
+    help = "run `ezskiros export` again"
     path: str
     source: str
     problem: str

@@ -21,13 +21,13 @@ class UnknownMessageType(Error, code="ROSS109", name="unknown-message-type"):
     identifier: str
 
     class Package(Remark):
-        says = "`{package}` is the package itself: name the folder that it is in"
+        says = "`{package}` is the package itself: name the folder that contains the package"
         package: str
 
     class Folder(Remark):
         says = (
-            "give the folder that the package `{package}` is in by `--messages FOLDER`, or in a "
-            'system model: `messages "FOLDER";`'
+            "give the folder that contains the package `{package}` with `--messages FOLDER`, or in "
+            'a system model: `messages "FOLDER";`'
         )
         package: str
 
@@ -48,7 +48,7 @@ class TopicWithoutType(Error, code="ROSS110", name="topic-without-type"):
     topic: str
 
     class DeclaredTopics(Remark):
-        says = "declared are {known}"
+        says = "declared topics: {known}"
         known: str
 
     class Declare(Remark):
@@ -115,14 +115,14 @@ class MisplacedNames(Error, code="ROSS243", name="misplaced-names"):
     reason: str
 
     class ChooseField(Remark):
-        says = "choose the array in front of `names`: {fields}"
+        says = "choose the array before `names`: {fields}"
         fields: str
 
     class LeaveOut(Remark):
         says = "leave the names out"
 
     class OfMessage(Remark):
-        says = 'leave the list out; `{input}["NAME"]` goes by the names of each message'
+        says = 'remove the list; `{input}["NAME"]` uses the names in each message'
         input: str
 
 
@@ -130,7 +130,7 @@ class RepeatedName(Error, code="ROSS244", name="repeated-name"):
     """A list of names that has one of them twice."""
 
     title = "two elements have the name `{identifier}`"
-    label = "this name stands in the list before"
+    label = "the list already contains this name"
     help = "give each element a name of its own, in the order of the array"
     identifier: str
 
@@ -139,10 +139,10 @@ class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field")
     """A unit given to an input whose field has a unit of another dimension."""
 
     title = "{field} is in {known}, not in {found}"
-    label = "this is of another dimension"
-    note = "the unit after `in` says in which unit of its dimension a field arrives"
+    label = "this unit has another dimension"
+    note = "the unit after `in` selects a unit of the dimension of the field"
     help = (
-        "leave `in {found}` out; if the field does carry {found}, say so in the system model: "
+        "remove `in {found}`; if the field does carry {found}, declare this in the system model: "
         "`unit {field} = {found};`"
     )
     field: str
@@ -150,7 +150,7 @@ class UnitContradictsField(Error, code="ROSS308", name="unit-contradicts-field")
     found: str
 
     class OfSkill(Remark):
-        says = "leave `in {found}` out: the file of skills says that the property is in {known}"
+        says = "remove `in {found}`: the skills file declares the property in {known}"
         found: str
         known: str
 
@@ -160,8 +160,8 @@ class FieldUnitConflict(Error, code="ROSS311", name="field-unit-conflict"):
 
     title = "{field} of topic `{topic}` cannot arrive both in {found} and in {expected}"
     label = "{found} here"
-    note = "each message carries one number there; at least one of the two would be misread"
-    help = "find out what the topic carries, and say the same in both places"
+    note = "each message carries one number in this field; at least one of the two units is wrong"
+    help = "find out which unit the topic carries, and write the same unit in both places"
     topic: str
     field: str
     found: str
@@ -173,8 +173,8 @@ class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conf
 
     title = "{field} cannot be both in {found} and in {expected}"
     label = "{found} here"
-    note = "a field carries one number; with one of the two units it would be misread"
-    help = "find out what the publishers send, and declare its unit once"
+    note = "a field carries one number; one of the two units is wrong"
+    help = "find out which unit the publishers send, and declare this unit once"
     field: str
     found: str
     expected: str
@@ -183,9 +183,9 @@ class UnitDeclarationConflict(Error, code="ROSS313", name="unit-declaration-conf
 class RateConflict(Error, code="ROSS328", name="rate-conflict"):
     """One topic, said to carry messages at two rates."""
 
-    title = "messages on `{topic}` cannot come both at {found} and at {expected}"
-    label = "another rate here"
-    help = "declare one rate, or a range that holds both: `at [8, 12] Hz`"
+    title = "messages on `{topic}` cannot arrive both at {found} and at {expected}"
+    label = "this rate differs"
+    help = "declare one rate, or a range that contains both rates: `at [8, 12] Hz`"
     topic: str
     found: str
     expected: str
@@ -194,9 +194,9 @@ class RateConflict(Error, code="ROSS328", name="rate-conflict"):
 class BoundWithoutList(Error, code="ROSS238", name="bound-without-list"):
     """`up to` on an input that brings no list of messages."""
 
-    title = "`up to` belongs to lists of messages"
-    label = "`{field}` has none"
-    note = "numbers, texts and arrays need no bound: a monitor keeps what it computes of them"
+    title = "`up to` is only for lists of messages"
+    label = "`{field}` has no list of messages"
+    note = "numbers, strings and arrays need no bound"
     help = "leave `up to {bound}` out"
     field: str
     bound: str
@@ -205,9 +205,9 @@ class BoundWithoutList(Error, code="ROSS238", name="bound-without-list"):
 class ListBound(Error, code="ROSS239", name="list-bound"):
     """A bound of lists that is no number of elements."""
 
-    title = "a bound is a whole number from 1 to {most}"
+    title = "a bound must be a whole number from 1 to {most}"
     label = "this is {found}"
-    help = "write as many as a message has at most on this robot, as in `up to 64`"
+    help = "write the largest number of elements that a message has on this robot, as in `up to 64`"
     most: int
     found: str
 
@@ -216,12 +216,12 @@ class SharedDiagnostics(Warning, code="ROSS256", name="shared-diagnostics"):
     """An input on the topic on which every node tells how it is, that of the rules too."""
 
     title = "the node of these rules publishes on `{topic}` itself"
-    label = "each of its messages takes the place of the last"
+    label = "each message of this node replaces the last message"
     note = (
-        "it tells every second how the rules and their inputs are, so that this input never "
-        "reaches its timeout, and is read from messages that are about something else"
+        "the node reports the state of the rules and their inputs every second, so this input "
+        "never reaches its timeout, and reads messages about something else"
     )
-    help = "publish what rules rest on under a topic of its own, as in `/drives/status`"
+    help = "publish the values for the rules on a topic of their own, as in `/drives/status`"
     topic: str
 
 

@@ -9,7 +9,7 @@ class UnknownTestInput(Error, code="ROSS126", name="unknown-test-input"):
     """A message of a test for something that is no input."""
 
     title = "`{identifier}` is not an input"
-    label = "a message arrives at an input"
+    label = "only an input receives messages"
     help = "begin with the name of an input, as in `at 0 sec speed = 0.3 m/s;`"
     identifier: str
 
@@ -29,7 +29,7 @@ class SettingMismatch(Error, code="ROSS127", name="setting-mismatch"):
 class InstantOutOfRange(Error, code="ROSS128", name="instant-out-of-range"):
     """An instant of a test that is no time from its beginning on."""
 
-    title = "an instant is a time since the beginning of the test"
+    title = "an instant must be a time since the beginning of the test"
     label = "this is {found}"
     help = "write a time from `0 sec` to `1e6 sec`, such as `1.5 sec`"
     found: str
@@ -45,24 +45,24 @@ class InstantOutOfOrder(Error, code="ROSS129", name="instant-out-of-order"):
     before: str
 
     class Later(Remark):
-        says = "this comes later"
+        says = "this instant is later"
 
     class Beginning(Remark):
         says = "the beginning"
 
     class Ends(Remark):
-        says = "write the earlier instant behind `from`"
+        says = "write the earlier instant after `from`"
 
     class MoveUp(Remark):
-        says = "move it up; expectations may stand anywhere"
+        says = "move the statement up; expectations can be anywhere"
 
 
 class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
     """A repetition with more messages than a test may have."""
 
-    title = "these are {count} messages"
-    label = "a test may have {limit}"
-    help = "repeat them less often, or for a shorter time"
+    title = "this statement sends {count} messages"
+    label = "a test may have at most {limit}"
+    help = "repeat the message less often, or for a shorter time"
     count: int
     limit: int
 
@@ -92,7 +92,7 @@ class NotSettable(Error, code="ROSS131", name="not-settable"):
         field: str
 
     class Beams(Remark):
-        says = "set what the scan measures, as in `scan.ranges[-10 deg .. 10 deg] = 0.5 m`"
+        says = "set the measured ranges, as in `scan.ranges[-10 deg .. 10 deg] = 0.5 m`"
 
     class NoFields(Remark):
         says = "leave it out"
@@ -103,15 +103,15 @@ class NothingExpected(Warning, code="ROSS132", name="nothing-expected"):
 
     title = "this test expects nothing"
     label = "it passes whatever the rules do"
-    help = "say what is expected: `expect RULE active at 1 sec;`"
+    help = "write an expectation: `expect RULE active at 1 sec;`"
 
 
 class NothingBeside(Error, code="ROSS248", name="nothing-beside"):
     """No skill, and a skill, in one statement of a test."""
 
-    title = "`doing nothing` stands alone"
-    label = "beside it the statement lets a skill run"
-    help = "leave it out, or write a statement for each"
+    title = "`doing nothing` cannot stand beside a skill"
+    label = "the same statement runs a skill"
+    help = "remove `doing nothing`, or write two statements"
 
 
 ALL: tuple[type[Template], ...] = (

@@ -8,7 +8,7 @@ from dslkit.diagnostics import Error, Remark, Template
 class OfUnknownUnit(Remark):
     """The label of a number of unknown unit."""
 
-    says = "the unit of this is not known"
+    says = "the unit of this value is not known"
 
 
 class PlainNumber(Remark):
@@ -46,7 +46,7 @@ class UnitMismatch(Error, code="ROSS301", name="unit-mismatch"):
     purpose: str
 
     class NoUnit(Remark):
-        says = "leave the unit out, or choose something that has one for the other side"
+        says = "leave the unit out, or use a value with a unit on the other side"
 
     class Gram(Remark):
         says = "`{gram}` is gram; standard gravity is `{gravity}`"
@@ -59,7 +59,7 @@ class RateAgainstQuantity(Error, code="ROSS302", name="rate-against-quantity"):
 
     title = "{rate} is the rate of change of {quantity}, and does not fit it"
     label = "{words}"
-    note = "how much something is and how fast it changes are different things"
+    note = "a quantity and its rate of change are different quantities"
     help = "write a value in {expected}"
     rate: str
     quantity: str
@@ -92,18 +92,21 @@ class MissingUnit(Error, code="ROSS303", name="missing-unit"):
 class FieldWithoutUnit(Error, code="ROSS304", name="field-without-unit"):
     """A message field of unknown unit where the unit matters."""
 
-    title = "the unit of this field is not known"
-    label = "no unit is known for this"
-    note = "it meets a quantity in {other}, and ROS message definitions carry no units"
-    help = "say in which unit it arrives, with `in {other}` after the input"
+    title = "this field needs a unit"
+    label = "the unit of this field is not known"
+    note = (
+        "the field is combined with a quantity in {other}, and ROS message definitions carry no "
+        "units"
+    )
+    help = "write the unit in which the field arrives after the input: `in {other}`"
     other: str
 
     class KnownUnit(Remark):
-        says = "bring it to a known unit: use inputs that say theirs, `in {unit}`"
+        says = "use inputs that declare their units, `in {unit}`"
         unit: str
 
     class InSystemModel(Remark):
-        says = "say its unit in a system model, `unit {field} = {unit};`"
+        says = "declare the unit in a system model, `unit {field} = {unit};`"
         field: str
         unit: str
 
@@ -127,15 +130,15 @@ class UnknownUnit(Error, code="ROSS305", name="unknown-unit"):
 class MisplacedUnit(Error, code="ROSS309", name="misplaced-unit"):
     """A unit on something that cannot have one."""
 
-    title = "a unit does not belong here"
+    title = "no unit is allowed here"
     label = "{reason}"
     reason: str
 
     class OfBothEnds(Remark):
-        says = "the unit of both ends"
+        says = "this unit applies to both ends"
 
     class OfParameter(Remark):
-        says = "say which unit the parameter has: `in {unit} to ...`"
+        says = "write the unit of the parameter: `in {unit} to ...`"
         unit: str
 
     class Value(Remark):
@@ -171,10 +174,10 @@ class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
     """A unit with white space in it, so that its rest is taken for a value."""
 
     title = "`{identifier}` is a unit here, not a value"
-    label = "`{operator} {identifier}` calculates with something called `{identifier}`"
+    label = "`{operator} {identifier}` calculates with a value named `{identifier}`"
     note = (
-        "a unit stands directly after its number and has no white space in itself; "
-        "no constant or input is called `{identifier}`"
+        "a unit directly follows its number and contains no white space; no constant or input is "
+        "named `{identifier}`"
     )
     help = "write `{corrected}`"
     identifier: str
@@ -182,15 +185,15 @@ class SpacedUnit(Error, code="ROSS312", name="spaced-unit"):
     corrected: str
 
     class OnePiece(Remark):
-        says = "write the unit in one piece, such as `10 km/h`"
+        says = "write the unit without spaces, such as `10 km/h`"
 
 
 class RatioOutOfRange(Error, code="ROSS314", name="ratio-out-of-range"):
     """A field that carries a share from 0 to 1, compared with a plain number above 1."""
 
-    title = "{field} is a share from 0 to 1, and {text} is beyond that"
-    label = "as a share, 1 means 100 %"
-    note = "whatever the name of the field says, a message carries 0.2 there for 20 %"
+    title = "{field} is a fraction from 0 to 1, but {text} is greater than 1"
+    label = "as a fraction, 1 means 100 %"
+    note = "whatever the name of the field suggests, a message carries 0.2 for 20 %"
     help = "write `{text} %`"
     field: str
     text: str

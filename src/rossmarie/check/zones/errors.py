@@ -8,7 +8,7 @@ from dslkit.diagnostics import Error, Remark, Template
 class UnfitShape(Error, code="ROSS280", name="unfit-shape"):
     """A shape of a zone, or a part of one, that is not what it has to be."""
 
-    title = "{part} has to be {expected}"
+    title = "{part} must be {expected}"
     label = "this is {found}"
     help = "write `{form}`"
     part: str
@@ -17,20 +17,20 @@ class UnfitShape(Error, code="ROSS280", name="unfit-shape"):
     form: str
 
     class FirstAgain(Remark):
-        says = "leave the last corner out: a polygon ends where it begins"
+        says = "remove the last corner: the polygon closes itself"
 
 
 class CrossingPolygon(Error, code="ROSS281", name="crossing-polygon"):
     """A polygon whose edges meet elsewhere than at its corners."""
 
     title = "this polygon crosses itself"
-    label = "the edge from {edge} ends at the next corner"
-    note = "of such a polygon nobody can say with certainty what is inside"
-    help = "give the corners in the order in which a line around it meets them"
+    label = "the edge from {edge} to the next corner"
+    note = "the inside of a polygon that crosses itself is not defined"
+    help = "give the corners in their order along the outline"
     edge: str
 
     class Other(Remark):
-        says = "and it meets the one from {edge}"
+        says = "it meets the edge from {edge}"
         edge: str
 
 
@@ -38,7 +38,7 @@ class EmptyZone(Error, code="ROSS282", name="empty-zone"):
     """A zone without a shape, in which nothing can be."""
 
     title = "zone `{zone}` has no shape"
-    label = "nothing is ever in it"
+    label = "nothing can be in this zone"
     help = "add a shape: `box [0.2, 0.9, -0.4, 0.4] m;`"
     zone: str
 

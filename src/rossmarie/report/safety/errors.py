@@ -25,7 +25,7 @@ class EvidenceUnreadable(Error, code="ROSS780", name="evidence-unreadable"):
     """A report that the operating system does not hand out."""
 
     title = "the {kind} report cannot be read: {reason}"
-    help = "check the path, and that the file may be read"
+    help = "check the path and the read permission of the file"
     kind: str
     reason: str
 
@@ -34,7 +34,7 @@ class NotEvidence(Error, code="ROSS781", name="not-evidence"):
     """A file that is not a report of the kind that was asked for."""
 
     title = "this is not a {kind} report: {reason}"
-    help = "name a {kind} report, as JSON"
+    help = "give a {kind} report in JSON"
     kind: str
     reason: str
 
@@ -42,9 +42,9 @@ class NotEvidence(Error, code="ROSS781", name="not-evidence"):
 class EvidenceOfOtherRules(Warning, code="ROSS782", name="evidence-of-other-rules"):
     """A report about another text of the rules."""
 
-    title = "the {kind} report is not about these rules as they are now"
-    note = "it does not hold the SHA-256 of {files}"
-    help = "have the report written again"
+    title = "the {kind} report is about another version of the rules"
+    note = "the report does not contain the SHA-256 of {files}"
+    help = "create the report again"
     kind: str
     files: str
 

@@ -49,7 +49,7 @@ def test_what_the_node_cannot_do_is_refused() -> None:
     (found,) = ros1.unsupported(acting("set /planner.FollowPath.speed to 0.2"))
     assert (found.code, found.title) == (
         "ROSS503",
-        "the target ros1 cannot do `set /planner.FollowPath.speed to 0.2`",
+        "the target ros1 cannot carry out `set /planner.FollowPath.speed to 0.2`",
     )
     assert list(ros1.unsupported(vehicle())) == []
 

@@ -73,7 +73,7 @@ def test_goals_of_unknown_type_cannot_be_sent_again() -> None:
     (found,) = ros2.unsupported(machine)
     assert (found.code, found.title) == (
         "ROSS503",
-        "the target ros2 cannot do `cancel /arm then resend`",
+        "the target ros2 cannot carry out `cancel /arm then resend`",
     )
     assert list(ros2.unsupported(acting("cancel /arm within 1 sec"))) == []
     assert list(ros2.unsupported(vehicle("ros2"))) == []
