@@ -103,11 +103,11 @@ def _wrong_way(fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool)
     back = Fact(fact.object, fact.relation, fact.subject)
     if fact == back:
         kind = "asymmetric" if is_asymmetric else "irreflexive"
-        axiom = Axiom(f"{{}} is {kind}: it relates nothing to itself", (fact.relation,))
+        axiom = Axiom(f"{{}} is {kind}: it relates no thing to itself", (fact.relation,))
         whole = joined(reason, axiom=axiom)
         yield Clash(whole.said, world_errors.ToItself, whole.axioms)
     elif is_asymmetric and back in facts:
-        text = "{} is asymmetric: if it holds one way, it does not hold the other"
+        text = "{} is asymmetric: it cannot hold in both directions"
         whole = joined(reason, facts[back], axiom=Axiom(text, (fact.relation,)))
         yield Clash(whole.said, world_errors.BothWays, whole.axioms)
 

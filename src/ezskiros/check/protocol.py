@@ -57,9 +57,9 @@ def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagno
 def _given_at_once(method: FunctionType) -> str | None:
     """Name what a method gives before anything in it is done, if it gives something."""
     if inspect.iscoroutinefunction(method):
-        return "a coroutine, as it is `async`"
+        return "a coroutine, because it is `async`"
     if inspect.isgeneratorfunction(method) or inspect.isasyncgenfunction(method):
-        return "a generator, as it has `yield`"
+        return "a generator, because it has `yield`"
     return None
 
 

@@ -39,7 +39,7 @@ def class_clashes(
                 is_reported and (is_reported(thing, one) or is_reported(thing, other))
             ):
                 first, second = (_named(each, model) for each in (one, other))
-                why = f"`{thing}` would be a {first} and a {second}, and nothing is both"
+                why = f"`{thing}` would be a {first} and a {second}, and these classes are disjoint"
                 whole = joined(*needs[one].reasons, *needs[other].reasons)
                 iris = (*needs[one].relation, *needs[other].relation)
                 yield Clash(whole.said, ImpossibleThing, whole.axioms, why, iris, thing)

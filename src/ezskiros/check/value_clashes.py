@@ -73,7 +73,7 @@ class _Values:
         if self._limit and self._limit.most == 0:
             return self._limit.exceeded([Reason(together)], self._thing)
         if asked.none:
-            return self._none(together, f"where there is no {self._name}, there is none to compare")
+            return self._none(together, f"without a {self._name} there is no value to compare")
         if not self._has_first(asked):
             return self._none(together, f"there is no such value of {self._name}")
         if asked.needs_several() and self._limit and self._limit.most == 1:

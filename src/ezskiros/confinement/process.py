@@ -63,9 +63,9 @@ def _messages(child: _Process, reading: int, patience: float) -> Iterator[list[A
         else:
             has_ended = bool(ready) or child.has_ended()
         if time.monotonic() - last > patience:
-            raise BrokenOffError(f"the code did not go on for {patience:g} s")
+            raise BrokenOffError(f"the code made no progress for {patience:g} s")
         if len(rest) > _LONGEST:
-            raise BrokenOffError("the code sent what is no message")
+            raise BrokenOffError("the code sent an invalid message")
 
 
 def _message(line: bytearray) -> list[Any]:
@@ -110,7 +110,7 @@ class _Process:
         if code >= 0:
             return f"the code ended the process, with exit code {code}"
         name = signal.Signals(-code).name
-        hint = ": perhaps there was no more memory" if name == "SIGKILL" else ""
+        hint = ": perhaps because memory was exhausted" if name == "SIGKILL" else ""
         return f"the process was ended by {name}{hint}"
 
 

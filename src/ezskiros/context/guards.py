@@ -83,7 +83,7 @@ def _fault(found: Any) -> tuple[str, str] | None:
         return "rules", "its `rules` are not names"
     assert isinstance(rules, list)
     if not isinstance(guards, dict):
-        return "guards", "its `guards` are no object"
+        return "guards", "its `guards` is not an object"
     known = set(rules)
     for skill, names in guards.items():
         if not _is_names(names):

@@ -164,7 +164,7 @@ class Findings:
         found = errors.CannotRestart(
             child=call.skill.__name__,
             condition=self._spelled(asked.statement),
-            ended="is false then" if clash else "may have ended",
+            ended="is false then" if clash else "may no longer hold",
             again=again,
         )
         change = self.last_touching(known, asked.statement)

@@ -195,7 +195,7 @@ class Walk:
 
     def _with_serial(self, before: Sequence[Node], place: Place) -> Place:
         """Where each tick starts children of a serial again that are before."""
-        why = "a serial starts it again in each tick"
+        why = "a serial restarts it in each tick"
 
         def tick(known: Known, is_reported: bool) -> Known:
             known = place.at_next_tick(known, is_reported=is_reported)
@@ -226,7 +226,7 @@ class Walk:
         """Where each tick tries children of a selector again that are before; what is known when
         one of them succeeds is `stopped`.
         """
-        why = "a selector tries it again in each tick"
+        why = "a selector retries it in each tick"
 
         def tick(known: Known, is_reported: bool) -> Known:
             known = place.at_next_tick(known, is_reported=is_reported)
@@ -252,7 +252,7 @@ class Walk:
             # All begin in the tick in which the parallel does: nothing is started again before.
             outcome = self.through(node, beside(known), own_place)
             if len(below) > 1 and not is_race and place.is_reported:
-                again = "SkiROS2 starts it again in each tick until the others are done"
+                again = "SkiROS2 restarts it in each tick until the others are done"
                 self._restart([node], outcome.success, again)
             kept = self._partly(others, outcome.success, place, How.BESIDE)
             outcomes.append(replace(outcome, success=kept))
@@ -330,7 +330,7 @@ class Walk:
             return NodeOutcome(join(failures, self.judge), failures, (inner.success,))
         outcome = self.through(child, known, place)
         if decoration is Decoration.TIMEOUT:
-            late = self._partly([child], known, place).by("the time was over")
+            late = self._partly([child], known, place).by("the time limit was reached")
             return replace(outcome, failures=(*outcome.failures, late))
         return self._retried(child, tries, outcome, place)
 
@@ -339,7 +339,7 @@ class Walk:
         endings, failures = outcome.endings, outcome.failures
         if tries > 1 and place.is_reported:
             for each in failures:
-                self._restart([child], each, "the retry starts it again", is_certain=True)
+                self._restart([child], each, "the retry restarts it", is_certain=True)
         for _ in range(min(tries - 1, MOST_TRIES) if failures else 0):
             before = self._running(join(failures, self.judge), place)
             again = self.through(child, before, replace(place, is_reported=False, is_fatal=False))

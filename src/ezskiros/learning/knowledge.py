@@ -121,7 +121,7 @@ def read_knowledge(path: Path) -> Knowledge | Diagnostic:
             at = Span(file, problem.pos, min(problem.pos + 1, len(file.text)))
             return NoKnowledge(path=file.path, reason=why).at(at)
         except (ValueError, RecursionError) as problem:
-            why = str(problem) if isinstance(problem, ValueError) else "it is too deep"
+            why = str(problem) if isinstance(problem, ValueError) else "it is nested too deeply"
             return NoKnowledge(path=file.path, reason=why).at(Span(file, 0, 0))
         if not isinstance(found, dict):
             found = {}

@@ -65,7 +65,7 @@ def _activations(
     for line in rest:
         kind = line.get("type", str)
         if kind == "time_jump":
-            line.fail("its stamps jump back here", "from_ns", help=NoRecord.JumpsBack())
+            line.fail("its time stamps jump back here", "from_ns", help=NoRecord.JumpsBack())
         if kind != "verdict":
             continue
         rule, at, is_active = _change(line, rules)

@@ -127,7 +127,7 @@ class _Finder:
         found = self._numbers(thing, _ORIENTATION) or _UPRIGHT
         x, y, z, w = found
         if not math.hypot(x, y, z, w) > 0.5:
-            raise self._odd(thing, _ORIENTATION[3], "belongs to no quaternion of length 1")
+            raise self._odd(thing, _ORIENTATION[3], "does not belong to a quaternion of length 1")
         try:
             return footprint(position, (x, y, z, w), edges)
         except NoPolygonError as problem:
@@ -156,7 +156,7 @@ class _Finder:
         except ValueError:
             number = math.nan
         if not abs(number) <= FARTHEST:
-            raise self._odd(thing, iri, f"is {text}, and no number up to {FARTHEST:.0f}")
+            raise self._odd(thing, iri, f"is {text}, not a number up to {FARTHEST:.0f}")
         return number
 
     def _one(self, thing: _Thing, iri: str) -> str | None:

@@ -24,15 +24,15 @@ def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -
     base, root, end = min(below, key=lambda each: each[1].value, default=("", Root.PLAIN, ""))
     name = node.name.value
     if root is Root.DESCRIBED or not {*bases} - {"object"}:
-        said = f"is derived from {listed(bases) or 'nothing'}"
+        said = f"inherits from {listed(bases) or 'nothing'}"
         return OtherBase(implementation=name, found=said)
     if root is not Root.UNKNOWN:
         return None
-    way = f" by way of `{base}`" if base != end else ""
+    way = f" through `{base}`" if base != end else ""
     return OtherBase(
         implementation=name,
-        found=f"is derived from `{end}`{way}, which is in none of these files",
-        advice=f"name the library that has `{end}` as well, if there is one",
+        found=f"inherits from `{end}`{way}, which none of these files defines",
+        advice=f"if a library defines `{end}`, give its file as well",
         base=end,
     )
 
@@ -45,5 +45,5 @@ def left_with(node: cst.ClassDef, context: Context) -> OtherBase | None:
         return None
     path, other = cause.id
     codes = " and ".join(cause.codes)
-    found = f"belongs together with `{other}`, which is left as it is, for {codes}"
+    found = f"depends on `{other}`, which is not translated because of {codes}"
     return OtherBase(implementation=node.name.value, found=found, base=other, path=path)

@@ -297,7 +297,7 @@ def _single_blanks(lines: Sequence[str]) -> list[str]:
 
 
 def _unused(name: str, builder: OrBuilder) -> LeftError:
-    template = errors.UnusableOr(found=f"is added to no condition, as `{name}`")
+    template = errors.UnusableOr(found=f"is not added to a condition, as `{name}`")
     return LeftError(template, builder.node)
 
 

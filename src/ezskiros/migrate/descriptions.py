@@ -89,12 +89,12 @@ class Descriptions:
         by_name = {each.name: each for each in found}
         for each in found:
             for base, node in self._bases(each):
-                _derived(each, f"is built on `{base}`", node)
+                _derived(each, f"inherits from `{base}`", node)
                 if base in by_name:
                     below = by_name[base]
-                    _derived(below, f"is what `{each.name}` is built on", below.node.name)
+                    _derived(below, f"is the base of `{each.name}`", below.node.name)
             if each.name in self._inherited:
-                _derived(each, "is what a description elsewhere is built on", each.node.name)
+                _derived(each, "is the base of a description elsewhere", each.node.name)
 
     def _bases(self, each: Description) -> Iterator[tuple[str, cst.BaseExpression]]:
         """The classes that a description is built on, besides SkiROS2's own."""

@@ -183,7 +183,7 @@ class _Class:
         name = self._names.get(name, name)
         found = self._context.skills.called(name, self._context.path)
         if len(found) != 1 or found[0].is_left:
-            said = found[0].left_as() if found else "described in none of these files"
+            said = found[0].left_as() if found else "not described in these files"
             raise LeftError(implementation_errors.UnusableSkill(skill=name, found=said), made)
         return found[0], made.func
 

@@ -64,7 +64,7 @@ def find(paths: Iterable[Path]) -> list[Path]:
         elif is_file(path):
             found[path] = None
         else:
-            raise FileNotFoundError(errno.ENOENT, "there is no such file", str(path))
+            raise FileNotFoundError(errno.ENOENT, "it does not exist", str(path))
     return list(found)
 
 

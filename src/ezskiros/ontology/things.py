@@ -301,14 +301,14 @@ SYMBOL_IN_TEXT = "\ufdd0"
 
 
 def depends_on_symbol(value: object) -> bool:
-    """Say whether a value is a text that is not known before the skill runs."""
+    """Say whether a value is a string that is unknown before the skill runs."""
     return isinstance(value, str) and SYMBOL_IN_TEXT in value
 
 
 def described(value: object) -> str:
     """Describe something, for a message."""
     if depends_on_symbol(value):
-        return "a text that is not known before the skill runs"
+        return "a string that is unknown before the skill runs"
     if isinstance(value, Thing):
         return f"the parameter `{value!r}`"
     if isinstance(value, ThingClass):

@@ -31,7 +31,7 @@ class Mock(Symbol):
 
     def described(self) -> str:
         """For messages."""
-        return f"what `{self._source}` gives"
+        return f"the result of `{self._source}`"
 
     def __derived__(self) -> Mock:
         """The mock of what depends on it."""

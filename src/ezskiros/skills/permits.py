@@ -87,7 +87,7 @@ class Permission(Described):
 
     def described(self) -> str:
         """For messages."""
-        return "what a skill permits"
+        return "a permission"
 
 
 class Permits(Added[Permission]):

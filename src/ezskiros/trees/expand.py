@@ -51,7 +51,7 @@ class References:
 
     def __setattr__(self, name: str, _value: object) -> None:
         raise AttributeError(
-            f"`expandBT` cannot set a parameter: give the value to the child, `Skill({name}=...)`"
+            f"`expandBT` cannot set a parameter: pass the value to the child, `Skill({name}=...)`"
         )
 
     def __getitem__(self, name: object) -> None:
