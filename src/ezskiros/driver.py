@@ -1,4 +1,6 @@
-"""From paths to findings: what the command line and other programs call."""
+"""The main functions of EzSkiROS, which turn paths into findings. The command line and other
+programs call them.
+"""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ class Axiom(NamedTuple):
 
 
 class Reason(NamedTuple):
-    """Why something holds: what is said, and what the ontology says."""
+    """The reason for a fact: the conditions that imply it, and the axioms of the ontology."""
 
     said: frozenset[Statement] = frozenset()
     axioms: tuple[Axiom, ...] = ()
@@ -64,4 +64,6 @@ def joined(*reasons: Reason, axiom: Axiom | None = None) -> Reason:
 
 
 KnownClasses: TypeAlias = Mapping[str, Mapping[str, Reason]]
-"""By things: the classes that they are of, and why. That of a parameter needs no reason."""
+"""The known classes of each thing, with a reason for each. The class of a parameter needs no
+reason.
+"""

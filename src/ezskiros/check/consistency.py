@@ -155,7 +155,7 @@ class _Consistency:
         return next(self._impossible(world), None) is not None
 
     def _impossible(self, world: World) -> Iterator[Clash]:
-        """Why there is no such world."""
+        """Find the reasons why no such world model exists."""
         yield from filter(_is_error, world.clashes())
         yield from class_clashes(world.facts, world.classes, self._model)
 

@@ -19,7 +19,7 @@ class Limit(NamedTuple):
     is_of_class: bool = False
 
     def exceeded(self, reasons: Iterable[Reason], thing: str) -> Clash:
-        """That a thing has more."""
+        """The clash of a thing that has more values than the limit."""
         whole = joined(*reasons, self.reason, axiom=self.axiom)
         kind = errors.TwoPlaces if self.most else world_errors.HasNone
         return Clash(whole.said, kind, whole.axioms, thing=thing if self.is_of_class else None)
@@ -41,7 +41,7 @@ def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Li
 
 
 def limit_of_subjects(iri: str, model: Model) -> Limit | None:
-    """That of an inverse functional relation."""
+    """The limit of an inverse functional relation."""
     declared = model.relations.get(iri)
     if declared is None or not declared.is_inverse_functional:
         return None

@@ -64,7 +64,7 @@ class _Values:
         return None
 
     def _excluded(self, said: Sequence[Said]) -> Clash | None:
-        """Why some conditions cannot hold together."""
+        """The reason why some conditions cannot hold together."""
         together, asked = frozenset(said), _Asked(said)
         if any(negated(each) in together for each in said) or asked.leaves_no_number():
             return Clash(together, errors.Contradiction)
@@ -82,7 +82,7 @@ class _Values:
         return None
 
     def several(self, accepted: Sequence[Said]) -> Iterator[Clash]:
-        """That there is more than one value, by two conditions at least."""
+        """Find pairs of conditions that need more than one value."""
         for pair in combinations(accepted, 2):
             if _Asked(pair).needs_several():
                 why = f"{self._name} is not declared functional: SkiROS2 keeps a list of values"

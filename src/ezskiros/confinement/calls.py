@@ -63,7 +63,7 @@ class _Comparison(ctypes.Structure):
 
 
 def confine_calls() -> None:
-    """From now on this process cannot make other calls. Raises `UnconfinedError`."""
+    """Forbid all other system calls to this process from now on. Raises `UnconfinedError`."""
     process = os.getpid()
     rules = _Filter()
     for name in _ALLOWED.split():

@@ -100,7 +100,9 @@ class _Process:
             self.has_ended(0)
 
     def cause(self) -> str:
-        """Why there is no more to read from it, whose files are closed a little before its end."""
+        """The reason why the process, whose files close shortly before its end, has nothing more to
+        read.
+        """
         limit = time.monotonic() + _END_S
         while not self.has_ended():
             if time.monotonic() > limit:

@@ -25,7 +25,7 @@ class Child:
     call: SkillCall
     skill: SkillInterface
     names: Mapping[str, str]
-    """By its parameters: those of the tree."""
+    """The names in the tree, by the parameters of the child."""
 
     @property
     def label(self) -> str:

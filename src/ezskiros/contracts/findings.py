@@ -201,7 +201,9 @@ class Findings:
         yield condition.at(asked.clause.span)
 
     def _reasons(self, clash: Clash, known: Known) -> list[Label]:
-        """Where that is written which excludes it, and which children have it."""
+        """Label the places of the conditions that exclude the statement, and the children that have
+        them.
+        """
         labels: dict[Label, None] = {}
         for said in known.facts:
             if said in clash.said:

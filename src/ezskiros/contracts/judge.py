@@ -36,7 +36,7 @@ Said: TypeAlias = tuple[Statement, ...]
 
 _ANYTHING = Name(frozenset(), is_own=False)
 MOST_CHOICES = 1000
-"""Of things for inferred parameters; more are not looked into."""
+"""The maximum number of things that are tried for inferred parameters."""
 
 
 class Judge:
@@ -139,7 +139,9 @@ class Judge:
     # --- what cannot be ---------------------------------------------------------------------------
 
     def clash(self, known: Known, said: Statement) -> Clash | None:
-        """Why a statement cannot hold, whichever names stand for one thing; None if it can."""
+        """The reason why a statement cannot hold, for any identification of names with things; None
+        if it can hold.
+        """
         return self._clash(known.said, said)
 
     def _found_clash(self, facts: Said, said: Statement) -> Clash | None:

@@ -30,8 +30,8 @@ Classes = Callable[[str], frozenset[str]]
 
 
 class Touching:
-    """By an ontology; `may_be_same` says which names may stand for one thing, `classes` of which
-    classes that may be.
+    """The effect of changes by an ontology. `may_be_same` tests whether two names may stand for one
+    thing, `classes` gives the classes of each name.
     """
 
     def __init__(self, model: Model, may_be_same: MayBeSame, classes: Classes) -> None:

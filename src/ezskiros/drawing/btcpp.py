@@ -80,7 +80,7 @@ class _Writer:
     """Compound skills that are written as subtrees, by their names there."""
     models: dict[str, ET.Element] = field(default_factory=dict)
     names: set[str] = field(default_factory=set)
-    """Of trees: no action can have one of them."""
+    """The names of trees, which no action may have."""
     found: Collector = field(default_factory=Collector)
 
     def choose(self, trees: Sequence[Tree], depth: int) -> None:

@@ -81,7 +81,7 @@ def literal(given: object, parameter: Parameter, *, is_inside: bool) -> tuple[st
 
 
 def _why_not(text: str, *, is_inside: bool) -> str | None:
-    """Why a text cannot stand for itself."""
+    """The reason why BehaviorTree.CPP cannot read a text literally; None if it can."""
     if text.startswith("{") and text.endswith("}"):
         return "in XML, a text in braces names an entry of the blackboard"
     if any(ord(each) < 32 and each not in "\t\n\r" for each in text):

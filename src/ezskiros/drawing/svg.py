@@ -18,7 +18,7 @@ CHARACTER = 0.62 * FONT
 """At most, in the fonts of equal widths that browsers have."""
 BESIDE, BELOW, MARGIN = 44, 14, 24
 MOST_CHARACTERS = 64
-"""Of a line; more are in its tooltip."""
+"""The maximum number of characters per line. The tooltip has the full text."""
 
 _STYLE = """
 text { font: 13px ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace; fill: #1c2733; }

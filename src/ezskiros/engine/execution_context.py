@@ -43,7 +43,7 @@ class ExecutionContext:
     """In seconds."""
     expansions: Expansions = field(default_factory=Expansions)
     last_failure: Reason | None = None
-    """Of the skill that failed last: what is above it fails because of that."""
+    """The reason of the last failure, which makes the parents fail."""
     guard: Guard | None = None
     """It stands in front of each primitive."""
 

@@ -66,7 +66,7 @@ class _Known:
     parameters: Mapping[str, Parameter]
     defaults: Mapping[str, object]
     shared: tuple[tuple[str, str], ...]
-    """Of those that a call says nothing of."""
+    """The shared parameters that a call does not set."""
     found_out: Mapping[type[SkillImplementation] | None, tuple[tuple[str, str], ...]]
     """The same, by implementations."""
     as_they_are: frozenset[type]

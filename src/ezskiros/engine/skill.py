@@ -194,7 +194,7 @@ class RunningSkill(Behaviour):
         return self.is_waiting
 
     def _start(self) -> Reason | None:
-        """Why it cannot start, None if it has started."""
+        """Start the skill. Return the reason why it cannot start, None if it has started."""
         problem = self._choose()
         if problem is not None:
             return problem

@@ -125,7 +125,7 @@ def _spelled(found: object) -> str:
 
 
 def _place(instance: SkillImplementation, method: str) -> str:
-    """Where a method is written."""
+    """The file and line of a method."""
     function = getattr(type(instance), method, None)
     if not isinstance(function, FunctionType):
         return type(instance).__name__

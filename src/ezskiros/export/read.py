@@ -37,7 +37,7 @@ class Export:
     file: SourceFile
 
     def place_of(self, source: Source) -> Span:
-        """Where the file names a source."""
+        """The place in the export that names a source."""
         named = json.dumps(source.path)
         start = max(self.file.text.find(named), 0)
         return Span(self.file, start, start + len(named))

@@ -88,7 +88,7 @@ class HostedContext:
 _contexts: list[HostedContext] = []
 """The one of this process, if a library names an export."""
 _refused: list[str] = []
-"""Why there is none, and will be none."""
+"""The reasons why no context is or will be published."""
 
 
 def current() -> HostedContext | None:

@@ -83,7 +83,7 @@ class HostedRecoveries:
     # --- for the ticker ---------------------------------------------------------------------------
 
     def install(self) -> None:
-        """From now on the ticker of SkiROS2 asks here at each tick."""
+        """Make the ticker of SkiROS2 query this object at each tick."""
         kind = ticker()
         usual: Callable[[Any], None] = kind._tick  # noqa: SLF001
 

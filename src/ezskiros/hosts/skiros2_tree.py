@@ -34,7 +34,7 @@ class HostedCall:
 
     type: str
     module: str
-    """Where it is described."""
+    """The module with the description."""
     label: str | None
     known: tuple[str, ...]
     """Implementations, of which any will do; with a choice, the one that can start."""
@@ -42,7 +42,7 @@ class HostedCall:
     """Pre-conditions of their own decide which implementation it is."""
     keys: Mapping[str, str]
     values: Mapping[str, Value]
-    """By the keys of the child."""
+    """The values by the keys of the child."""
     passed: frozenset[str]
     """Keys of the child whose values come from the blackboard, whichever default they have."""
     found_out: Mapping[str, str]

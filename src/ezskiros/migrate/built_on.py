@@ -17,7 +17,9 @@ SKIROS2_BASES = frozenset({"SkillBase", "PrimitiveBase"})
 
 
 def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -> OtherBase | None:
-    """Why the skill's own `SkillBase` cannot be added to the bases of a class; None if it can."""
+    """The finding if the skill's `SkillBase` cannot be added to the bases of a class; None if it
+    can.
+    """
     called = [last_name(each.value) or "" for each in node.bases]
     bases = [names.get(each, each) for each in called]
     below = [(base, *context.skills.bases.below(base, context.path)) for base in bases]

@@ -35,7 +35,7 @@ class Description:
 
     @property
     def findings(self) -> list[Finding]:
-        """Why it is left, if it is."""
+        """The findings that prevent the translation; empty if there are none."""
         return self.translation.findings
 
     def skill(self, path: str) -> Skill:

@@ -384,7 +384,7 @@ class _File:
 
 
 def _all_findings(found: Sequence[Description]) -> list[Finding]:
-    """Why descriptions are left, and what is to be known of the others."""
+    """The findings that prevent translations, and the warnings about the other descriptions."""
     return [finding for each in found for finding in (each.findings or each.translation.warnings)]
 
 

@@ -1,4 +1,4 @@
-"""Where the parts of a module stand in its file."""
+"""The positions of the parts of a module in its file."""
 
 from __future__ import annotations
 

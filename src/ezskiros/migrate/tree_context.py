@@ -14,7 +14,7 @@ from ezskiros.migrate.values import Known
 
 @dataclass(frozen=True)
 class Place:
-    """Where something stands in its file: the column, and the space that its line begins with."""
+    """The position of a part in its file: the column, and the indentation of its line."""
 
     column: int
     indent: str

@@ -1,4 +1,4 @@
-"""Where the files of an ontology declare a thing: looked for in their texts, when it is asked."""
+"""The places where ontology files declare a thing. The texts are searched on demand."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ _WAYS = {
 
 
 def _all_spelled(text: str) -> dict[_Spelling, tuple[int, int]]:
-    """Where each spelling stands first in a text."""
+    """The first place of each spelling in a text."""
     found: dict[_Spelling, tuple[int, int]] = {}
     for way, pattern in _WAYS.items():
         for each in pattern.finditer(text):

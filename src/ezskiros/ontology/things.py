@@ -190,7 +190,7 @@ class Condition:
 
 
 _asked: ContextVar[Span | None] = ContextVar("asked", default=None)
-"""Where Python asked a condition last whether it is true."""
+"""The place where Python last evaluated the truth value of a condition."""
 
 
 def is_asked_here() -> bool:

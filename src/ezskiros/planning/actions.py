@@ -42,7 +42,7 @@ class Action:
     needs: tuple[Clause, ...]
     effects: tuple[Literal, ...]
     asserted: tuple[Literal, ...]
-    """Of the effects those that the skill says itself: the others follow."""
+    """The effects that the skill itself states. The other effects follow from them."""
     apart: tuple[tuple[str, str], ...]
     """Parameters that stand for different things: each does, unless their classes exclude it."""
 

@@ -1,8 +1,8 @@
-"""Why a goal cannot be reached: what no skill makes so, and the scene does not say.
+"""Reasons why a goal is unreachable: facts that no skill achieves and the scene does not have.
 
-Delete relaxation: what has been so at some time stays possible, both that something is true and
-that it is not. What is not possible even then is not to be had. One action after the other is
-tried with all things that its needs allow, until nothing new becomes possible.
+The method is delete relaxation: a fact that was once possible stays possible, and so does its
+negation. A fact that is impossible even then is unreachable. Actions are tried with all things that
+their needs allow, until nothing new becomes possible.
 """
 
 from __future__ import annotations

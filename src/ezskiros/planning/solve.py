@@ -122,7 +122,9 @@ class Failed:
 
 
 def tried(steps: Sequence[Step], goals: Sequence[Literal], world: World) -> Failed | None:
-    """Where a plan fails in a world model, which is changed; None if it leads to the goals."""
+    """Replay a plan on a world model and change the model. Return the failing step, None if the
+    plan reaches the goals.
+    """
     for number, step in enumerate(steps, 1):
         lacking = _done(step, world)
         if lacking is not None:

@@ -27,7 +27,7 @@ from ezskiros.skills.importing import module_name
 from ezskiros.skills.interface import Parameter
 
 MOST_CHARACTERS = 100
-"""Of a line of the source."""
+"""The maximum number of characters per source line."""
 _CONDITIONS = (About.RELATION, About.COMPARISON, About.PROPERTY)
 
 

@@ -79,7 +79,7 @@ class SkillDescription(metaclass=SkillClass):
     uses: Uses
 
     class SkillBase(SkillImplementation):
-        """From this the implementations of the skill are derived; each skill has its own."""
+        """The base class for implementations of the skill. Each skill has its own."""
 
     def __init_subclass__(cls) -> None:
         parts = {"description": cls, "__module__": cls.__module__}

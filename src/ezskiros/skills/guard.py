@@ -96,7 +96,7 @@ class Refusals:
     replaced: dict[Refusal, None] = field(default_factory=dict)
     """The refusals that it went on without."""
     files: dict[str, None] = field(default_factory=dict)
-    """Where the user's code is that led to what was refused."""
+    """The files of user code that led to refused calls."""
     half_done: list[object] = field(default_factory=list)
     """The objects that one of the refused calls was a method of: nobody knows in what state they
     would be.

@@ -186,7 +186,7 @@ class Finder(importlib.abc.MetaPathFinder):
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        """Where a module is, if it is one of these files."""
+        """Return the spec of a module if it is one of the intercepted files."""
         if not _intercepted:
             return None
         spec = importlib.machinery.PathFinder.find_spec(name, path)

@@ -10,7 +10,7 @@ T = TypeVar("T")
 
 
 class Kind(enum.Enum):
-    """Where the value of a parameter comes from."""
+    """The source of a parameter's value."""
 
     REQUIRED = "Required"
     INFERRED = "Inferred"

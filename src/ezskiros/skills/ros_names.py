@@ -11,7 +11,7 @@ _TYPE = re.compile(r"([A-Za-z][A-Za-z0-9_]*)/(?:(?:msg|action)/)?([A-Z][A-Za-z0-
 
 
 def why_no_name(spelled: str) -> str | None:
-    """Why a text is no absolute name; None if it is one."""
+    """The reason why a text is not an absolute name; None if it is one."""
     if not spelled.startswith("/"):
         return "it does not begin with `/`, so it depends on a namespace"
     if len(spelled) > _LONGEST:

@@ -27,7 +27,7 @@ from ezskiros.skills.guard import TimeOverError
 
 MOST_PATHS = 64
 MOST_DECISIONS = 1000
-"""Of one run: more are those of a loop that does not end."""
+"""The maximum number of decisions in one run. More decisions indicate an endless loop."""
 
 
 @dataclass

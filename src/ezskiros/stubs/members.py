@@ -25,7 +25,7 @@ class Meaning:
 
 
 AMBIGUOUS = Meaning("")
-"""Of several namespaces."""
+"""The members whose name exists in several namespaces."""
 
 
 def iri_of(owl_class: ThingClass) -> str:
@@ -93,7 +93,7 @@ def members(ontology: Ontology, classes: Classes) -> dict[ThingClass, dict[str, 
 
 
 def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
-    """Of properties of one name those that can be distinguished by their domains."""
+    """The properties with one name that their domains can distinguish."""
     return [iri for iri in iris if model.domain(iri)] if len(iris) > 1 else iris
 
 

@@ -30,7 +30,7 @@ _TOO_DEEP = "its lists and mappings are nested too deeply"
 
 
 class _UnreadableError(Exception):
-    """Why a file has no values, and where."""
+    """The reason and the place of an error in a parameter file."""
 
     def __init__(self, said: str, span: Span) -> None:
         self.said, self.span = said, span

@@ -140,7 +140,7 @@ class Tree:
     skill: SkillInterface
     root: Node
     span: Span
-    """Where the implementation is named."""
+    """The place of the implementation's name."""
     branch: tuple[tuple[Span, bool], ...] = ()
     """The queries on the way to it, in their order, and their answers."""
     given: frozenset[str] = frozenset()

@@ -1,4 +1,4 @@
-"""Where an evaluation is kept: the page, and beside it a folder with the rest."""
+"""The files of an evaluation: the page, and a folder beside the page with the other files."""
 
 from __future__ import annotations
 

@@ -272,7 +272,9 @@ def _exemptions(guard: InProcessGuard | None) -> int:
 def _reactions(
     trace: Trace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
 ) -> dict[str, float]:
-    """From when a hazard began to the first action that follows: all rules are about contact."""
+    """Return the times from the start of each hazard to the first action after it. All rules
+    concern contact.
+    """
     starts = [each.at_ns * 1e-9 for each in occurrences if each.kind is OrderKind.START]
     found = {}
     for hazard, onset in onsets(trace, present).items():

@@ -26,7 +26,7 @@ class Measures(Protocol):
 
     @property
     def duration(self) -> float:
-        """From the start to the end, whatever it was."""
+        """The time from start to end (s), for every outcome."""
 
     @property
     def interventions(self) -> int:
@@ -34,7 +34,9 @@ class Measures(Protocol):
 
     @property
     def reactions(self) -> Mapping[str, float]:
-        """From when a hazard began to the first action against it, by the name of the hazard."""
+        """The time from the start of each hazard to the first action against it, by the name of the
+        hazard.
+        """
 
     @property
     def time_restricted(self) -> float:

@@ -176,7 +176,7 @@ def _drive(robot: _Robot, observers: Sequence[Observer]) -> None:
 
 
 def _measured(robot: _Robot, built: Course) -> NavigationMeasures:
-    """Of the way, on which nothing has been picked up yet."""
+    """The measures of the drive; nothing has been picked up yet."""
     trace, base = robot.witness.trace(), BaseParameters()
     present = hazards(trace, built, base)
     guard, operator = robot.guard, robot.operator

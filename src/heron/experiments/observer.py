@@ -1,4 +1,4 @@
-"""Who looks on while an episode runs, and changes nothing: recorders, films, windows."""
+"""Observers of an episode, which change nothing: recorders, films, windows."""
 
 from __future__ import annotations
 

@@ -74,7 +74,7 @@ def pick_up(
     generators: Mapping[str, np.random.Generator],
     observers: Sequence[Observer],
 ) -> Picked:
-    """From where the base stands, as the rest of the task."""
+    """Pick up the block from the position of the base, and then do the rest of the task."""
     base, built = standing.base, ArmParameters()
     x, y = _as_seen_from(base, course.block)
     table = TableParameters(believed_height=_TABLE_HEIGHT, too_high=0.0, place=(x, y))
@@ -97,7 +97,7 @@ def pick_up(
 
 
 def _as_seen_from(base: Base, place: tuple[float, float]) -> tuple[float, float]:
-    """Where a place on the map is from the base: forward and to the left."""
+    """Transform a place on the map to the frame of the base: forward and to the left (m)."""
     yaw = attitude(base.quaternion).yaw
     x, y = place[0] - base.position[0], place[1] - base.position[1]
     cosine, sine = math.cos(yaw), math.sin(yaw)

@@ -201,7 +201,9 @@ def _remedy(
 
 
 def _remapped(guard: InProcessGuard) -> dict[str, str]:
-    """Where programs send goals for the arm: to the guard, if its rules have a say in them."""
+    """The names to which programs send goals for the arm: names of the guard if its rules filter
+    goals.
+    """
     return {ARM: unfiltered(ARM)} if ARM in guard.servers else {}
 
 

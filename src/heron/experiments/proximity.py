@@ -79,7 +79,7 @@ class ProximityWitness:
         return float(min(found))
 
     def _speed(self) -> float:
-        """Of the grasp, the fastest point of an arm that points downwards."""
+        """The speed of the grasp (m/s), the fastest point of an arm that points downwards."""
         kind = mujoco.mjtObj.mjOBJ_SITE
         model, data = self._arm.model, self._arm.data
         mujoco.mj_objectVelocity(model, data, kind, self._site, self._velocity, 0)

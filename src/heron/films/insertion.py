@@ -22,7 +22,8 @@ from heron.variants import Formulation, LearningArm
 
 Floats = NDArray[np.float64]
 Policy = Callable[[Floats], Any]
-"""From an observation, the numbers of `heron.learning.insertion.FIELDS`, to an action."""
+"""A function from an observation, the numbers of `heron.learning.insertion.FIELDS`, to an action.
+"""
 _PERIOD_S = PERIOD_NS * 1e-9
 _FORCE = slice(FIELDS.index("force.x"), FIELDS.index("force.z") + 1)
 _PERSON = FIELDS.index("person")

@@ -10,7 +10,7 @@ from heron.robot.physics import Physics
 from heron.topics import InProcess
 
 Spans = dict[str, list[tuple[float, float]]]
-"""From when to when (s), by the names of the rules."""
+"""The start and end times (s) of activations, by the names of the rules."""
 
 
 class RulesWatch:

@@ -1,4 +1,4 @@
-"""From messages to what the core of a guard takes in: one function for each topic, made once."""
+"""Conversion of messages to the inputs of the guard's core: one function per topic, created once."""
 
 from __future__ import annotations
 

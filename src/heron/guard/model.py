@@ -80,14 +80,14 @@ class Link(Protocol):
 
 
 def unfiltered(topic: str) -> str:
-    """Where programs publish the commands that the guard lets through on a topic, as the generated
-    nodes have it.
+    """The topic to which programs publish commands that the guard filters, as in the generated
+    nodes.
     """
     head, slash, tail = topic.rpartition("/")
     return f"{head}{slash}{_UNFILTERED}{tail}"
 
 
 def waiting(machine: Machine, active: Sequence[str]) -> tuple[str, ...]:
-    """Of active rules those that wait for an operator."""
+    """The active rules that wait for an operator."""
     latching = {rule.name for rule in machine.rules if rule.release is None}
     return tuple(name for name in active if name in latching)

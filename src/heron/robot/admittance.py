@@ -26,7 +26,7 @@ class Admittance:
         self.velocity = np.zeros_like(self.place)
 
     def step(self, wanted: Floats, force: Floats, step_s: float) -> Floats:
-        """Where it is one step later."""
+        """Return the position after one time step."""
         push = force + self.stiffness * (wanted - self.place) - self.damping * self.velocity
         self.velocity = self.velocity + push / self.mass * step_s
         self.place = self.place + self.velocity * step_s

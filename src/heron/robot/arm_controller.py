@@ -208,7 +208,7 @@ class ArmController:
         self._pace += max(-most, min(most, wanted - self._pace))
 
     def _take_up_again(self) -> None:
-        """From where somebody has led the arm, and from rest."""
+        """Continue from rest at the position to which an operator has guided the arm."""
         self._is_loose = False
         self._pace = 0.0
         self._wanted = self._admittance.place = self._arm.grasp.copy()
@@ -239,7 +239,7 @@ class ArmController:
             self._end(is_reached=True)
 
     def _stay(self) -> None:
-        """Where it gave way to, or where somebody leads it by hand."""
+        """Stay at the position to which the arm yielded, or to which an operator guides it by hand."""
         self._admittance.rest()
         most = self._parameters.speed * self._step_s
         self._arm.move(_towards(self._arm.commanded, self._admittance.place, most))

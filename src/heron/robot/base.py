@@ -20,7 +20,7 @@ class Base(Physics):
 
     @property
     def position(self) -> Floats:
-        """Where the base is."""
+        """The position of the base."""
         found: Floats = self.data.qpos[0:3]
         return found
 

@@ -102,7 +102,7 @@ class Node:
     # --- what goes out -----------------------------------------------------------------------
 
     def advertise(self, topic: Topic) -> None:
-        """From now on there are messages on a topic."""
+        """Announce that this node publishes a topic from now on."""
         if topic.name not in self._published:
             self._published[topic.name] = _Published(topic)
             self._ask_master("registerPublisher", topic.name, topic.type, self._address)

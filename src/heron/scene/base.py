@@ -50,7 +50,7 @@ class BaseParameters:
     boosted_torque: float = 13.0
     """Likewise, for as long as the drive is told to give more."""
     gain: float = 12.0
-    """Of the velocity servo on each wheel, in Nm s/rad."""
+    """The gain of the velocity servo on each wheel, in Nm s/rad."""
     imu_z: float = 0.2
     scanner_z: float = 0.2
 

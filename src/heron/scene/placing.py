@@ -27,7 +27,7 @@ class TableParameters:
 
     @property
     def height(self) -> float:
-        """Where the top really is."""
+        """The true height of the top."""
         return self.believed_height + self.too_high
 
 
