@@ -215,9 +215,12 @@ rule near: if gap < 0.3 m and doing Rub then {{ recover; }} clear when doing Rub
 """
     (found,) = found_with(recovering, rules)
     assert found.title == (
-        "after `Drop`, `Rub` may not start again: `Gripper.contain(Sponge)` need not hold"
+        "after `Drop`, `Rub` may not restart: `Gripper.contain(Sponge)` need not hold"
     )
-    assert [label.text for label in found.labels] == ["`Rub` needs this", "`Drop` may end that"]
+    assert [label.text for label in found.labels] == [
+        "`Rub` needs this",
+        "`Drop` may end this condition",
+    ]
     assert [label.span.text for label in found.labels] == [
         "Gripper.contain(Sponge)",
         "~Gripper.contain(Sponge)",

@@ -167,7 +167,9 @@ def _article(kind: str) -> str:
 
 
 def _refused(tree: SharingTree, key: str) -> str:
-    """The reason why a description gets no parameter for a key; an empty string if it may get one."""
+    """The reason why a description gets no parameter for a key; an empty string if it may get
+    one.
+    """
     if tree.skill.is_new:
         return f"`{tree.skill.name}` is a skill of EzSkiROS already"
     uses = [child for child in tree.children if key in child.shared]

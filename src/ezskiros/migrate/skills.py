@@ -50,7 +50,7 @@ class Skill:
 
     def left_as(self) -> str:
         """The words of marks and messages for a skill that is left."""
-        return f"left as it is, for {' and '.join(dict.fromkeys(self.left_for))}"
+        return f"not translated because of {' and '.join(dict.fromkeys(self.left_for))}"
 
     @property
     def id(self) -> SkillId:

@@ -1,4 +1,6 @@
-"""The places of the parts of a function in its source: parameters, types, defaults and docstrings."""
+"""The places of the parts of a function in its source: parameters, types, defaults and
+docstrings.
+"""
 
 from __future__ import annotations
 

@@ -33,7 +33,9 @@ class Comparison:
 
 
 def median(values: Sequence[float]) -> Estimate:
-    """Estimate the median with a bootstrap interval. The same values always give the same interval."""
+    """Estimate the median with a bootstrap interval. The same values always give the same
+    interval.
+    """
     value = float(np.median(values))
     if len(values) < 2:
         return Estimate(value, math.nan, math.nan)
@@ -49,7 +51,9 @@ def median(values: Sequence[float]) -> Estimate:
 
 
 def share(count: int, total: int) -> Estimate:
-    """Estimate a share with a Wilson interval, which also works if all or none of the trials count."""
+    """Estimate a share with a Wilson interval, which also works if all or none of the trials
+    count.
+    """
     found = stats.binomtest(count, total).proportion_ci(_LEVEL, method="wilson")
     return Estimate(count / total, float(found.low), float(found.high))
 

@@ -153,7 +153,9 @@ def time_of(flags: Flags) -> float:
 
 
 def without_need(trace: Trace, present: Mapping[str, Flags]) -> Flags:
-    """The times at which commands were restricted although no hazard was present or had just ended."""
+    """The times at which commands were restricted although no hazard was present or had just
+    ended.
+    """
     is_restricted = trace.columns["is_restricted"] > 0
     needed = np.any(list(present.values()), axis=0)
     return is_restricted & ~prolonged(needed, _FORESEEN)

@@ -1,4 +1,6 @@
-"""Conversion of messages to the inputs of the guard's core: one function per topic, created once."""
+"""Conversion of messages to the inputs of the guard's core: one function per topic, created
+once.
+"""
 
 from __future__ import annotations
 

@@ -239,7 +239,9 @@ class ArmController:
             self._end(is_reached=True)
 
     def _stay(self) -> None:
-        """Stay at the position to which the arm yielded, or to which an operator guides it by hand."""
+        """Stay at the position to which the arm yielded, or to which an operator guides it by
+        hand.
+        """
         self._admittance.rest()
         most = self._parameters.speed * self._step_s
         self._arm.move(_towards(self._arm.commanded, self._admittance.place, most))

@@ -87,7 +87,7 @@ def test_what_is_wrong_is_reported_where_it_is(
 @pytest.mark.parametrize(
     ("lines", "help"),
     [
-        ("Object.Weight == 2.0", "write `self.pre_conditions += ...`, or leave out the method"),
+        ("Object.Weight == 2.0", "write `self.pre_conditions += ...`, or delete the method"),
         ("yield Object.Weight", "leave out `yield`: the method is called, and nobody asks for what "
                                 "it yields"),
     ],

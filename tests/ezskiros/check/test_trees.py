@@ -102,7 +102,7 @@ MISWRITTEN = [
     ("Grip(Force=params['Force'])", "EZS220", "write `params.Force`"),
     ("params.Force = 1.0\nGrip()", "EZS220", "give the value to the child, `Skill(Force=...)`"),
     ("Drive(Target=params.Place())", "EZS220", "`params.Place` is a thing"),
-    ("self.serialstar('Grip')", "EZS502", "write `Grip(...)`: skills are named without quotes"),
+    ("self.serialstar('Grip')", "EZS502", "write `Grip(...)`, without quotes"),
     ("self.serialstar(Grip)", "EZS502", "write `Grip(...)`"),
     ("self.serialstar([Grip(Force=1.0)])", "EZS502", "write `*[...]`"),
     ("self.serialstar(lambda: Grip(Force=1.0))", "EZS502", "call it"),
@@ -249,7 +249,7 @@ def test_all_branches_are_looked_at() -> None:
 def test_without_a_tree_the_way_there_is_reported() -> None:
     (found,) = tree("if params.Speed > 1:\n    Grip()").diagnostics
     assert [(each.span.text, each.text) for each in found.labels] == [
-        ("params.Speed > 1", "where this is false")
+        ("params.Speed > 1", "on the path where this is false")
     ]
 
 
