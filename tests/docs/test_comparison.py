@@ -37,7 +37,7 @@ runs; its column is made by running it.
 
 
 def checked_fault(fault: dict[str, Any]) -> Checked:
-    """What is found where the fault is."""
+    """The findings at the place of the fault."""
     if "tree" in fault:
         return tree(fault["tree"], fault.get("parameters", PARAMETERS))
     if "methods" in fault:

@@ -30,7 +30,7 @@ frames do not count. It is used *with other numbers* where an import gives at le
 
 @dataclass(frozen=True)
 class _Use:
-    """How a robot imports a file of the library: the numbers that it gives."""
+    """The reuse of a library file by a robot: the arguments of its import."""
 
     path: Path
     numbers: frozenset[str]

@@ -39,7 +39,7 @@ THINGS = "A: test.Thing, B: test.Thing, C: test.Thing, Box: test.Box, Tool: test
 
 
 def reported(result: Checked) -> list[tuple[str, str]]:
-    """What is found about conditions together: the codes, and the texts that they point at."""
+    """The findings about combined conditions: the codes, and the labelled texts."""
     return [
         (each.code, each.primary.span.text)
         for each in result.diagnostics

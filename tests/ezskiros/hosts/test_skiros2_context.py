@@ -55,7 +55,7 @@ class Reported:
         context._contexts.append(self.context)
 
     def running(self) -> list[str] | None:
-        """What is published now; None if it is silent."""
+        """The skills in the current message; None if no message is published."""
         if not self.context.voice.speak():
             return None
         return [each.skill for each in self.heard[-1].running]

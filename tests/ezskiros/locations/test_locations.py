@@ -1,4 +1,4 @@
-"""Where the things of scenes are: boxes, polygons, points, and what is none of them."""
+"""The locations of things in scenes: boxes, polygons, points, and invalid values."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def written(folder: Path, **texts: str) -> Path:
 
 
 def migrated(package: Path) -> tuple[Migration, dict[str, str]]:
-    """What becomes of a package, and the new texts of its modules, which are written."""
+    """The migration of a package, and the new texts of its modules, which are written."""
     found = migrate_paths([package], ".world")
     for each in found.files:
         each.write()
@@ -79,7 +79,7 @@ def migrated(package: Path) -> tuple[Migration, dict[str, str]]:
 
 
 def checked(package: Path) -> Checked:
-    """What a check says of a package, which gets a world."""
+    """The check of a package, which gets a world module."""
     (package / "all.ttl").write_text(ONTOLOGY)
     (package / "world.py").write_text(WORLD)
     return check_paths([package])
