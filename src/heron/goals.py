@@ -1,4 +1,4 @@
-"""Action servers of the robot, and goals for them: all that its skills know of it."""
+"""Action servers of the robot and their goals, the only interface of its skills to the robot."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The ROS messages that the robot speaks, and how they are made.
+"""Constructors of the ROS messages that the robot uses.
 
-The classes are those that rosbags has for ROS 1: plain data with the fields of the definitions.
+The classes are those of rosbags for ROS 1: plain data with the fields of the definitions.
 """
 
 from __future__ import annotations

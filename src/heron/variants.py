@@ -1,4 +1,4 @@
-"""The variants to choose from. Needs no simulation."""
+"""The variants of the experiments. The module needs no simulation."""
 
 from __future__ import annotations
 

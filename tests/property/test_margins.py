@@ -112,7 +112,8 @@ def conditions() -> st.SearchStrategy[Condition]:
 
 
 def robustness(condition: Condition, seen: list[float]) -> float:
-    """The robustness by its definition: differences, minimum and maximum; NaN if a number is NaN.
+    """The robustness by its definition: differences, minimum and maximum; NaN if a number is
+    NaN.
     """
 
     def extreme(choose: object, numbers: tuple[float, ...]) -> float:

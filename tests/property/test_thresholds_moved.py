@@ -1,4 +1,5 @@
-"""The part of a random machine that depends on a threshold behaves alone as in the whole machine.
+"""The part of a random machine that depends on a threshold behaves alone as in the whole
+machine.
 """
 
 from __future__ import annotations

@@ -40,7 +40,8 @@ def old_forms(text: str) -> dict[str, Form]:
 
 
 def new_forms(text: str, folder: Path, world: str = "world") -> dict[str, Form]:
-    """The descriptions of EzSkiROS in a module, in the form of SkiROS2; `folder` has the ontology.
+    """The descriptions of EzSkiROS in a module, in the form of SkiROS2; `folder` has the
+    ontology.
     """
     ontology = load(folder, relations=False)
     with skiros2_api.installed(), standing_in(lambda _name, _place: None), _world(world, ontology):

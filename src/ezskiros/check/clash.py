@@ -1,4 +1,4 @@
-"""Statements that cannot all hold, and why."""
+"""Statements that cannot all hold, and the reasons."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The findings of clashes: their words, and the places that they show."""
+"""The findings of clashes: their texts and labels."""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
-"""Conditions against each other: repeated ones, and those that no world satisfies together.
+"""Checks of conditions against each other: repeated conditions, and conditions that no world model
+satisfies together.
 
-When a skill starts its pre-conditions hold, and its hold-conditions too; after it its
-post-conditions hold. What these exclude of what was before, they end: only that they end a
-hold-condition is reported. The classes of things never change.
+Pre- and hold-conditions hold when a skill starts; post-conditions hold after it. A post-condition
+ends earlier facts that it excludes; this is only reported if it ends a hold-condition. The classes
+of things never change.
 """
 
 from __future__ import annotations

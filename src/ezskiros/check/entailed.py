@@ -1,8 +1,8 @@
 """Relations that follow from others by the ontology, and relations that cannot hold together.
 
-Subproperties, inverses, symmetry and transitivity; relations that are functional, inverse
-functional, asymmetric or irreflexive, or of which a class has a limited number. Each parameter
-stands for a thing of its own, which matters where things are counted, and nowhere else.
+The module handles subproperties, inverses, symmetry and transitivity, and relations that are
+functional, inverse functional, asymmetric, irreflexive, or limited in number by a class. Each
+parameter stands for a different thing, which only matters where things are counted.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The number of values, or other things, that a thing can have by a property."""
+"""The limits on the number of values, or related things, of a property."""
 
 from __future__ import annotations
 

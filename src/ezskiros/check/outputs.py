@@ -1,4 +1,6 @@
-"""Outputs, which have no value before the skill: only post-conditions are about them."""
+"""Check of outputs, which have no value before the skill, so that only post-conditions may use
+them.
+"""
 
 from __future__ import annotations
 

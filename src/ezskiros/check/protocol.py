@@ -1,7 +1,7 @@
-"""The methods of implementations: whether they are called, and return what SkiROS2 waits for.
+"""Check that methods of implementations are called, and return the values that SkiROS2 expects.
 
-`execute` returns what `self.success`, `self.step` and `self.fail` give, `onStart` and `onEnd`
-whether they succeeded. Other methods are called by these.
+`execute` returns the result of `self.success`, `self.step` or `self.fail`; `onStart` and `onEnd`
+return True on success. Other methods are called by these.
 """
 
 from __future__ import annotations

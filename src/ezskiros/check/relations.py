@@ -1,4 +1,6 @@
-"""Conditions against the ontology: what relations relate, and values of properties."""
+"""Checks of conditions against the ontology: domains and ranges of relations, and values of
+properties.
+"""
 
 from __future__ import annotations
 

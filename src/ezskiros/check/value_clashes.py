@@ -1,7 +1,7 @@
 """Conditions on data properties that no value satisfies.
 
-As in SkiROS2 a thing has a list of values. `==` asks whether a value is among them, `!=` whether it
-is not; `<` and its like ask for the first one, and that there is one.
+As in SkiROS2, a thing has a list of values. `==` tests whether a value is in the list, `!=` whether
+it is not. `<` and the like test the first value, which must exist.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Conditions that hold together: those of one moment, with one alternative of each `or`.
+"""Sets of conditions that hold together at one moment, with one alternative of each `or`.
 
-Things are those that parameters stand for. A parameter that a condition says to stand for nothing
-is left out.
+The things are those that parameters stand for. A parameter that a condition declares as unset is
+left out.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Checks for commands: users' code runs in a child process, and this one prints."""
+"""Checks for commands: user code runs in a child process, and this process prints the findings."""
 
 from __future__ import annotations
 

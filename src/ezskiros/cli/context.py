@@ -1,4 +1,4 @@
-"""`ezskiros run --context`: tells which skills run, for rules that watch the robot."""
+"""`ezskiros run --context`: publishes the running skills for rules that monitor the robot."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`ezskiros check --fix`: adds the pre-conditions that compound skills lack to their files."""
+"""`ezskiros check --fix`: adds missing pre-conditions of compound skills to their files."""
 
 from __future__ import annotations
 

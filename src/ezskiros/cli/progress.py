@@ -1,4 +1,4 @@
-"""The look of a task while it runs: lines, or a tree on a terminal."""
+"""The display of a running task: lines, or a tree on a terminal."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A test that the modules of the checker are still as they were before users' code ran."""
+"""A test that user code has not modified the modules of the checker."""
 
 from __future__ import annotations
 

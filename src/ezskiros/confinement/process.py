@@ -1,4 +1,4 @@
-"""A child process whose every message is read, and of which nothing is left afterwards."""
+"""A child process whose messages are all read and which leaves no processes behind."""
 
 from __future__ import annotations
 

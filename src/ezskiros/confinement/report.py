@@ -1,4 +1,4 @@
-"""The report of a check in a child process, and the proof that it is whole."""
+"""The report of a check in a child process, and the proof that it is complete."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Guards in front of primitives, from a file that `crosscheck weave` writes, and what is known of
-their rules while a robot runs.
+"""Guards in front of primitives, from a file of `crosscheck weave`, and the known state of their
+rules while a robot runs.
 
-Unknown is not safe: while nobody knows which rules are active, what has a guard waits.
+An unknown state is not safe: while the active rules are unknown, each guarded primitive waits.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The message `skill_context_msgs/SkillContext` as plain data, made of the skills that run."""
+"""The message `skill_context_msgs/SkillContext` as plain data, made from the running skills."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A child of a tree: its conditions and changes, said of the names of the tree."""
+"""A child of a tree: its conditions and changes, in the names of the tree."""
 
 from __future__ import annotations
 

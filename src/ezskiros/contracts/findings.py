@@ -1,4 +1,4 @@
-"""The findings: their words, the places that they show, and what repairs them."""
+"""The findings about contracts: their texts, labels and repairs."""
 
 from __future__ import annotations
 

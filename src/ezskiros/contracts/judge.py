@@ -1,4 +1,4 @@
-"""The judge: all that follows from what is known, and all that cannot be besides it."""
+"""The judge: consequences of the known conditions, and statements that contradict them."""
 
 from __future__ import annotations
 

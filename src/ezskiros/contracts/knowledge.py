@@ -1,4 +1,4 @@
-"""The knowledge at one point of a behavior tree: which conditions hold, and by whom."""
+"""The knowledge at one point of a behavior tree: the conditions that hold, and their origins."""
 
 from __future__ import annotations
 

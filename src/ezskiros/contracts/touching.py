@@ -1,7 +1,7 @@
 """The facts that a change may undo.
 
-Names that may stand for one thing are taken for one: what is forgotten too much is asked for, what
-is forgotten too little would be relied on.
+Names that may stand for one thing are treated as one thing. Forgetting a fact too many only causes
+a warning; forgetting one too few would be unsafe.
 """
 
 from __future__ import annotations

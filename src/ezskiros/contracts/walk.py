@@ -1,4 +1,4 @@
-"""The walk through a behavior tree: what is known before and after each node."""
+"""The walk through a behavior tree: the known conditions before and after each node."""
 
 from __future__ import annotations
 

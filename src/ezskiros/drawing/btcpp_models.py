@@ -1,4 +1,4 @@
-"""The models of nodes for BehaviorTree.CPP: their ports, the types of these, their conditions."""
+"""The models of nodes for BehaviorTree.CPP: their ports with types, and their conditions."""
 
 from __future__ import annotations
 

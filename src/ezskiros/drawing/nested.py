@@ -1,4 +1,4 @@
-"""The trees that a child of a tree stands for, if it is a compound skill itself."""
+"""The trees of a child that is a compound skill itself."""
 
 from __future__ import annotations
 

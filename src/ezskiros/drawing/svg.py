@@ -1,8 +1,8 @@
-"""A behavior tree as a picture: SVG that needs nothing else, laid out from left to right.
+"""A behavior tree as a self-contained SVG picture, laid out from left to right.
 
-The layout is that of tidy trees in its simplest form: leaves stand below each other in the order in
-which they are ticked, a node stands in the middle of its children, and these begin where it ends.
-Text is in a font of equal widths, so that its size is known without a browser.
+The layout is a simple tidy tree: leaves are below each other in the order in which they are ticked,
+and a node is at the middle of its children, which begin where the node ends. The font has a fixed
+width, so that text sizes are known without a browser.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Texts from the command line in, values of the parameters of a skill out: `Object=starter`."""
+"""Conversion of command-line texts such as `Object=starter` to values of a skill's parameters."""
 
 from __future__ import annotations
 

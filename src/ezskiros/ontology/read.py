@@ -1,4 +1,4 @@
-"""Files in, triples out: RDF/XML, Turtle, N-Triples and JSON-LD, read by pyoxigraph."""
+"""Reading of files into triples: RDF/XML, Turtle, N-Triples and JSON-LD, with pyoxigraph."""
 
 from __future__ import annotations
 

@@ -1,8 +1,9 @@
-"""Classes of the ontology as Python classes, and symbols: things of which only the class is known.
+"""Classes of the ontology as Python classes, and symbols: things with a known class and unknown
+identity.
 
-A symbol records what is said about it. Its attributes are the relations and data properties of the
-ontology: `Gripper.at(StartPose)`, `Gripper.ContainerState == "Empty"`. What comes of them are
-conditions, which have no value before the robot runs.
+A symbol records the conditions about it. Its attributes are the relations and data properties of
+the ontology: `Gripper.at(StartPose)`, `Gripper.ContainerState == "Empty"`. The results are
+conditions, which have no truth value before the robot runs.
 """
 
 from __future__ import annotations

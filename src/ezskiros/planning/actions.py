@@ -1,7 +1,7 @@
-"""Skills as actions of a planner: what each needs, and what it makes so.
+"""Skills as actions of a planner: the needs and effects of each.
 
 Parameters that stand for things are parameters of the action. `OPTIONAL` ones are left out, unless
-a condition is about them. Hold-conditions are needed at the start.
+a condition uses them. Hold-conditions are needed at the start.
 """
 
 from __future__ import annotations

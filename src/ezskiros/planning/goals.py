@@ -1,8 +1,8 @@
-"""Goals, as SkiROS2's task manager takes them: `(skiros:at cora:Robot-1 skiros:Location-2)`.
+"""Goals in the syntax of SkiROS2's task manager: `(skiros:at cora:Robot-1 skiros:Location-2)`.
 
-Several are separated by commas; `(not (...))` asks for the opposite. A data property is followed by
-its value: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Things are named by their IRIs, as in a
-scene, or by their labels; relations by their names, with the prefix or without.
+Commas separate several goals; `(not (...))` negates a goal. The value of a data property comes
+last: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Things are named by their IRIs, as in a
+scene, or by their labels; relations by their names, with or without prefix.
 """
 
 from __future__ import annotations

@@ -1,8 +1,9 @@
-"""Another way to the goal of a task: skills that lead to its post-conditions, from where the world
-is now (thesis, section 5.2).
+"""Replanning: skills that lead to the post-conditions of a task from the current world model
+(thesis, section 5.2).
 
-A tree that found a way blocked says so in the world model, and the search heeds the pre-conditions
-of skills: so the same way is not taken again. Nor is one that rules would stop.
+A tree that found a route blocked records this in the world model, and the search respects the
+pre-conditions of skills, so the same route is not taken again. Steps that rules would stop are not
+taken either.
 """
 
 from __future__ import annotations

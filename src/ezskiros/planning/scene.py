@@ -1,4 +1,4 @@
-"""The world that a plan starts in: a scene, and the names of what is in it."""
+"""The initial world model of a plan: a scene, and the names of its things."""
 
 from __future__ import annotations
 

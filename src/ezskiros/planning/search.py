@@ -1,4 +1,4 @@
-"""The search for a plan that leads to goals, and the reasons why there is none."""
+"""The search for a plan, and the reasons if there is none."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The search for a plan: Fast Downward, as a program of its own.
+"""The call of the planner Fast Downward in its own process.
 
-Its files are found, and nothing of it is imported.
+Its files are located, and nothing of it is imported.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """A plan as a skill: the source of a description and of a compound implementation.
 
-Things of the scene become parameters. Its pre-conditions are what the steps need that no step
-before them gives, its post-conditions are the goals.
+Things of the scene become parameters. The pre-conditions are the needs of steps that no earlier
+step provides; the post-conditions are the goals.
 """
 
 from __future__ import annotations

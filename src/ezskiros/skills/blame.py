@@ -1,4 +1,4 @@
-"""The place in the user's code that an exception is blamed on, and the text of the exception."""
+"""The place in user code that an exception is attributed to, and the text of the exception."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Runs code under check so that it does nothing to the world and ends.
+"""Execution of checked code without side effects and with a time limit.
 
-Python tells an audit hook before it opens a file, connects or starts a process (PEP 578).
-Within `guarded` the hook refuses that, wherever it is called from; what our own code and the import
-of libraries do is let through. How code goes on without what is refused: see `intercept.py`.
+Python calls an audit hook before it opens a file, makes a connection or starts a process (PEP 578).
+Within `guarded` the hook refuses such calls from any place; calls of our own code and of library
+imports are allowed. `intercept.py` lets code continue after a refused call.
 """
 
 from __future__ import annotations

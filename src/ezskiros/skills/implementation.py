@@ -1,4 +1,4 @@
-"""The class behind `Pick.SkillBase`, from which implementations of a skill are derived."""
+"""The class behind `Pick.SkillBase`, the base class of implementations."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Python files and packages in, the skills that they define and implement out.
+"""Loading of Python files and packages. The result is the skills that they define and implement.
 
-Modules are run, as Python does when it imports them, without ROS: what is not installed is replaced
-by stand-ins. A module that cannot be run does not hide the others.
+Modules are imported as usual, without ROS: stand-ins replace packages that are not installed. A
+module that fails does not hide the others.
 """
 
 from __future__ import annotations

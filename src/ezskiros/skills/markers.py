@@ -1,4 +1,4 @@
-"""The marks around the type of a parameter: `Robot: INFERRED[cora.Robot]`."""
+"""The markers of parameter types: `Robot: INFERRED[cora.Robot]`."""
 
 from __future__ import annotations
 

@@ -1,9 +1,8 @@
-"""The mock generator of Early Dynamic Checking (thesis, Paper IV, section 4.2): what goes on in
-place of something that a check does not do.
+"""The mock generator of Early Dynamic Checking (thesis, Paper IV, section 4.2): mocks replace the
+results of calls that a check skips.
 
-A mock of an object has the methods and accessors of its class, and no others; none of them does
-anything. What they give is a mock again: of the class that they are declared to return, or of
-nothing that is known.
+A mock of an object has the methods and accessors of its class, and no others; none of them has an
+effect. Their results are mocks again: of the declared return type, or of an unknown type.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""Nodes of behavior trees: calls of skills, and what stands over them.
+"""Nodes of behavior trees: calls of skills, and the processors and decorators above them.
 
-Nodes are made where a tree is written, in `expandBT`; each knows its place there.
+Nodes are created where a tree is written, in `expandBT`. Each node knows its place there.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The things that a skill permits: `self.permits += force(Object, "20 N")`.
+"""The permissions of a skill: `self.permits += force(Object, "20 N")`.
 
-What is a hazard elsewhere is the purpose of some skills (thesis, section 5.2). Each permission
-stands for itself: what one of them permits is permitted. Rules read them; SkiROS2 does not.
+A hazard elsewhere can be the purpose of a skill (thesis, section 5.2). Permissions are
+alternatives: an action is permitted if one permission allows it. Rules read them; SkiROS2 does not.
 """
 
 from __future__ import annotations

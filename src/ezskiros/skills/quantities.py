@@ -1,4 +1,4 @@
-"""Quantities that are written as texts, `30 N`: a closed table of units, and their values in SI.
+"""Quantities written as texts, `30 N`: a closed table of units, and their values in SI units.
 
 A unit is `numerator / denominator * pi**pi_power` times the SI unit of its dimension.
 """

@@ -1,4 +1,4 @@
-"""Names of topics and action servers, and of types, as rules write them."""
+"""Names of topics, action servers and types in the form of rules."""
 
 from __future__ import annotations
 

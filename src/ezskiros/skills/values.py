@@ -1,8 +1,8 @@
-"""Symbols for what is not known before the skill runs: the values of parameters of basic types, and
-what calls give that a check does not make (see `mocks.py`).
+"""Symbols for values that are unknown before the skill runs: parameters of basic types, and results
+of calls that a check skips (see `mocks.py`).
 
-What is done to them gives more of them. Where Python asks one whether it is true, both answers are
-followed, one after the other.
+Operations on symbols give symbols. Where Python needs the truth value of a symbol, both results are
+followed one after the other.
 """
 
 from __future__ import annotations

@@ -1,7 +1,6 @@
-"""The attributes that the things of each class have, and the meaning of these.
+"""The attributes of the things of each class, and their meaning.
 
-Decided as `Ontology.attribute` does when a description runs, and as the check of relations judges
-what has come of it.
+The rules are those of `Ontology.attribute` when a description runs, and of the check of relations.
 """
 
 from __future__ import annotations

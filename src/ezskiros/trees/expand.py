@@ -1,7 +1,7 @@
-"""An implementation that users wrote in, its behavior trees out.
+"""Expansion of a user's implementation to its behavior trees.
 
-`expandBT` is run with references in place of parameters, as often as its branches ask for, as
-descriptions are (thesis, Paper IV, sections 4.2 and 7).
+`expandBT` runs with references in place of parameters, once per path through its branches, like
+descriptions (thesis, Paper IV, sections 4.2 and 7).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Values of parameters that are known at launch, from a file in YAML: `Pick: {Speed: 0.3}`."""
+"""Parameter values that are given at launch, from a YAML file: `Pick: {Speed: 0.3}`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All skills that are known, and what implements them."""
+"""All known skills and their implementations."""
 
 from __future__ import annotations
 

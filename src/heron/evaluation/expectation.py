@@ -1,4 +1,4 @@
-"""Expectations, verdicts on them, and those that more than one experiment has."""
+"""Expectations, their verdicts, and the expectations that several experiments share."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rows of episodes as CSV: one file for each experiment and each study, with six digits."""
+"""Rows of episodes as CSV: one file per experiment and per study, with six digits."""
 
 from __future__ import annotations
 

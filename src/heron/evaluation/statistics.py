@@ -1,4 +1,4 @@
-"""Summaries of many episodes, and how sure these are: intervals of 95 %."""
+"""Summaries of many episodes, with confidence intervals of 95 %."""
 
 from __future__ import annotations
 

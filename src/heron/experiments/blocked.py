@@ -1,4 +1,4 @@
-"""Experiment VI, a blocked way: two ways lead to a hall, and something stands across one.
+"""Experiment VI, a blocked route: two routes lead to a hall, and an obstacle blocks one.
 
 Experiment VII delivers in the same scene.
 """

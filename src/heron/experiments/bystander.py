@@ -1,4 +1,6 @@
-"""The person of the experiment with contact: they stand across the table, and reach over it."""
+"""The person of the contact experiment, who stands on the other side of the table and reaches over
+it.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Experiment IV: the arm pushes a box to a mark and wipes a board, beside somebody. Both need more
-force than it may have elsewhere.
+"""Experiment IV: the arm pushes a box to a mark and wipes a board, near a person. Both tasks need
+more force than is allowed elsewhere.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""Experiment V: along a corridor, of which a part belongs to a school. A child runs out of a
-door.
+"""Experiment V: the robot drives along a corridor, a part of which belongs to a school. A child
+runs out of a door.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""An experiment: what it varies, what is measured, what is dangerous in it."""
+"""An experiment: its variants, its measures and its hazards."""
 
 from __future__ import annotations
 

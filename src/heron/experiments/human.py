@@ -1,4 +1,4 @@
-"""Experiment III: the arm carries its block to and fro while somebody comes into the room."""
+"""Experiment III: the arm carries its block to and fro while a person enters the room."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""The measures of the navigation experiment, from the ground truth and from the deeds of the
-guard.
-"""
+"""The measures of the navigation experiment, from the ground truth and the actions of the guard."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The obstacles of experiments VI and VII: each stands across a way, for good or until somebody
-takes it away.
+"""The obstacles of experiments VI and VII. Each blocks a route, either permanently or until a
+person removes it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,8 @@
 """The end of experiment I: the base has arrived, and the arm picks up the block.
 
-The base stands, with its brakes on, so the arm has a scene of its own, with the table where it
-really is from there. On the way the arm is but a mass on the base. Both scenes have one time.
+The base stands with its brakes on. The arm has a scene of its own, with the table at its true
+position relative to the base. During the drive, the arm is only a mass on the base. Both scenes
+share one time.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""Experiment II: the arm places a block on a table that is higher than it believes, or carries it
-there in more haste than its joints are made for.
+"""Experiment II: the arm places a block on a table that is higher than expected, or moves faster
+than its joints allow.
 """
 
 from __future__ import annotations

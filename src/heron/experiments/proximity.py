@@ -1,5 +1,5 @@
-"""The distance between the arm and a person, and the speed of the arm then: the ground truth, at
-every step.
+"""The ground truth at every step of the distance between the arm and a person, and of the arm's
+speed.
 """
 
 from __future__ import annotations

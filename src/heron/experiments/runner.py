@@ -1,4 +1,4 @@
-"""The one loop: what is due speaks, then the physics goes one step."""
+"""The main loop: run all programs that are due, then advance the physics by one step."""
 
 from __future__ import annotations
 

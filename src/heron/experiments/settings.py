@@ -1,4 +1,4 @@
-"""Settings that all experiments share, and that a study varies."""
+"""The settings that all experiments share and that studies vary."""
 
 from __future__ import annotations
 

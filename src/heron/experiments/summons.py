@@ -1,4 +1,6 @@
-"""An operator who is called when rules have stopped the robot for good, and comes after a while."""
+"""An operator who is called when rules have stopped the robot permanently, and who arrives after a
+while.
+"""
 
 from __future__ import annotations
 

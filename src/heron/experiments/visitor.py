@@ -1,4 +1,6 @@
-"""The person of the experiment with a human: where they walk, and that they lead the arm aside."""
+"""The person of experiment III: the person's path, and the person's hand that pushes the arm
+aside.
+"""
 
 from __future__ import annotations
 

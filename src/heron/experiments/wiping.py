@@ -1,4 +1,4 @@
-"""The stains of the board: they go where a sponge is pressed on them."""
+"""The stains on the board, which disappear when a sponge is pressed on them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An episode as a film shows it: its pictures, and the words below each."""
+"""The content of a film of an episode: its pictures, and the text below each picture."""
 
 from __future__ import annotations
 

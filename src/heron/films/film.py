@@ -1,4 +1,4 @@
-"""A film of an episode: what can be seen is kept while it runs, and drawn when it is over."""
+"""A film of an episode. The states are stored during the episode and drawn after it."""
 
 from __future__ import annotations
 

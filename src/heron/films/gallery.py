@@ -1,4 +1,4 @@
-"""A page of films: without a monitor and with one, side by side."""
+"""A page of films, without and with a monitor side by side."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Clips of a robot that learns to insert a peg, or has learned it. Needs `rossmarie[gym]`."""
+"""Clips of a robot that is learning, or has learned, to insert a peg. They need
+`rossmarie[gym]`.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rules that were active, and the times at which they were."""
+"""The active rules, and the times of their activations."""
 
 from __future__ import annotations
 

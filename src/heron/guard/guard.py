@@ -1,8 +1,8 @@
-"""The guard: each message goes through the core (which rules are active, and what follows?) and the
-filters (what may pass?) before the next is looked at.
+"""The guard. Each message passes through the core, which determines the active rules and their
+consequences, and through the filters, which limit commands, before the next message is handled.
 
-As in the generated nodes, rules are looked at once all inputs with a timeout have arrived, or
-`PATIENCE_NS` is over; until then no command passes.
+As in the generated nodes, the rules are evaluated once all inputs with a timeout have arrived, or
+`PATIENCE_NS` is over. Until then no command passes.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The outside of a guard, wherever it is: in this process, or a node of ROS."""
+"""The external interface of a guard, in this process or in a ROS node."""
 
 from __future__ import annotations
 

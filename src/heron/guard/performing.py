@@ -1,5 +1,5 @@
-"""The deeds of this guard for the tasks of rules. Limits and scales need no doing, and the core
-resets itself.
+"""The execution of the tasks of rules by this guard. Limits and scales need no execution, and the
+core resets itself.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The results of trainings, to be used without them."""
+"""The results of trainings, for use without the training code."""
 
 from __future__ import annotations
 

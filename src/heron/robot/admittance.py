@@ -1,4 +1,4 @@
-"""Active compliance: how far the arm gives way to forces, `M a = F + K (wanted - x) - D v`."""
+"""Active compliance: the displacement of the arm by forces, `M a = F + K (wanted - x) - D v`."""
 
 from __future__ import annotations
 

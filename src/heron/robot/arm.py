@@ -1,4 +1,4 @@
-"""The arm while it runs: what its servos and sensors reach of the physics."""
+"""The running arm: the interface of its servos and sensors to the physics."""
 
 from __future__ import annotations
 

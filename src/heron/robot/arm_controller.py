@@ -1,11 +1,11 @@
-"""The controller of the arm: an action server that carries the block to places, and puts it down.
+"""The controller of the arm: an action server that carries the block to places and puts it down.
 
-It carries stiffly, along trajectories, and is compliant while it places. It places where it
-believes that the table is. Only where it has once touched something does it know better: then it
-comes slowly, and lets go as soon as it feels the table.
+The arm carries stiffly along trajectories, and is compliant while it places. It places at the
+expected position of the table. After it has touched the table once, it uses the measured position:
+it approaches slowly and lets go as soon as it feels the table.
 
-How fast it goes can be scaled. It can be stopped, and it can be told to be gravity-free; what is at
-hand then waits, and goes on from where the arm is.
+The speed can be scaled. The arm can be stopped, and can be made gravity-free. The current motion
+then waits, and continues from the arm's position.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The base while it runs: what its actuators and sensors reach of the physics."""
+"""The running base: the interface of its actuators and sensors to the physics."""
 
 from __future__ import annotations
 

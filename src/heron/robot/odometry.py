@@ -1,5 +1,5 @@
-"""Wheel odometry: where the base would be if its wheels never slipped, as a message and as the
-frame `base_link` in `odom`.
+"""Wheel odometry: the pose of the base without wheel slip, as a message and as the frame
+`base_link` in `odom`.
 """
 
 from __future__ import annotations

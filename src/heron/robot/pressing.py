@@ -1,7 +1,7 @@
-"""Motions whose contact is meant: pushing a thing along, and wiping over a board.
+"""Motions with intended contact: pushing a thing, and wiping a board.
 
-Both give way to forces in one direction, and both end by leaving what they touched: whoever goes on
-from there is in the air.
+Both are compliant in one direction. At their end both leave the touched thing, so the next motion
+starts in free space.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Trajectories whose time can be scaled: the way stays the same, and is gone along more slowly."""
+"""Trajectories whose time can be scaled: the path stays the same and is followed more slowly."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""One TCP connection of TCPROS: a header of names and values each way, then bodies, each with its
-length before it.
+"""One TCPROS connection: a header of names and values in each direction, then bodies with their
+lengths.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""A node of ROS 1, as far as an experiment needs one: it publishes, hears, and calls services.
+"""A minimal ROS 1 node for the experiments: it publishes, subscribes, and calls services.
 
-Messages go out at once and come in when they are asked for, both in the thread of the caller; only
-those who want to connect are answered beside it.
+The thread of the caller sends messages at once and receives them on request. Only new connections
+are accepted by another thread.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""The scene of the experiment with contact that is meant: a table with a box that has to be pushed
-to a mark, a board that has to be wiped, and somebody at the other side of the table.
+"""The scene of the contact experiment: a table, a box to push to a mark, a board to wipe, and a
+person at the other side of the table.
 """
 
 from __future__ import annotations

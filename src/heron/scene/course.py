@@ -1,7 +1,7 @@
-"""The course of the navigation experiment: a corridor with a bump, and a room that lies higher.
+"""The course of the navigation experiment: a corridor with a bump, and a room on a higher level.
 
-Two ramps lead to the room. The short way is straight on; how steep it is, is what variants of the
-experiment differ in. The other is a detour and always gentle.
+Two ramps lead to the room. The short route goes straight on, and its slope differs between the
+variants of the experiment. The other route is a detour and always gentle.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The scene of the placing experiment: the arm above a table, which may be higher than believed."""
+"""The scene of the placing experiment: the arm above a table, which may be higher than expected."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Navigation: an action server that follows a route to its end, and takes the next route when it is
-told to replan.
+"""Navigation: an action server that follows a route to its end, and takes the next route on a
+`replan` command.
 """
 
 from __future__ import annotations

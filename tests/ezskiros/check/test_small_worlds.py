@@ -124,7 +124,8 @@ class Rules:
         return BETWEEN[1] not in self.others or p == {(b, a) for a, b in q}
 
     def _are_possible(self, classes: list[tuple[int, str]]) -> bool:
-        """Say whether things can be of these classes. No statement excludes a thing from a class.
+        """Say whether things can be of these classes. No statement excludes a thing from a
+        class.
         """
         is_disjoint = ABOUT_CLASSES[0] in self.others
         return not is_disjoint or not any({(n, X), (n, Y)} <= {*classes} for n in THINGS)

@@ -1,4 +1,5 @@
-"""The results of the checker: a type for every expression, a value for every constant expression.
+"""The results of the checker: a type for every expression, a value for every constant
+expression.
 """
 
 from __future__ import annotations

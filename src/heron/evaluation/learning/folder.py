@@ -1,4 +1,4 @@
-"""The folder of the study: the page, and beside it a folder with the rest."""
+"""The folder of the study: the page, and a folder beside it with the other files."""
 
 from __future__ import annotations
 
