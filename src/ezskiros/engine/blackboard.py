@@ -1,4 +1,4 @@
-"""The values of a task where SkiROS2 has them: on one blackboard for the skills of all levels.
+"""The values of a task as in SkiROS2: on one blackboard for the skills of all levels.
 
 Each parameter has a key there. A value that is passed to a child renames a key of the child, and of
 all below it; SkiROS2 drops some of these renamings. A parameter that has a default, or is given a

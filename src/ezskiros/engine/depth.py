@@ -1,4 +1,4 @@
-"""The depth of trees: they may be deeper than Python goes by itself."""
+"""The depth of trees, which may exceed Python's default recursion limit."""
 
 from __future__ import annotations
 

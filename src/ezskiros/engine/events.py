@@ -1,4 +1,4 @@
-"""The events of skills while they run, and the reasons for them."""
+"""The events of running skills, and their reasons."""
 
 from __future__ import annotations
 

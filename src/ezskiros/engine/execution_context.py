@@ -1,4 +1,4 @@
-"""The context that all skills of a task share while they run."""
+"""The context that all running skills of a task share."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Grounding: what the parameters of a skill stand for when it starts, and its pre-conditions."""
+"""Grounding: the values of a skill's parameters at its start, and its pre-conditions."""
 
 from __future__ import annotations
 

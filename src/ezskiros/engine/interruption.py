@@ -1,4 +1,4 @@
-"""A task that a behavior tree interrupts, to recover from what a rule found (thesis, section 5.2).
+"""A task that a recovery tree interrupts, after a finding of a rule (thesis, section 5.2).
 
 Whoever watches the robot asks for a tree, from any thread. At the next tick the primitives that run
 are preempted, and the tree is ticked in their place. When it has succeeded, the task goes on as it

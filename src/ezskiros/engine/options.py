@@ -1,4 +1,4 @@
-"""The meaning of `CONSUME`, `UNSPECIFY`, `LOCK` and `RESPECT_TYPE` while a skill runs."""
+"""The effect of `CONSUME`, `UNSPECIFY`, `LOCK` and `RESPECT_TYPE` on a running skill."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The plan of a child of a tree before it starts, found out once for each child."""
+"""The start plan of a child, computed once for each child."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Skills that rules always stop, so that no other way is made of them: `Drive`, or
-`Drive(Target=hall.SchoolCorridor)` if only things of a class are meant.
+"""Skills that rules always stop, so that no plan uses them: `Drive`, or
+`Drive(Target=hall.SchoolCorridor)` for things of one class only.
 """
 
 from __future__ import annotations

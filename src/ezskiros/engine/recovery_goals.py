@@ -1,4 +1,4 @@
-"""Goals of rules for a task: which tree, with which values, and how the task goes on.
+"""Goals that rules send to a task: the tree, its values, and the continuation of the task.
 
 A goal is a `skill_context_msgs/Recover`. It names the export that the rules were checked with, so
 that no tree is run that they do not know.

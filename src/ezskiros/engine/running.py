@@ -1,4 +1,4 @@
-"""The skills that run: a compound, and the children of it that have started and not ended."""
+"""The running skills: a compound skill, and its children that have started and not ended."""
 
 from __future__ import annotations
 

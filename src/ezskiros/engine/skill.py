@@ -1,4 +1,4 @@
-"""A skill that runs, from its start to its result.
+"""A running skill, from its start to its result.
 
 When it starts, its parameters get their values, those that are inferred from the world; then its
 pre-conditions have to hold, its hold-conditions at every tick, its post-conditions at the end. A

@@ -1,4 +1,4 @@
-"""A task: one skill that is ticked until it has a result, or is stopped."""
+"""A task: one skill that is ticked until it has a result or is stopped."""
 
 from __future__ import annotations
 

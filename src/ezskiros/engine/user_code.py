@@ -1,4 +1,4 @@
-"""Calls of the methods that users wrote: what is wrong with them becomes a reason to fail."""
+"""Calls of user methods. An error in such a method becomes the reason of a failure."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The world model: which things there are, and what holds of them.
+"""The world model: the things that exist, and the facts about them.
 
 Facts are triples in a store of pyoxigraph, the ontology says what follows from them: classes from
 their subclasses, relations from special cases, inverses, symmetry and transitivity. Everything is

@@ -1,4 +1,4 @@
-"""The world model as primitive skills see it: `self.world.relate(gripper, skiros.at, pose)`."""
+"""The world model interface of primitive skills: `self.world.relate(gripper, skiros.at, pose)`."""
 
 from __future__ import annotations
 

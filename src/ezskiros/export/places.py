@@ -1,4 +1,6 @@
-"""Spans in, places as the file has them out: paths from its folder, lines and columns from 1."""
+"""Conversion of spans to places in the export: paths relative to its folder, lines and columns from
+1.
+"""
 
 from __future__ import annotations
 

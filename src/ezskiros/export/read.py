@@ -1,4 +1,4 @@
-"""A file of skills, read again: what it was made of, and whether that is as it was."""
+"""Reading of an exported skills file, and the test that its sources have not changed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The classes and data properties of ontologies as the file has them.
+"""The classes and data properties of ontologies in the format of the export.
 
 It has the classes that a parameter or a permission can be of: those that they name, with all that
 is below these, and all that is above any of them.

@@ -1,4 +1,6 @@
-"""Checked skills in, the text of `skills.json` out: the same for the same sources."""
+"""Conversion of checked skills to the text of `skills.json`, which is the same for the same
+sources.
+"""
 
 from __future__ import annotations
 

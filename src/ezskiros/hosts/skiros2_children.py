@@ -1,4 +1,4 @@
-"""A child of a compound skill: SkiROS2's `SkillWrapper`, with keys that may be any.
+"""A child of a compound skill: SkiROS2's `SkillWrapper` with arbitrary keys.
 
 SkiROS2 renames keys one after the other, and drops a new name that is the old one of another
 parameter, or follows it; so it cannot swap two, nor give one thing to two parameters. Here the keys

@@ -1,4 +1,4 @@
-"""The context of the skills that SkiROS2's skill manager runs, for rules that watch the robot.
+"""The context of skills in SkiROS2's skill manager, for rules that monitor the robot.
 
 It is published by a thread of the process of the skill manager: it ends when that dies, is stopped
 or is started anew. As long as skills run, each of them has to give a sign of life; one that nobody

@@ -1,4 +1,4 @@
-"""A skill in SkiROS2's own form: what its `addParam` and its conditions store, as plain data.
+"""A skill in SkiROS2's form: the data that its `addParam` and its conditions store.
 
 Labels of conditions are left out: they are for people. Names of the ontology are written as SkiROS2
 writes them, `skiros:at`.

@@ -1,4 +1,4 @@
-"""The skills of a library, checked: which of them SkiROS2 may load.
+"""The checked skills of a library, and the selection that SkiROS2 may load.
 
 A finding refuses the skill that it is in; outside of skills, all of the file. What calls a refused
 skill is refused as well: it could only fail.

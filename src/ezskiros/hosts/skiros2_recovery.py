@@ -1,4 +1,4 @@
-"""Behavior trees that rules run in SkiROS2, in the place of the tasks of its skill manager.
+"""Behavior trees that rules run in SkiROS2, instead of the tasks of its skill manager.
 
 SkiROS2 ticks all its tasks one after the other (`BtTicker._tick`). While a tree runs, only that is
 ticked; the primitives of the tasks have been preempted, and start again afterwards.

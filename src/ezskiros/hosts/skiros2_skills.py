@@ -1,4 +1,4 @@
-"""The classes that SkiROS2 loads: each is made of a class here and one of SkiROS2's.
+"""The classes that SkiROS2 loads: each combines a class from here with a SkiROS2 class.
 
 SkiROS2 takes classes without subclasses, and knows them by their bare names; descriptions have no
 subclasses, implementations refer to them.

@@ -1,5 +1,5 @@
-"""A behavior tree in SkiROS2's terms, as plain data: which skills its nodes are, which keys of the
-blackboard their parameters share, and which values they are given.
+"""A behavior tree in SkiROS2's terms, as plain data: the skills of its nodes, the blackboard keys
+that their parameters share, and the given values.
 
 A task of SkiROS2 has one blackboard, flat, that all of its skills write to. Only parameters that
 the tree says are the same share a key of it: all others get keys of their own, so that a value that

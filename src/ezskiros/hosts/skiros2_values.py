@@ -1,5 +1,5 @@
-"""The values of parameters in SkiROS2, with their types: as in our engine, and things are elements
-of SkiROS2 as well.
+"""The values of parameters in SkiROS2, with their types, as in our engine. Things are also SkiROS2
+elements.
 """
 
 from __future__ import annotations

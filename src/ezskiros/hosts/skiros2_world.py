@@ -1,4 +1,4 @@
-"""SkiROS2's world model with the methods of ours: what primitive skills ask and change."""
+"""SkiROS2's world model with the methods of ours, for primitive skills."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Knowledge of runs as a file: lessons, and a digest of the records that they were learnt from.
+"""Knowledge of runs as a file: lessons, and a digest of the records behind them.
 
 Its schema is `knowledge.schema.json` beside this module, docs/reference/knowledge-file.md.
 """

@@ -1,4 +1,4 @@
-"""Proposals that people may take up, each with its evidence: rules that look ahead, pre-conditions.
+"""Proposals for users, each with its evidence: rules that look ahead, and pre-conditions.
 
 There is one only where places make a difference: a rule became active with some things, in several
 runs, and never with others.

@@ -1,4 +1,4 @@
-"""Files of JSON lines from outside: what is read of a line, and errors that say where it is wrong.
+"""Reading of JSON lines from external files, with errors that name the place.
 
 Sizes are limited, and nothing is taken for what it is not: a number for a text, or NaN for a
 number.

@@ -1,4 +1,4 @@
-"""Runs: each trace with the verdicts of the same time. Stamps join them, not names of files."""
+"""Runs: each trace with the verdicts of the same time. Time stamps pair them, not file names."""
 
 from __future__ import annotations
 

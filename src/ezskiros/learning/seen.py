@@ -1,4 +1,4 @@
-"""Laying a trace and its verdicts side by side: which skills ran when a rule became active."""
+"""Alignment of a trace with its verdicts: the skills that ran when a rule became active."""
 
 from __future__ import annotations
 

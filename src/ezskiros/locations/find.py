@@ -1,4 +1,4 @@
-"""The places of the things of a scene, in the terms of SkiROS2 and of GeoSPARQL.
+"""The positions of the things of a scene, in the terms of SkiROS2 and of GeoSPARQL.
 
 A polygon is the value of `geo:asWKT`. A box has the position, the orientation and the size that
 SkiROS2's ontology has for things, and a thing with a position alone is a point. Frames are those of

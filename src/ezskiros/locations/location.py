@@ -1,4 +1,4 @@
-"""A location: a thing of a scene that has a place in the plane of a frame."""
+"""A location: a thing of a scene with a position in the plane of a frame."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Polygons of scenes: well-known text in, corners out.
+"""Conversion of polygons in scenes from well-known text to corners.
 
 The text is that of GeoSPARQL's `geo:asWKT` (OGC 22-047r1). Shapely reads it and finds edges that
 cross each other.

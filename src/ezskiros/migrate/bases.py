@@ -1,4 +1,4 @@
-"""Classes that skills are built on, in all files: which become mixins, and which have to stay.
+"""Base classes of skills in all files: those that become mixins, and those that stay unchanged.
 
 A base class of SkiROS2's primitives that describes nothing becomes a class without SkiROS2's own
 base. What is derived from the same class is translated together or not at all.

@@ -1,4 +1,4 @@
-"""The classes that an implementation is derived from, where that is not SkiROS2's own base."""
+"""The base classes of an implementation other than SkiROS2's own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The classes of a module, and new ones in their places."""
+"""The classes of a module, and their replacements."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`getRelationCond` and its like in, an expression of EzSkiROS out."""
+"""Translation of `getRelationCond` and the like to EzSkiROS expressions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The method `createDescription` in, the method `description` out."""
+"""Translation of the method `createDescription` to the method `description`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The classes of a file that describe skills: which they are, and the new ones for them."""
+"""The description classes of a file, and their replacements."""
 
 from __future__ import annotations
 

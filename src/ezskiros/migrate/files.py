@@ -1,4 +1,4 @@
-"""Files and folders in, their migrations out; written only when somebody asks for that."""
+"""Migration of files and folders. Files are only written on request."""
 
 from __future__ import annotations
 

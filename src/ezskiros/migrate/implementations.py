@@ -1,4 +1,4 @@
-"""A class that implements a skill of SkiROS2 in, one derived from `Pick.SkillBase` out."""
+"""Translation of a SkiROS2 implementation class to a class derived from `Pick.SkillBase`."""
 
 from __future__ import annotations
 

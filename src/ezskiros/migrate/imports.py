@@ -1,4 +1,4 @@
-"""Imports: those of SkiROS2 that nothing needs any more go, those of EzSkiROS come."""
+"""Imports: removal of unused SkiROS2 imports, and addition of EzSkiROS imports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The methods of primitives, of classes that they are built on, and of compounds but `expand`."""
+"""The methods of primitives, of their base classes, and of compound skills except `expand`."""
 
 from __future__ import annotations
 

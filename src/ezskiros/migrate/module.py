@@ -1,4 +1,4 @@
-"""One file in, the file with skills of EzSkiROS out, and what is left of the old ones."""
+"""Translation of one file to EzSkiROS, with the parts that stay unchanged."""
 
 from __future__ import annotations
 

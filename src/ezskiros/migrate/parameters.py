@@ -1,4 +1,4 @@
-"""`addParam` in, a parameter of a method out."""
+"""Translation of `addParam` to a method parameter."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Keys that the children of a compound share and that it does not declare: which parameters its
-description gets for them, and for which it gets none.
+"""Undeclared keys that the children of a compound skill share, and the parameters that its
+description gets for them.
 
 SkiROS2 has one set of keys for all that runs. So a key that a remap says is the one of every child
 with it, and of the children below those, as long as all the descriptions between have it.

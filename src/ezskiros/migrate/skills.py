@@ -1,4 +1,4 @@
-"""The skills that are described in the files of a migration: what implementations say of them."""
+"""The skills that the migrated files describe, with the facts that implementations add."""
 
 from __future__ import annotations
 

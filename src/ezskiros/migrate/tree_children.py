@@ -1,4 +1,4 @@
-"""`self.skill("Drive", "drive_fast", ...)` in, `Drive.drive_fast(...)` out."""
+"""Translation of `self.skill("Drive", "drive_fast", ...)` to `Drive.drive_fast(...)`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The context in which a tree is translated: the file, its class, and the skills of all files."""
+"""The context of a tree's translation: the file, its class, and the skills of all files."""
 
 from __future__ import annotations
 
