@@ -41,7 +41,7 @@ SCENE = ".turtle"
 
 @dataclass(frozen=True)
 class Checked:
-    """The skills of some files with the trees of compound ones, and what is wrong with them."""
+    """The skills of some files, the trees of the compound skills, and the findings."""
 
     files: Sequence[Path]
     skills: Sequence[SkillInterface]

@@ -41,7 +41,9 @@ COMMAND_LINE = Span(SourceFile("<command line>", ""), 0, 0)
 
 
 class SkillError(TypeError):
-    """A mistake in a skill, when nobody collects findings; `diagnostic` has all of it."""
+    """A mistake in a skill, raised when no session collects findings; `diagnostic` contains all
+    details.
+    """
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic

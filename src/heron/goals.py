@@ -40,7 +40,7 @@ class Server(Protocol):
 
 
 class Servers(Protocol):
-    """Whoever knows the action servers by their names."""
+    """A collection of action servers by their names."""
 
     def server(self, name: str) -> Server:
         """An action server. Raises `KeyError` if it is not there."""

@@ -46,7 +46,7 @@ class Clash:
     thing: str | None = None
 
     def reason(self, model: Model) -> str:
-        """All that is to be said of it, in one sentence."""
+        """The full reason, in one sentence."""
         reported = dict.fromkeys(axiom.reported(model) for axiom in self.axioms)
         return "; ".join([*reported, *filter(None, [self.why])])
 

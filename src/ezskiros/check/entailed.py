@@ -74,7 +74,7 @@ def _following(
 def relation_clashes(
     facts: Facts, forbidden: Iterable[Relation], classes: KnownClasses, model: Model
 ) -> Iterator[Clash]:
-    """Find what cannot be among relations that hold, and some that do not.
+    """Find contradictions among relations that hold and relations that do not hold.
 
     `classes` are those that things are known to be of.
     """

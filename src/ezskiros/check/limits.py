@@ -11,7 +11,7 @@ from ezskiros.ontology.model import Model
 
 
 class Limit(NamedTuple):
-    """At most so many, and what says so."""
+    """A maximum number of values, and its source in the ontology."""
 
     most: int
     axiom: Axiom

@@ -27,7 +27,7 @@ _COMPARES = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operat
 
 
 def value_clashes(said: Iterable[Said], classes: KnownClasses, model: Model) -> Iterator[Clash]:
-    """Find what cannot be among conditions on values."""
+    """Find contradictions among conditions on values."""
     found: dict[tuple[str, str], list[Said]] = defaultdict(list)
     for each in said:
         found[each.subject, each.property].append(each)

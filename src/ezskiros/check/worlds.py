@@ -51,7 +51,7 @@ def certain(statements: Iterable[Statement]) -> Iterator[Statement]:
 
 
 def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownClasses:
-    """The classes of things: those that are declared, and those that conditions ask for."""
+    """The classes of things: the declared ones, and those that conditions require."""
     found = dict(declared)
     for each in said:
         if isinstance(each, OfType):
@@ -62,7 +62,7 @@ def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownCla
 
 
 class World:
-    """Statements that hold together, about things of which the classes are declared."""
+    """Statements that hold together, about things with declared classes."""
 
     def __init__(self, declared: KnownClasses, model: Model, said: Iterable[Statement]) -> None:
         self._model, self._said = model, dict.fromkeys(said)
@@ -74,7 +74,7 @@ class World:
         self.facts = entailed((each for each in self._relations if each.is_true), model)
 
     def clashes(self) -> Iterator[Clash]:
-        """Find what cannot be."""
+        """Find contradictions."""
         yield from self._opposites()
         forbidden = [each for each in self._relations if not each.is_true]
         yield from relation_clashes(self.facts, forbidden, self.classes, self._model)

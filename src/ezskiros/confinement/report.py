@@ -32,7 +32,7 @@ Work = Callable[[Collector], Any]
 
 
 class RefusedError(Exception):
-    """Raised by work: what was asked for cannot be done; the text says why, to the user."""
+    """Raised by work that cannot do its task. The text gives the reason to the user."""
 
 
 class DefectError(Exception):

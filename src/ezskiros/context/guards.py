@@ -132,7 +132,7 @@ class ActiveRules:
         self._sign = self._stale = -float("inf")
 
     def hear_state(self, message: Any) -> None:
-        """A `State` of the node; one that nobody can read says nothing."""
+        """Handle a `State` message of the node. An unreadable message is ignored."""
         if len(message.active) > _MOST_RULES or len(message.exempted) > _MOST_RULES:
             self._state = None
             return
@@ -144,7 +144,7 @@ class ActiveRules:
         self._sign = self.clock()
 
     def lose(self, at: float) -> None:
-        """The node was not there at a time: what it has reported before is worth nothing."""
+        """Forget the reported state, because the node was absent for a time."""
         self._stale = at
 
     def reason_to_wait(self, skill: str) -> str | None:

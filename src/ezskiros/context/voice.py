@@ -51,7 +51,7 @@ class Voice:
             self._is_new.set()
 
     def live(self, alive: float | None = None) -> None:
-        """Give it a sign of life: what runs is what was reported last."""
+        """Give a sign of life: the last reported skills still run."""
         if self._last is not None:
             self._last = self._last[0], self._clock() if alive is None else alive
 

@@ -53,8 +53,8 @@ class Missing:
 
 @dataclass
 class Findings:
-    """Those of one tree. What is `missing` is what `--fix` adds; `branch` says which tree it is, if
-    an implementation has several.
+    """The findings of one tree. `missing` are the conditions that `--fix` adds; `branch` identifies
+    the tree if an implementation has several.
     """
 
     tree: Tree
@@ -175,7 +175,7 @@ class Findings:
     # --- what is known ----------------------------------------------------------------------------
 
     def last_touching(self, known: Known, said: Statement) -> Change | None:
-        """The last change that may have ended what a statement says."""
+        """The last change that may have ended a statement."""
         touching = (each for each in known.changes if self.judge.touches(each.made, said))
         return next(iter([*touching][::-1]), None)
 

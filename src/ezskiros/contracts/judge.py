@@ -186,11 +186,11 @@ class Judge:
     # --- what ends --------------------------------------------------------------------------------
 
     def touches(self, made: Made, fact: Statement) -> bool:
-        """Say whether a change may end what holds."""
+        """Say whether a change may end a fact."""
         return self._touches(made, fact)
 
     def ended(self, known: Known, changes: Iterable[Change]) -> frozenset[Statement]:
-        """Facts that may end by changes, by one alone or by some together with what holds."""
+        """Facts that changes may end, alone or together with known facts."""
         return self._ended(known.said, tuple(each.made for each in changes))
 
     def _found_ended(self, facts: Said, made: tuple[Made, ...]) -> frozenset[Statement]:

@@ -55,7 +55,7 @@ class Place:
 
 @dataclass
 class Walk:
-    """Through one tree. `held` is what the compound holds while it runs."""
+    """The walk through one tree. `held` are the hold-conditions of the compound skill."""
 
     judge: Judge
     findings: Findings
@@ -69,7 +69,7 @@ class Walk:
     """
 
     def through(self, node: Node, known: Known, place: Place = Place()) -> NodeOutcome:
-        """Follow what is known through a node."""
+        """Compute the known conditions after a node."""
         match node:
             case SkillCall():
                 return self._skill(node, known, place)

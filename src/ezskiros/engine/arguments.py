@@ -17,7 +17,7 @@ _TRUTHS = {"true": True, "false": False}
 
 
 class WrongArgumentError(ValueError):
-    """A value that was given is none, or one is missing; the text says what would do."""
+    """A given value is invalid, or a value is missing. The text lists valid values."""
 
 
 def read_arguments(skill: SkillInterface, texts: Iterable[str], world: World) -> dict[str, object]:

@@ -35,9 +35,9 @@ class ExecutionContext:
     world: World
     tell: Callable[[Event], None] = lambda _: None
     simulate: bool = False
-    """True if primitives do nothing but what their post-conditions say."""
+    """True if primitives only apply their post-conditions."""
     compatible: bool = False
-    """True if all is as in SkiROS2, even what is a defect there."""
+    """True if the engine behaves like SkiROS2, including its defects."""
     choose: Choose = _first
     clock: Callable[[], float] = time.monotonic
     """In seconds."""

@@ -29,7 +29,7 @@ _Implementation = type[SkillImplementation]
 
 
 class Expansions:
-    """The trees that are known: those that a check has found, by what builds them, and others."""
+    """The known trees: those that a check has found, by their implementations, and others."""
 
     def __init__(self, trees: Iterable[Tree] = ()) -> None:
         self._trees: dict[Span, list[Tree]] = {}

@@ -44,8 +44,8 @@ class ChildStart(NamedTuple):
     locked: tuple[str, ...]
 
     def started_with(self, shared: Mapping[str, Any]) -> dict[str, Any]:
-        """The values of the parameters, by default, from the call, or from siblings, who share
-        some; None for those that are not known before its start.
+        """The values of the parameters, from defaults, from the call, or shared with siblings; None
+        for those that are unknown before the start.
         """
         values = dict(self.fixed)
         for own, name in self.received:

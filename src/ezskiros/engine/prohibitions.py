@@ -15,7 +15,9 @@ _FORM = re.compile(r"(?P<skill>[A-Za-z_]\w*)(?:\((?P<things>[^()]+)\))?", re.ASC
 
 
 class UnknownProhibitionError(ValueError):
-    """A text that is no prohibition, or names something that nobody knows; it says what."""
+    """A text that is not a prohibition, or contains an unknown name. The message gives the
+    reason.
+    """
 
 
 @dataclass(frozen=True)

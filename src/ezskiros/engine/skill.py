@@ -38,8 +38,8 @@ Build = Callable[[Node, Names, ExecutionContext, "RunningSkill"], Behaviour]
 
 
 class RunningSkill(Behaviour):
-    """A child that is a skill. `names` are the values that it shares with its siblings, `build`
-    makes of a compound's tree what ticks it.
+    """A child that is a skill. `names` are the values that it shares with its siblings; `build`
+    turns a compound skill's tree into behaviors.
     """
 
     def __init__(

@@ -48,7 +48,7 @@ class Task:
         return self.root.status
 
     def preempt(self) -> None:
-        """Stop what runs: children first, then `onPreempt` and `onEnd`."""
+        """Stop the running skills: children first, then `onPreempt` and `onEnd`."""
         with deep():
             self.root.stop(Status.INVALID)
 

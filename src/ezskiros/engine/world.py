@@ -41,7 +41,7 @@ class World:
                 self._add(iri, _TYPE, pyoxigraph.NamedNode(owl_class))
 
     def load(self, scene: Document) -> None:
-        """Take what a scene says."""
+        """Add the facts of a scene."""
         self._store.extend(scene.triples)
 
     def copy(self) -> World:
@@ -101,7 +101,7 @@ class World:
         return sorted(found, key=_by_name)
 
     def are_related(self, subject: str, relation: str, other: str) -> bool:
-        """Say whether a relation holds, by itself or because of what else is said."""
+        """Say whether a relation holds, directly or as a consequence of other facts."""
         if self._is_transitive(relation):
             return other in self.related(subject, relation)
         return any(
@@ -137,7 +137,7 @@ class World:
         return thing
 
     def remove(self, thing: str) -> None:
-        """Forget a thing, and all that is said of it."""
+        """Remove a thing and all facts about it."""
         node = pyoxigraph.NamedNode(thing)
         for quad in [
             *self._store.quads_for_pattern(node, None, None),

@@ -20,7 +20,7 @@ class Places:
         self.files: set[Path] = set()
 
     def of(self, span: Span | None) -> dict[str, Any] | None:
-        """The place of a span; None if it is in no file, as what a program has made up."""
+        """The place of a span; None if the span is not in a file, as for generated code."""
         path = self._path(span.file) if span is not None else None
         if span is None or path is None:
             return None

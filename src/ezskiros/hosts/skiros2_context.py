@@ -54,7 +54,7 @@ class HostedContext:
         self.running.end(owner)
 
     def live(self, owner: object) -> None:
-        """A skill is ticked. Once a period it is looked at what its things are like."""
+        """Note that a skill was ticked. Once per period, update the facts about its things."""
         if owner not in self._seen:
             return
         self._seen[owner] = now = self._clock()

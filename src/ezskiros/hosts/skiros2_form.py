@@ -44,8 +44,8 @@ IMPLICIT_ROBOT = FormParameter(ROBOT, Kind.INFERRED.value, "sumo:Agent")
 
 @dataclass(frozen=True)
 class FormCondition:
-    """A condition: the method of SkiROS2's `SkillDescription` that makes it, and what it is given
-    behind the label; `parts` are added to an `or`.
+    """A condition: the method of SkiROS2's `SkillDescription` that makes it, and its arguments
+    after the label; `parts` are added to an `or`.
     """
 
     maker: str

@@ -32,7 +32,7 @@ _accepted: set[type] = set()
 
 
 class AcceptedLibrary(Library):
-    """A library with nothing but what SkiROS2 may load."""
+    """A library that only contains skills that SkiROS2 may load."""
 
     def implementations(self, description: SkillClass) -> Implementations:
         """The implementations of a skill, by name."""

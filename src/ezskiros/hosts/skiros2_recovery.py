@@ -69,8 +69,8 @@ class HostedRecoveries:
 
     @property
     def running(self) -> Iterable[Running]:
-        """The skills of the tasks that run. While a tree runs in their place, and until they run
-        again, they are those that ran when it began.
+        """The running skills of the tasks. While a tree runs instead, and until they run again,
+        these are the skills that were running when the tree started.
         """
         return self._context.running if self._interrupted is None else self._interrupted
 

@@ -37,7 +37,7 @@ class HostedCall:
     """The module with the description."""
     label: str | None
     known: tuple[str, ...]
-    """Implementations, of which any will do; with a choice, the one that can start."""
+    """The possible implementations; SkiROS2 chooses one that can start."""
     is_choice: bool
     """Pre-conditions of their own decide which implementation it is."""
     keys: Mapping[str, str]

@@ -29,7 +29,7 @@ class HostedThing(WorldThing):
 
     @property
     def is_changed(self) -> bool:
-        """Say whether something else is said of the element than when the skill got it."""
+        """Say whether the element has changed since the skill got it."""
         return bool(self._before != _said(self.element))
 
 

@@ -28,7 +28,7 @@ _HEXADECIMAL = re.compile(r"[0-9a-f]{64}")
 
 @dataclass(frozen=True)
 class Knowledge:
-    """Lessons, and what they were learnt from."""
+    """Lessons, and the records that they were learnt from."""
 
     lessons: Lessons
     sources: Sequence[Source]

@@ -21,8 +21,8 @@ _LEAST_RUNS = 2
 
 @dataclass(frozen=True)
 class Difference:
-    """A parameter by which runs differ: with all of `tripped` a rule became active, with none of
-    `free`. Both are IRIs of locations.
+    """A parameter by which runs differ: with all things of `tripped` a rule became active, with
+    none of `free`. Both are IRIs of locations.
     """
 
     trip: Trip

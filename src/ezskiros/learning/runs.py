@@ -22,7 +22,9 @@ _Record = TypeVar("_Record", Trace, Verdicts)
 
 @dataclass(frozen=True)
 class Run:
-    """One task, and what rules found in the recording that it is in. A recording may have more."""
+    """One task, and the activations of rules in its recording. A recording may have several
+    tasks.
+    """
 
     trace: Trace
     verdicts: Verdicts

@@ -38,15 +38,15 @@ _Values = Mapping[str, Sequence[str]]
 
 @dataclass(frozen=True)
 class Found:
-    """The locations of a scene in the order of the file, and what is wrong with it."""
+    """The locations of a scene in the order of the file, and the findings."""
 
     locations: Sequence[Location]
     diagnostics: Sequence[Diagnostic]
 
 
 def find_locations(document: Document, model: Model) -> Found:
-    """The things of a scene that are somewhere, and those that should be: the ones of the class
-    `skiros:Location`, and those of which a part of the place is missing. These have no corners.
+    """The things of a scene that have a position, and those that should have one: things of the
+    class `skiros:Location`, and things with an incomplete position. The latter have no corners.
     """
     finder = _Finder(document, model)
     return Found([*finder.find()], finder.wrong)

@@ -14,7 +14,7 @@ FARTHEST = 1e6
 
 
 class NoPolygonError(ValueError):
-    """A polygon that no location has; the message goes on behind `the polygon of X`."""
+    """An invalid polygon. The message continues the text `the polygon of X`."""
 
 
 @dataclass(frozen=True)

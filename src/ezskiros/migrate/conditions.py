@@ -20,7 +20,7 @@ _OPERATORS = {"=": "==", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 
 @dataclass(frozen=True)
 class Expression:
-    """A condition as it is written. `labels` are those that say more than it does."""
+    """A condition in source form. `labels` are the labels that add information to the condition."""
 
     text: str
     labels: tuple[str, ...] = ()
@@ -64,7 +64,9 @@ class ConditionReader:
     mentioned: set[str] = field(default_factory=set)
 
     def read(self, node: cst.BaseExpression) -> Expression:
-        """Read what is added to the conditions: a call, or a variable. Raises `LeftError`."""
+        """Read an argument of the methods that add conditions: a call, or a variable. Raises
+        `LeftError`.
+        """
         if isinstance(node, cst.Name) and node.value in self.variables:
             found = self.variables[node.value]
             if isinstance(found, OrBuilder):
@@ -78,7 +80,7 @@ class ConditionReader:
         return maker(self, Arguments(node, name))
 
     def part(self, node: cst.BaseExpression) -> Expression:
-        """Read what is added to an `or`, which may be used after a variable is changed."""
+        """Read a part of an `or`, which may be used after a variable is changed."""
         if isinstance(node, cst.Name):
             found = self.variables.get(node.value)
             if isinstance(found, Expression):

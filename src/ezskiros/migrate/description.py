@@ -37,7 +37,7 @@ _CONDITIONS = {
 
 @dataclass(frozen=True)
 class Finding:
-    """The rest of a statement, and the reason. `statement` is the one that gets the mark."""
+    """The untranslated part of a statement, and the reason. `statement` gets the mark."""
 
     template: Template
     node: cst.CSTNode

@@ -85,7 +85,7 @@ class Descriptions:
     # --- those that are built on others -----------------------------------------------------------
 
     def leave_related(self, found: Sequence[Description]) -> None:
-        """Descriptions that are built on others are left, and those that they are built on."""
+        """Leave descriptions that inherit from others, and their base descriptions."""
         by_name = {each.name: each for each in found}
         for each in found:
             for base, node in self._bases(each):

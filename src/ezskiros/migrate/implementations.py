@@ -38,7 +38,7 @@ PLANNED = "available_for_planning"
 
 @dataclass
 class Implementation:
-    """A class that implements a skill, what becomes of it, and why it is left."""
+    """A class that implements a skill, its translation, and the reason if it is left."""
 
     node: cst.ClassDef
     new: cst.ClassDef

@@ -49,7 +49,7 @@ class Names:
         return Names(self.is_qualified, {*self.taken, *names}, self.ambiguous)
 
     def add(self, other: Names) -> None:
-        """Use what others use as well."""
+        """Add the names that other files use."""
         self.ours |= other.ours
         self.typing |= other.typing
         self.clashes |= other.clashes

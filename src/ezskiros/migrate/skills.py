@@ -25,7 +25,7 @@ NEW = "description"
 
 @dataclass(frozen=True)
 class Skill:
-    """A skill: the names of its parameters by their keys, and those that stand for things.
+    """A skill: the names of its parameters by their keys, and the parameters that stand for things.
 
     Of one that is left neither is known, but the codes for which it is. One that `needs_robot` has
     to be given one. `kinds` are the classes and types of parameters by their keys, where they are
@@ -58,7 +58,7 @@ class Skill:
         return self.path, self.name
 
     def with_added(self, kinds: Mapping[str, str]) -> Skill:
-        """The same with more parameters, of which the classes and types are given."""
+        """A copy with more parameters, with the given classes and types."""
         if not kinds:
             return self
         names = {**self.names, **more_names(self.names, kinds)}

@@ -146,7 +146,7 @@ class Graph:
         return tuple(dict.fromkeys(each for each in found if each))
 
     def union(self, node: str) -> Union:
-        """The classes of which a class expression is the union; none for other expressions."""
+        """The classes of a union expression; empty for other expressions."""
         if not node.startswith("_:"):
             return frozenset({node})
         members = list(self.items(self.first(node, OWL + "unionOf")))

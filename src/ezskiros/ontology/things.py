@@ -36,7 +36,7 @@ class Vocabulary(Protocol):
 
 
 class Described(ABC):
-    """Something that says itself what it is, in a message."""
+    """An object that can describe itself in a message."""
 
     @abstractmethod
     def described(self) -> str:
@@ -67,8 +67,8 @@ class ThingClass(type):
 
 
 class SameClass(ThingClass):
-    """The type of classes that mean the same as another, which they inherit: what is one of that is
-    one of them.
+    """The type of a class that is equivalent to its base class: members of the base class are
+    members of it.
     """
 
     def __subclasscheck__(cls, other: type) -> bool:
@@ -119,7 +119,7 @@ def symbol(owl_class: ThingClass, name: str) -> Thing:
 
 
 class Unknown:
-    """A stand-in for something that was wrong and has been reported: all goes on with it."""
+    """A stand-in for a faulty value that has been reported, so that the check can continue."""
 
     def __getattr__(self, name: str) -> Unknown:
         if name.startswith("__"):
@@ -208,7 +208,7 @@ def _parts(statement: Statement) -> tuple[Statement, ...]:
 
 
 class RelationOf:
-    """A relation of a thing, which is to be called with what it is related to."""
+    """A relation of a thing, to be called with the related thing."""
 
     def __init__(self, subject: Thing, iri: str, name: str) -> None:
         self._subject, self._iri, self._name = subject, iri, name

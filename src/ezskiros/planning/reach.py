@@ -22,11 +22,11 @@ class Missing:
 
     literal: Literal
     chain: tuple[tuple[str, Literal], ...] = ()
-    """The skills that would help, each with what it needs, the last one first."""
+    """The skills that would help, each with its missing need, the last one first."""
     without: str | None = None
-    """The class of which there is nothing: the last skill needs something of it."""
+    """The class without members: the last skill needs a thing of this class."""
     circular: tuple[str, ...] = ()
-    """Skills that make the fact so, and need it, or what it was needed for, before."""
+    """Skills that achieve the fact but need it themselves, or need a fact that depends on it."""
 
 
 class TimeOverError(Exception):
@@ -64,7 +64,7 @@ class Reach:
         return not all(map(self.is_possible, effects))
 
     def missing(self, goal: Literal, seen: frozenset[Literal] = frozenset()) -> Missing:
-        """Find what is missing for something that is not possible."""
+        """Find the missing facts behind an impossible fact."""
         best: Missing | None = None
         circular: list[str] = []
         for action in self.actions:

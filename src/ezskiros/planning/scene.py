@@ -24,7 +24,7 @@ class Scene:
     document: Document
 
     def world(self) -> World:
-        """A fresh world model with what the scene says."""
+        """A new world model with the facts of the scene."""
         found = World(self.ontology)
         found.load(self.document)
         return found

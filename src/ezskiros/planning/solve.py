@@ -115,7 +115,7 @@ def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[int, str
 
 @dataclass(frozen=True)
 class Failed:
-    """A step of a plan that cannot be made, and what it needs. After the last one: the goal."""
+    """A step of a plan that fails, and its missing need. After the last step: the goal."""
 
     number: int
     needed: Literal

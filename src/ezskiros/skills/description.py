@@ -50,7 +50,7 @@ class Conditions(Added[Clause]):
         return self
 
     def replaced_by(self, value: object) -> None:
-        """Take what `=` says where `+=` is meant; that it is wrong has been reported."""
+        """Handle `=` like `+=`; the mistake has been reported."""
         self.are_whole = False
         if isinstance(value, Condition):
             self._items.append(Clause(value.statement, value.span))

@@ -74,7 +74,7 @@ class TimeOverError(Interrupted):
 
 
 class ProcessEndError(Interrupted):
-    """The code under check was about to end its process, which no check goes on after."""
+    """Checked code tried to end its process, and no check can continue after that."""
 
 
 @dataclass(frozen=True)
@@ -98,12 +98,10 @@ class Refusals:
     files: dict[str, None] = field(default_factory=dict)
     """The files of user code that led to refused calls."""
     half_done: list[object] = field(default_factory=list)
-    """The objects that one of the refused calls was a method of: nobody knows in what state they
-    would be.
-    """
+    """The objects whose methods were refused, and whose state is therefore unknown."""
 
     def go_on(self, count: int) -> None:
-        """The code under check goes on without what it was refused after the first `count`."""
+        """Let checked code continue without the calls that were refused after the first `count`."""
         self.replaced.update(dict.fromkeys(self.stopped[count:]))
         del self.stopped[count:]
 

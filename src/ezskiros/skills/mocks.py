@@ -53,7 +53,7 @@ class Mock(Symbol):
 
 
 class MockInstance(Mock):
-    """An object of a class whose `__init__` was not run: it has what such objects have."""
+    """An object of a class whose `__init__` was not run. It has the attributes of such objects."""
 
     def __init__(self, source: str, kind: type) -> None:
         super().__init__(source, kind)
@@ -70,7 +70,7 @@ class MockInstance(Mock):
 
 
 def mock_of(function: object, source: str) -> object:
-    """Give what goes on in place of what a function gives, or a class."""
+    """The mock for the result of a function, or for a class."""
     if isinstance(function, type):
         return MockInstance(source, function)
     kind = _returned(function)
@@ -89,7 +89,7 @@ def _returned(function: object) -> type | None:
 
 @lru_cache(maxsize=256)
 def members(kind: type) -> frozenset[str] | None:
-    """The names of what objects of a class have; None if some are not known."""
+    """The names of the attributes of a class's objects; None if some are unknown."""
     found = set(dir(kind))
     for each in kind.__mro__[:-1]:
         own = vars(each)

@@ -47,9 +47,8 @@ class Processor:
 
 @dataclass(frozen=True, eq=False)
 class Decorator:
-    """A child, and what becomes of its result. `limit` is the number of tries of a retry, or the
-    seconds of a timeout; None of an inverter. It is a symbol until the skill runs if it depends on
-    parameters.
+    """A child with a changed result. `limit` is the number of tries of a retry, or the seconds of a
+    timeout; None for an inverter. It is a symbol until the skill runs if it depends on parameters.
     """
 
     decoration: Decoration

@@ -68,8 +68,8 @@ _DIMENSION_WORDS = {
 
 @dataclass(frozen=True)
 class PermittedThing:
-    """The things that a permission is about: what the parameter stands for, or, without one, all of
-    a class. `owl_class` is that class; of a parameter the class of its type.
+    """The things of a permission: the thing of the parameter, or, without one, all things of a
+    class. `owl_class` is that class, or the class of the parameter's type.
     """
 
     parameter: str | None

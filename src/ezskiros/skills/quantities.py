@@ -76,7 +76,7 @@ _QUANTITY = re.compile(
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number with a unit, and what it is in SI."""
+    """A number with a unit, and its value in SI units."""
 
     value: float
     unit: str

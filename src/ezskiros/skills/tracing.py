@@ -51,8 +51,8 @@ class Method:
 
 @dataclass(frozen=True)
 class Way(Generic[T]):
-    """One way through a method: what it was run on, None if that could not be made; whether it came
-    to its end, and whether nothing was wrong until there.
+    """One path through a method: its inputs, None if they could not be made; whether it was
+    completed, and whether it was free of errors until then.
     """
 
     instance: T | None

@@ -15,7 +15,7 @@ from ezskiros.skills.syntax import added_value
 
 
 class Used(enum.Enum):
-    """The kinds of what a skill uses."""
+    """The kinds of resources that a skill uses."""
 
     TOPIC = "topic"
     SERVER = "server"

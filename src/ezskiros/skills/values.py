@@ -163,7 +163,7 @@ def _names_for_parts(frame: FrameType) -> int | None:
 
 
 class SymbolicValue(Symbol):
-    """The value of a parameter. Of what is computed from it the type is not known either."""
+    """The value of a parameter. The type of values computed from it is unknown as well."""
 
     def __init__(self, name: str, kind: type | None = None) -> None:
         self._name, self._kind = name, kind

@@ -33,8 +33,8 @@ def iri_of(owl_class: ThingClass) -> str:
 
 
 class Classes:
-    """All classes of an ontology, one for those that mean the same; `known` has `Thing` first, and
-    each behind its bases.
+    """All classes of an ontology, one per group of equivalent classes; `known` has `Thing` first,
+    and each class after its bases.
     """
 
     def __init__(self, ontology: Ontology) -> None:

@@ -51,7 +51,7 @@ class ValueReference(SymbolicValue):
 
 
 class KnownThing(ThingReference):
-    """A parameter of the compound of which it is known whether it stands for a thing."""
+    """A parameter of the compound skill for which it is known whether it stands for a thing."""
 
     def __init__(self, parameter: Parameter, is_there: bool) -> None:
         super().__init__(parameter)

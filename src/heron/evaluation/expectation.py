@@ -27,9 +27,7 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Expectation:
-    """An expectation, what was found about it, and the verdict. Its key does not change when its
-    words do.
-    """
+    """An expectation, its result, and the verdict. Its key does not change when its text does."""
 
     key: str
     expected: str

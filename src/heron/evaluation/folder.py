@@ -19,7 +19,7 @@ _REST = "experiments"
 
 @dataclass(frozen=True)
 class Folder:
-    """`path` is that of the page."""
+    """The folder of an evaluation. `path` is the path of the page."""
 
     path: Path
 

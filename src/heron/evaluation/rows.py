@@ -16,7 +16,7 @@ _STUDY_KEYS = ("value", "experiment", *_KEYS)
 
 @dataclass(frozen=True)
 class Row:
-    """An episode: numbers by the names of measures, without those that it has not."""
+    """An episode: numbers by the names of measures, without missing measures."""
 
     variant: str
     arm: str

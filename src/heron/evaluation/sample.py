@@ -23,7 +23,7 @@ class Sample:
 
     @property
     def harms(self) -> tuple[str, ...]:
-        """The measures of what is dangerous in it."""
+        """The measures of harm in it."""
         return self.experiment.harms[self._of_variant]
 
     @property

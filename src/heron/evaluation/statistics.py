@@ -15,7 +15,9 @@ _LEVEL = 0.95
 
 @dataclass(frozen=True)
 class Estimate:
-    """A median or a share, and between what it lies. Not known: of a single episode."""
+    """A median or a share with its confidence interval. The interval is unknown for a single
+    episode.
+    """
 
     value: float
     low: float

@@ -88,7 +88,7 @@ class ContactMeasures:
 
 @dataclass(frozen=True)
 class ContactEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     encounter: Encounter

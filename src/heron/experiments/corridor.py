@@ -66,7 +66,7 @@ class CorridorMeasures:
 
 @dataclass(frozen=True)
 class CorridorEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     passage: Passage

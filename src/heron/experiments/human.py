@@ -73,7 +73,7 @@ class HumanMeasures:
 
 @dataclass(frozen=True)
 class HumanEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     person: Person

@@ -41,7 +41,7 @@ _SEEDED = ("course", "imu", "odometry", "localization", "picking", "joints", "sc
 
 @dataclass(frozen=True)
 class NavigationEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     terrain: Terrain

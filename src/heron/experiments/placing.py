@@ -53,8 +53,8 @@ _SEEDED = ("table", "force", "joints")
 
 @dataclass(frozen=True)
 class PlacingMeasures:
-    """Times in s, forces in N. `peak_effort` is the greatest torque of any joint, as a share of
-    what the joint may give; `time_over_torque` how long any was above six tenths of that.
+    """Times in s, forces in N. `peak_effort` is the greatest torque of any joint, as a share of the
+    joint's limit; `time_over_torque` is the time for which any joint was above 0.6 of its limit.
     """
 
     is_completed: bool
@@ -72,7 +72,7 @@ class PlacingMeasures:
 
 @dataclass(frozen=True)
 class PlacingEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     table: Table

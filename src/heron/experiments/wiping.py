@@ -13,7 +13,7 @@ _GONE = (0.0, 0.0, -1.0)
 
 
 class Stains:
-    """Takes away what was wiped."""
+    """Removes wiped stains."""
 
     period_ns = 20_000_000
 

@@ -49,7 +49,7 @@ class Film:
         return [self]
 
     def tick(self, now_ns: int) -> None:  # noqa: ARG002
-        """Keep what there is to see."""
+        """Store the visible state."""
         assert self._physics is not None
         self.keep(moment_of(self._physics.data))
 

@@ -23,7 +23,7 @@ _SIZE = (400, 225)
 
 @dataclass(frozen=True)
 class Exhibit:
-    """Episodes of a variant, and what there is to see in their film."""
+    """Episodes of a variant, and the caption of their film."""
 
     experiment: str
     variant: enum.Enum

@@ -37,8 +37,8 @@ _HARMS = {
 
 
 class Shown(NamedTuple):
-    """The facts of an instant: the force at the wrist (N), the distance to the person (m), what has
-    gone wrong so far, and the rules that are active, the latest first.
+    """The facts of an instant: the force at the wrist (N), the distance to the person (m), the
+    harms so far, and the active rules, the latest first.
     """
 
     force: float

@@ -96,7 +96,7 @@ class BaseCollisionMonitor(_CollisionMonitor):
         self._send = carrier.publisher(COMMAND)
         self._command: Message | None = None
         self.is_restricting = False
-        """True if the last command that was sent is not the one that a program gave."""
+        """True if the last sent command differs from the command of the program."""
         carrier.subscribe(Topic(unfiltered(COMMAND.name), COMMAND.type), self._receive)
 
     def tick(self, now_ns: int) -> None:

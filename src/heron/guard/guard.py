@@ -300,7 +300,7 @@ class InProcessLink:
     period_ns = 1_000_000_000
 
     def carrier(self, clock: Callable[[], int]) -> InProcess:  # noqa: ARG002
-        """The carrier by which the robot and its programs speak."""
+        """The carrier between the robot and its programs."""
         return InProcess()
 
     def guard(self, machine: Machine, carrier: InProcess, clock: Callable[[], int]) -> Guard:

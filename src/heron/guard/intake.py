@@ -122,7 +122,9 @@ class Intake:
         return self._core.take() if reported is None else reported
 
     def together(self, at_ns: int, messages: Mapping[int, Message]) -> Reported:
-        """Messages of several channels arrive together; gives what the core finds."""
+        """Handle messages of several channels that arrive together. Returns the events of
+        the core.
+        """
         values: dict[str, Value] = {}
         for channel, message in messages.items():
             values |= self._values(channel, message)

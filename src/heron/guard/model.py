@@ -64,7 +64,7 @@ class Link(Protocol):
     """The carrier of messages in an episode, and the place of the guard."""
 
     def carrier(self, clock: Callable[[], int]) -> InProcess:
-        """The carrier by which the robot and its programs speak. `clock` is the time of the robot,
+        """The carrier between the robot and its programs. `clock` is the time of the robot,
         in ns.
         """
 

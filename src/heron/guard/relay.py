@@ -59,7 +59,7 @@ class Relay:
             self._server().cancel()
 
     def send_own(self, goal: Goal, done: Done) -> None:
-        """A task that has the server sends a goal of its own."""
+        """Send the goal of a task that holds the server."""
         self._server().send(goal, done)
 
     def cancel_own(self) -> None:

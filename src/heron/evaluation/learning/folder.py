@@ -19,7 +19,7 @@ _WORDS = ("formulation", "algorithm", "arm")
 
 @dataclass(frozen=True)
 class LearningFolder:
-    """`path` is that of the page."""
+    """The folder of the study. `path` is the path of the page."""
 
     path: Path
 
@@ -30,7 +30,7 @@ class LearningFolder:
 
     @property
     def trainings(self) -> Path:
-        """The folder of what trainings leave: their logs, and what was learned."""
+        """The folder of training results: their logs, and the learned policies."""
         return self.path / _REST / "trainings"
 
     @property
