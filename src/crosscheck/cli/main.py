@@ -13,8 +13,8 @@ import typer
 
 from crosscheck.cli.choices import Answers, ShowFormat, ros_namespace
 from crosscheck.cli.output import output
-from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.completion import codes
+from dslkit.options import Force, Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from rossmarie.cli.options import MessageFolders, OptionalOutFile, Rules, Systems
@@ -77,8 +77,10 @@ def show(
     out: OptionalOutFile = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Show which skill uses what, which rules guard it, and which interrupt it."""
+    output.permit(force)
     from crosscheck.cli.showing import run_show
 
     run_show(rules, form, out, system or [], messages or [])
@@ -106,8 +108,10 @@ def weave(
     ],
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Write which rules each primitive skill waits for before it starts."""
+    output.permit(force)
     from crosscheck.cli.weaving import run_weave
 
     run_weave(rules, out, system or [], messages or [])

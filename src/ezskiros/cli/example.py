@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from dslkit.examples import UnknownExampleError, named
+from dslkit.options import Force
 from ezskiros.cli.output import output
 
 _SUMMARIES = {
@@ -26,8 +27,10 @@ def example(
     folder: Annotated[
         Path | None, typer.Argument(metavar="DIR", help="The folder to write to; else ./EXAMPLE.")
     ] = None,
+    force: Force = False,
 ) -> None:
     """Copy skills with their ontology and a scene; without EXAMPLE, list the examples."""
+    output.permit(force)
     if name is None:
         width = max(map(len, _SUMMARIES))
         for each, summary in _SUMMARIES.items():

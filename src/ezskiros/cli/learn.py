@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import ReportFormat
+from dslkit.options import Force, ReportFormat
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
@@ -40,8 +40,10 @@ def learn(
         ReportFormat, typer.Option("--format", help="The format of findings and result.")
     ] = ReportFormat.TEXT,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
     """Learn from runs: which skills tripped which rules, where, and what it cost."""
+    output.permit(force)
     with output.answering(form, "learn", files=len(files)) as answer:
         if out is not None:
             if out.suffix != ".json":  # none of the records may be lost

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.completion import codes
+from dslkit.options import Force, Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from dslkit.writing import reason
-from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
+from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology, of_rules, of_skills
 from ezskiros.cli.checking import asked, print_check
 from ezskiros.cli.example import example
 from ezskiros.cli.export import export
@@ -45,6 +45,7 @@ Paths = Annotated[
     typer.Argument(
         metavar="PATHS...",
         help="Python files, and folders with them.",
+        callback=of_skills,
         readable=False,
     ),
 ]
@@ -71,7 +72,12 @@ def check(
     ] = False,
     rules: Annotated[
         Path | None,
-        typer.Option("--rules", metavar="FILE", help="Also look at skills and rules together."),
+        typer.Option(
+            "--rules",
+            metavar="FILE",
+            help="Also look at skills and rules together.",
+            callback=of_rules,
+        ),
     ] = None,
     knowledge: Knowledge = None,
     fixed: Annotated[
@@ -111,7 +117,8 @@ def explain(
 ) -> None:
     """Explain a diagnostic, or how the inferred parameters of a skill get their values."""
     if not paths:
-        output.explain(what)
+        hint = f"; for a skill name its files, too: `ezskiros explain {what} PATHS...`"
+        output.explain(what, hint if what.isidentifier() else "")
         return
     from ezskiros.driver import explain_skill
 
@@ -144,7 +151,7 @@ def migrate(
         typer.Option(
             "--ontology",
             metavar="PATH",
-            help="Its files and folders: which names are ambiguous.",
+            help="Ontology files and folders, which show the ambiguous names.",
             exists=True,
         ),
     ] = None,
@@ -195,7 +202,7 @@ def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
 def _write(files: Sequence[MigratedFile]) -> None:
     """Write what has become of files; ends the run if that fails."""
     for file in files:
-        output.try_file(file.path)
+        output.try_change(file.path)
     for file in files:
         with output.writing(file.path):
             file.write()
@@ -215,8 +222,10 @@ def stubs(
         bool,
         typer.Option(help="With what EzSkiROS knows of SkiROS2's relations, as `load` has it."),
     ] = True,
+    force: Force = False,
 ) -> None:
     """Write the stub (`.pyi`) from which editors and type checkers know the ontology."""
+    output.permit(force)
     if not is_check:
         output.try_file(out)
     from ezskiros.driver import stub_of

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from dslkit.command_line import Format
 from dslkit.diagnostics import Collector
+from dslkit.options import Force, Format
+from dslkit.ownership import Comment
 from ezskiros.cli.arguments import Folders, Knowledge, OptionalSkills, name_ontology
 from ezskiros.cli.checking import asked, checked, lessons_of, print_check
 from ezskiros.cli.output import output
@@ -44,12 +45,13 @@ def plan(
     ] = 60.0,
     knowledge: Knowledge = None,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
     """Find skills that lead from a scene to a goal: a behavior tree, checked and tried out."""
+    output.permit(force)
     if out is not None and (out.suffix != ".py" or not out.stem.isidentifier()):
         output.fail(f"`{out}` is no file for a module of Python, such as plan.py", exit_code=2)
-    if out is not None:
-        output.try_file(out)
+    output.try_file(out)
     lessons, wrong = lessons_of(knowledge)
     if wrong:
         output.reject(wrong)
@@ -125,5 +127,5 @@ def _expected(plan: Plan, lessons: Lessons) -> str:
 
 def _write(path: Path, text: str, paths: list[Path]) -> None:
     """Write a plan as a skill, and check it with the skills that it is made of."""
-    output.save(path, text)
+    output.save(path, text, Comment.HASH)
     raise typer.Exit(print_check([path, *paths], None, Format.TEXT))

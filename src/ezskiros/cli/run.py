@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
-from dslkit.writing import reason
-from ezskiros.cli.arguments import Folders, name_ontology
+from dslkit.options import Force, Format
+from dslkit.ownership import Comment
+from dslkit.writing import reason, replacing_text
+from ezskiros.cli.arguments import Folders, name_ontology, of_skills
 from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.context import Context, export_for
 from ezskiros.cli.guards import guarded, guards_for
@@ -49,6 +50,9 @@ Words = Annotated[
     ),
 ]
 
+TraceFile = Annotated[
+    Path | None, typer.Option(metavar="FILE", help="Write what happens, as JSON lines.")
+]
 Timeout = Annotated[
     float | None,
     typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
@@ -76,7 +80,10 @@ def run(
     ] = None,
     out: WorldFile = None,
     simulate: Annotated[
-        bool, typer.Option("--simulate", help="Primitives only let their post-conditions hold.")
+        bool,
+        typer.Option(
+            "--simulate", help="Do not execute primitives: only apply their post-conditions."
+        ),
     ] = False,
     ask: Annotated[
         bool, typer.Option("--ask", help="Ask which, where several things can be inferred.")
@@ -84,9 +91,7 @@ def run(
     compatible: Annotated[
         bool, typer.Option("--compatible", help="As SkiROS2 does it, with its defects.")
     ] = False,
-    trace: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write what happens, as JSON lines.")
-    ] = None,
+    trace: TraceFile = None,
     period: Annotated[
         float, typer.Option(metavar="SECONDS", min=0.0, help="From tick to tick.")
     ] = 0.04,
@@ -94,17 +99,18 @@ def run(
     context: ContextFile = None,
     guards: GuardsFile = None,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
     """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
-    for path in (out, trace):
-        if path is not None:
-            output.try_file(path)
+    output.permit(force)
+    output.try_file(out, trace)
     name_ontology(ontology)
     from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.expansion import Expansions
 
     texts = [each for each in words or [] if _GIVEN.match(each)]
-    paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
+    named = [Path(each) for each in words or [] if not _GIVEN.match(each)]
+    paths = of_skills(named) or [Path()]
     _check(paths)
     ready = _ready(skill, paths, scene, texts)
     if not simulate:
@@ -121,8 +127,7 @@ def run(
     run = _Run(ready.call, execution, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
     if out is not None:
-        with output.writing(out):
-            ready.world.save(out)
+        output.save(out, ready.world.turtle(), Comment.HASH)
     _tell(skill, outcome)
     raise typer.Exit(0 if outcome.is_success else 1)
 
@@ -227,8 +232,7 @@ class _Run:
                 stack.enter_context(guarded(self._guards, self._execution))
             if trace is not None:
                 stack.enter_context(output.writing(trace))
-                file = stack.enter_context(trace.open("w", encoding="utf-8"))
-                self._trace = Trace(file, self._start_ns)
+                self._trace = Trace(stack.enter_context(replacing_text(trace)), self._start_ns)
             stack.enter_context(self._interruptible())
             if self._live is not None:
                 self._live.start()

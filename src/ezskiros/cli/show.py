@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.options import Force
+from dslkit.ownership import Comment
 from ezskiros.cli.arguments import Folders, OptionalSkills, OutFile, name_ontology
 from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
@@ -43,12 +45,13 @@ def show(
     ] = 0,
     conditions: Annotated[bool, typer.Option(help="With the conditions of the skills.")] = True,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
     """Draw the behavior trees of a compound skill: several if `expandBT` branches."""
     from ezskiros.cli.outlines import console_for_outlines, plain_console
 
-    if out is not None:
-        output.try_file(out)
+    output.permit(force)
+    output.try_file(out)
     name_ontology(ontology)
     console = console_for_outlines() if out is None else plain_console()
     picture = _Picture(skill, paths or [Path()], depth, conditions, console, form)
@@ -56,7 +59,7 @@ def show(
     if form is PictureFormat.BTCPP:
         _end_without_export(drawn, report.diagnostics)
     if out is not None:
-        output.save(out, drawn)
+        output.save(out, drawn, Comment.HASH if form is PictureFormat.TEXT else None)
     else:
         typer.echo(drawn, nl=False, color=console.is_terminal)
     if output.exit_code(report.diagnostics):

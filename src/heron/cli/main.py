@@ -8,13 +8,12 @@ the run (130: Ctrl-C).
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from dslkit.options import Force
 from dslkit.parameters import Group
 from heron.cli.choices import (
     TRAINING_LIMIT_S,
@@ -28,7 +27,7 @@ from heron.cli.choices import (
     require_drawing,
     require_film,
     require_learning,
-    require_new,
+    require_place,
     require_simulation,
     require_trace,
     variant_of,
@@ -52,6 +51,7 @@ from heron.cli.options import (
     Variant,
     View,
 )
+from heron.cli.watching import film_episode, observers
 from heron.variants import (
     VARIANTS,
     Arm,
@@ -65,9 +65,6 @@ from heron.variants import (
     Terrain,
     Trouble,
 )
-
-if TYPE_CHECKING:  # needs MuJoCo
-    from heron.experiments import Observer
 
 _SHOWN_SEED = 1
 """The seed of the demo and the gallery. Its episodes end as most do; a test holds that."""
@@ -100,8 +97,10 @@ def nav(
     ros1: Annotated[
         bool, typer.Option("--ros1", help="With the generated node on guard, by ROS_MASTER_URI.")
     ] = False,
+    force: Force = False,
 ) -> None:
     """Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
+    output.permit(force)
     if not ros1:
         _run("nav", arm, variant, seed, view, film)
         return
@@ -114,8 +113,8 @@ def nav(
     require_simulation()
     from heron.cli.live import run_live
 
-    with _observers("nav", is_viewed=view) as observers:
-        run_live(output, arm, variant, seed, observers)
+    with observers("nav", is_viewed=view) as watching:
+        run_live(output, arm, variant, seed, watching)
 
 
 @runs.command()
@@ -127,10 +126,12 @@ def place(
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
     """Experiment II: place a block on a table that is higher than the arm believes, or carry it
     there in too much haste.
     """
+    output.permit(force)
     _run("place", arm, variant, seed, view, film)
 
 
@@ -143,8 +144,10 @@ def human(
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
     """Experiment III: carry a block to and fro while somebody comes into the room."""
+    output.permit(force)
     _run("human", arm, variant, seed, view, film)
 
 
@@ -158,10 +161,12 @@ def contact(
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
     """Experiment IV: push a box to a mark and wipe a board, while somebody reaches over the table
     or the box gets jammed.
     """
+    output.permit(force)
     _run("contact", arm, variant, seed, view, film)
 
 
@@ -174,10 +179,12 @@ def corridor(
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
     """Experiment V: drive along a corridor, of which a part belongs to a school, while a child runs
     out of a door.
     """
+    output.permit(force)
     _run("corridor", arm, variant, seed, view, film)
 
 
@@ -190,8 +197,10 @@ def blocked(
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
     """Experiment VI: drive to a hall, while something stands across the short way."""
+    output.permit(force)
     _run("blocked", arm, variant, seed, view, film)
 
 
@@ -204,8 +213,10 @@ def second(
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
     """Experiment VII: drive to a hall as the planner says, with what earlier runs have taught."""
+    output.permit(force)
     _run("second", arm, variant, seed, view, film)
 
 
@@ -222,47 +233,15 @@ def _run(
 ) -> None:
     require_arm(name, arm)
     if film is not None:
-        _film(name, arm, variant, seed, film, is_viewed=is_viewed)
+        film_episode(name, arm, variant, seed, film, is_viewed=is_viewed)
         return
     require_simulation()
     from heron.cli.episodes import print_episode
     from heron.experiments import EXPERIMENTS, USUAL
 
     experiment = EXPERIMENTS[name]
-    with _observers(name, is_viewed=is_viewed) as observers:
-        print_episode(experiment, experiment.run(arm, variant, seed, observers, USUAL))
-
-
-def _film(
-    name: str, arm: Arm, variant: enum.Enum, seed: int, out: Path, *, is_viewed: bool
-) -> None:
-    if is_viewed:
-        output.fail("--film draws without a window: leave out --view", exit_code=2)
-    require_film(out)
-    require_drawing()
-    require_simulation()
-    from heron.cli.filming import film
-
-    film(output, name, variant, arm, seed, out)
-
-
-@contextmanager
-def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
-    """A window on an experiment for as long as it is needed, if one is wanted."""
-    if not is_viewed:
-        yield []
-        return
-    from heron.experiments import EXPERIMENTS
-    from heron.viewing import Window, trouble
-
-    reason = trouble()
-    if reason is not None:
-        output.fail(
-            f"--view needs a display: {reason}; `heron demo` makes pictures without one",
-            exit_code=2,
-        )
-    with Window(EXPERIMENTS[name].cameras) as window:
-        yield [window]
+    with observers(name, is_viewed=is_viewed) as watching:
+        print_episode(experiment, experiment.run(arm, variant, seed, watching, USUAL))
 
 
 @app.command()
@@ -274,14 +253,15 @@ def record(
     seed: Seed = 0,
     trace: TraceFile = None,
     begin: Begin = 0,
+    force: Force = False,
 ) -> None:
     """Run one episode, and write all its topics into an MCAP file."""
+    output.permit(force)
     chosen = variant_of(known(experiment), variant)
     require_arm(experiment, arm)
     if out.suffix != ".mcap":
         output.fail(f"the name of the recording has to end in .mcap, not as {out}", exit_code=2)
-    require_new(out)
-    output.try_folder(out.parent)
+    require_place(out)
     if trace is not None:
         require_trace(trace)
     require_simulation()
@@ -299,11 +279,13 @@ def evaluate(
     out: RunsFolder = Path("build"),
     jobs: Jobs = None,
     ray: Ray = None,
+    force: Force = False,
 ) -> None:
     """Run all arms of the experiments on many seeds, and write tables and plots.
 
     A run that was interrupted goes on where it was.
     """
+    output.permit(force)
     chosen = list(map(known, dict.fromkeys(experiment or VARIANTS)))
     output.try_folder(out)
     require_simulation()
@@ -333,11 +315,13 @@ def learn(
     film: Filming = None,
     jobs: Jobs = None,
     ray: Ray = None,
+    force: Force = False,
 ) -> None:
     """Train behind rules and without them: the insertion of figure 4, on many seeds.
 
     A run that was interrupted goes on where it was.
     """
+    output.permit(force)
     algorithms = algorithms_of(formulation, algorithm)
     arms = learning_arms_of(formulation, arm)
     budget = budget_of(formulation, steps)
@@ -362,11 +346,11 @@ app.command()(policy)
 def demo(
     seed: Seed = _SHOWN_SEED,
     out: PageFile = Path("build/heron.html"),
+    force: Force = False,
 ) -> None:
     """Show one episode of each experiment with all guards, side by side on one page."""
-    output.try_folder(out.parent)
-    if out.parent.exists():
-        output.try_file(out)
+    output.permit(force)
+    require_place(out)
     draw_without_display()
     require_simulation()
     from heron.cli.demonstrating import demonstrate
@@ -380,8 +364,10 @@ def gallery(
     out: Annotated[
         Path, typer.Option("--out", "-o", metavar="DIR", help="Folder of the page and its films.")
     ] = Path("build"),
+    force: Force = False,
 ) -> None:
     """Write films of the experiments, without a monitor and with one, and a page of them."""
+    output.permit(force)
     output.try_folder(out)
     require_drawing()
     require_simulation()

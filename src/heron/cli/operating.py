@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from dslkit.options import Force
 from heron.cli.choices import (
     output,
     require_drawing,
@@ -36,8 +37,10 @@ def insertion(
             "--ros1", help="Run the arm alone, commanded in real time, by ROS_MASTER_URI."
         ),
     ] = False,
+    force: Force = False,
 ) -> None:
     """Figure 4: insert a peg beside a fragile part and a person, as it was learned."""
+    output.permit(force)
     if arm not in (LearningArm.GUARD, LearningArm.UNGUARDED):
         output.fail(f"insertion has no arm {arm.value}; there are unguarded, guard", exit_code=2)
     if ros1:

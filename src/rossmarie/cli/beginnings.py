@@ -7,15 +7,18 @@ from typing import Annotated
 
 import typer
 
+from dslkit.options import Force
 from rossmarie.cli.options import OptionalOutFile, RobotFolder, RobotName, written
+from rossmarie.cli.output import output
 
 Recording = Annotated[
     Path, typer.Argument(metavar="RECORDING", help="Any recording.", readable=False)
 ]
 
 
-def model(recording: Recording, out: OptionalOutFile = None) -> None:
+def model(recording: Recording, out: OptionalOutFile = None, force: Force = False) -> None:
     """Write the system model of a recording: its topics and their types."""
+    output.permit(force)
     from rossmarie.cli.replay import write_model_of
 
     write_model_of(recording, out)
@@ -32,16 +35,18 @@ def init(
         Path,
         typer.Option("--out", "-o", metavar="DIR", help="The folder to write to.", parser=written),
     ] = Path("robot"),
-    force: Annotated[bool, typer.Option("--force", help="Replace files that are there.")] = False,
+    force: Force = False,
 ) -> None:
     """Begin the rules of a robot from a recording: a system model, inputs, proposals, tests."""
+    output.permit(force)
     from rossmarie.cli.init import run_init
 
-    run_init(recording, out, force=force)
+    run_init(recording, out)
 
 
-def example(robot: RobotName = None, folder: RobotFolder = None) -> None:
+def example(robot: RobotName = None, folder: RobotFolder = None, force: Force = False) -> None:
     """Copy the rules of a robot in the box, with a recording; without ROBOT, list the robots."""
+    output.permit(force)
     from rossmarie.cli.example import run_example
 
     run_example(robot, folder)

@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat, StudyFile
+from dslkit.options import Force, Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from rossmarie.cli.beginnings import example, init, model
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
@@ -38,8 +38,10 @@ from rossmarie.cli.options import (
     Rules,
     RulesFiles,
     Systems,
+    Toggle,
     TopicMap,
     WithSkills,
+    Witnesses,
     choice,
     ros_name,
     written,
@@ -73,27 +75,17 @@ def check(
     thorough: Annotated[
         bool, typer.Option("--thorough", help="Ask all queries, and tell proofs as well.")
     ] = False,
-    toggle: Annotated[
-        float,
-        typer.Option(
-            metavar="SECONDS", min=0.0, help="With --thorough: how soon no rule may toggle."
-        ),
-    ] = 1.0,
-    witnesses: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="PATH",
-            help="Write what shows a finding into this folder, or as tests into a .ross file.",
-            parser=written,
-        ),
-    ] = None,
+    toggle: Toggle = None,
+    witnesses: Witnesses = None,
     skills: WithSkills = False,
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
     study: StudyFile = None,
+    force: Force = False,
 ) -> None:
     """Check rules files: names, types, units, what cannot work, and what rules mean together."""
+    output.permit(force)
     from rossmarie.cli.check import run_check
 
     name, systems, folders = target and target.value, system or (), messages or ()
@@ -144,21 +136,9 @@ def dump(
     messages: MessageFolders = None,
 ) -> None:
     """Show what the compiler holds after a stage."""
-    from rossmarie.driver import RulesError
-    from rossmarie.driver.dump import JSON_STAGES, Stage
-    from rossmarie.driver.dump import dump as dump_stage
+    from rossmarie.cli.dumping import run_dump
 
-    stage, as_json = Stage(after.value), format is DumpFormat.JSON
-    if as_json and stage not in JSON_STAGES:
-        those = " or ".join(one.value for one in JSON_STAGES)
-        output.fail(f"--after {stage.value} has no JSON form; {those} has", exit_code=2)
-    try:
-        text = dump_stage(
-            rules, stage, as_json=as_json, systems=system or (), message_folders=messages or ()
-        )
-    except RulesError as error:
-        output.reject(error.diagnostics)
-    typer.echo(text, nl=False)
+    run_dump(rules, after, format, system or (), messages or ())
 
 
 @app.command()
@@ -189,8 +169,10 @@ def build(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
     """Generate the monitor of a rules file."""
+    output.permit(force)
     from rossmarie.cli.build import PackageOptions, run_build
 
     package = PackageOptions(tuple(license or ()), tuple(maintainer or ()), part_of)
@@ -217,8 +199,10 @@ def graph(
     out: OptionalOutFile = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Draw the wiring of a rules file: what its node reads, filters and acts on."""
+    output.permit(force)
     from rossmarie.cli.graph import run_graph
 
     run_graph(rules, format, out, system or [], messages or [])
@@ -230,8 +214,10 @@ def export(
     out: OutFile = Path("rules.json"),
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Write for other programs what a rules file reads, asks and does."""
+    output.permit(force)
     from rossmarie.cli.export import run_export
 
     run_export(rules, out, system or [], messages or [])
@@ -266,8 +252,10 @@ def report(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
     """Write the safety file of rules: hazards, rules in sentences, what is proved, what is not."""
+    output.permit(force)
     from rossmarie.cli.report import run_report
 
     run_report(
@@ -285,8 +273,10 @@ def replay(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
     """Run the monitor of a rules file over a recording, or over many at the same time."""
+    output.permit(force)
     chosen, pairs = list(dict.fromkeys(recordings)), topic_map or []
     rest = (pairs, out, format, system or [], messages or [], only or [])
     if len(chosen) == 1:
@@ -317,8 +307,10 @@ def run_tests(
     format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Run the tests of a rules file on the interpreter and in C, and say what they cover."""
+    output.permit(force)
     from rossmarie.cli.testing import run_test
 
     run_test(
@@ -341,8 +333,10 @@ def coverage(
     format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
     """Say what recordings exercise of the rules, and how far each threshold could be moved."""
+    output.permit(force)
     from rossmarie.cli.testing import run_coverage
 
     run_coverage(rules, recordings, topic_map or [], format, out, system or [], messages or [])
@@ -358,8 +352,10 @@ def verify(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
     """Prove that the generated C is what the rules mean, for runs of any length (CBMC)."""
+    output.permit(force)
     from rossmarie.cli.verification import run_verify
 
     run_verify(

@@ -9,8 +9,8 @@ from typing import Annotated, Any
 
 import typer
 
-from dslkit.command_line import ReportFormat
 from dslkit.completion import codes, folders
+from dslkit.options import ReportFormat
 from rossmarie.ir.filing import Category
 from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
 
@@ -67,15 +67,51 @@ def choice(kind: type[enum.Enum], text: str) -> Any:
     )
 
 
+_RECORDINGS = (".bag", ".csv", ".db3", ".mcap")
+
+
+def _rules(path: Path) -> Path:
+    """The path, if it can be that of a rules file; a file of another kind ends the run."""
+    suffix = path.suffix.lower()
+    if suffix in _RECORDINGS:
+        raise typer.BadParameter(
+            f"{path} is a recording, no rules file (.ross); a rules file stands before recordings"
+        )
+    if suffix == ".py":
+        raise typer.BadParameter(f"{path} is a Python file: `ezskiros check {path}` checks skills")
+    return path
+
+
+def _all_rules(paths: list[Path]) -> list[Path]:
+    return [_rules(path) for path in paths]
+
+
+def _recordings(paths: list[Path]) -> list[Path]:
+    """The paths, if they can be those of recordings; a rules file ends the run."""
+    for path in paths:
+        if path.suffix.lower() == ".ross":
+            raise typer.BadParameter(
+                f"{path} is a rules file: name one rules file first, then recordings"
+            )
+    return paths
+
+
 # Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
-Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.", readable=False)]
+Rules = Annotated[
+    Path,
+    typer.Argument(metavar="RULES", help="A .ross file.", readable=False, callback=_rules),
+]
 RulesFiles = Annotated[
-    list[Path], typer.Argument(metavar="RULES...", help=".ross files.", readable=False)
+    list[Path],
+    typer.Argument(metavar="RULES...", help=".ross files.", readable=False, callback=_all_rules),
 ]
 Recordings = Annotated[
     list[Path],
     typer.Argument(
-        metavar="RECORDINGS...", help=".bag, .db3, .mcap, bag folders, or .csv.", readable=False
+        metavar="RECORDINGS...",
+        help=".bag, .db3, .mcap, bag folders, or .csv.",
+        readable=False,
+        callback=_recordings,
     ),
 ]
 Systems = Annotated[
@@ -156,8 +192,26 @@ ReportFolder = Annotated[
         "--out",
         "-o",
         metavar="DIR",
-        help="Write timeline.html and verdicts.jsonl here; of several recordings, each into a"
-        " folder of its name.",
+        help="Write timeline.html and verdicts.jsonl into this folder. Each of several recordings"
+        " gets a folder with its name.",
+        parser=written,
+    ),
+]
+Toggle = Annotated[
+    float | None,
+    typer.Option(
+        metavar="SECONDS",
+        min=0.0,
+        help="With --thorough: report rules that can become active again within SECONDS after they"
+        " have cleared; 1 if not given.",
+    ),
+]
+Witnesses = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="PATH",
+        help="Write the signals that show a finding into this folder, or as tests into a .ross"
+        " file.",
         parser=written,
     ),
 ]

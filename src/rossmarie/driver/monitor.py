@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Collection, Mapping, Sequence
 from copy import copy
-from operator import index as as_index
 from os import PathLike
 from pathlib import Path
 from typing import Protocol
@@ -18,7 +17,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
 from rossmarie.engines import NamedValues, Value, start_monitor
 from rossmarie.guard import Declared, Guard
-from rossmarie.ir import Category, Event, Machine, event_line, without_margins
+from rossmarie.ir import Category, Event, Machine, as_instant, event_line, without_margins
 from rossmarie.native import NativeMonitor, fit
 
 
@@ -109,7 +108,7 @@ class Monitor:
         `ValueError` for an instant out of range, `MemoryError` if events were lost for lack of
         memory.
         """
-        return self._engine.update(as_index(at_ns), self._values.messages(values))
+        return self._engine.update(as_instant(at_ns), self._values.messages(values))
 
     def advance(self, at_ns: int) -> list[Event]:
         """Time passes without a message; timers due at this very instant fire as well.
@@ -117,7 +116,7 @@ class Monitor:
         Raises `TypeError` for an instant that is no integer, `ValueError` for one out of range,
         `MemoryError` if events were lost for lack of memory.
         """
-        return self._engine.advance(as_index(at_ns))
+        return self._engine.advance(as_instant(at_ns))
 
     def reset(self, at_ns: int, rule: str | None = None) -> list[Event]:
         """An operator resets one latched rule, or all: those with a false condition clear.
@@ -125,7 +124,9 @@ class Monitor:
         Raises `ValueError` for an unknown rule or an instant out of range, `TypeError` for an
         instant that is no integer, `MemoryError` if events were lost for lack of memory.
         """
-        return self._engine.reset(as_index(at_ns), None if rule is None else self.rules.index(rule))
+        return self._engine.reset(
+            as_instant(at_ns), None if rule is None else self.rules.index(rule)
+        )
 
     def explain(self, event: Event) -> str:
         """An event in words: the rule, what happened, and why."""

@@ -97,14 +97,6 @@ def witness_tests(
     return WitnessTests(format_text(whole), len(tests), tuple(left_out))
 
 
-def is_foreign(path: Path) -> bool:
-    """Say whether there is a file that none of these would replace. Raises `OSError`."""
-    if not path.exists():
-        return False
-    with path.open(encoding="utf-8", errors="replace") as stream:
-        return stream.read(len(_MARK)) != _MARK
-
-
 def _with_witness(findings: Sequence[Finding]) -> Iterator[tuple[Finding, Witness]]:
     for finding in findings:
         if finding.witness is not None:

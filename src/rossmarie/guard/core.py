@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from copy import copy
-from operator import index as as_index
 
 from rossmarie.engines import NamedValues, Value, start_guard
-from rossmarie.ir import Event, FieldBounds, Machine, Reported, State, event_line
+from rossmarie.ir import Event, FieldBounds, Machine, Reported, State, as_instant, event_line
 
 
 class Core:
@@ -69,25 +68,25 @@ class Core:
 
     def update(self, at_ns: int, values: Mapping[str, Value]) -> Reported:
         """Messages arrive: one on each topic of which a field is named."""
-        self._engine.update(as_index(at_ns), self._values.messages(values))
+        self._engine.update(as_instant(at_ns), self._values.messages(values))
         return self.take()
 
     def advance(self, at_ns: int) -> Reported:
         """Time passes without a message; what is due at this very instant happens as well."""
-        self._engine.advance(as_index(at_ns))
+        self._engine.advance(as_instant(at_ns))
         return self.take()
 
     def reset(self, at_ns: int, rule: str | None = None) -> Reported:
         """An operator resets one latched rule, or all: those with a false condition clear."""
         names = [each.name for each in self.machine.rules]
-        self._engine.reset(as_index(at_ns), None if rule is None else names.index(rule))
+        self._engine.reset(as_instant(at_ns), None if rule is None else names.index(rule))
         return self.take()
 
     def report(self, at_ns: int, task: int, *, success: bool) -> Reported:
         """The end of a task that was ordered to start; of one that is not running, nothing follows
         (R6). Raises `IndexError` if there is no such task.
         """
-        self._engine.report(as_index(at_ns), task, success=success)
+        self._engine.report(as_instant(at_ns), task, success=success)
         return self.take()
 
     def watch_call(self, topic: str) -> Callable[..., int | None]:
