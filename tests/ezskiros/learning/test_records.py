@@ -24,7 +24,7 @@ def said(path: Path) -> str:
     assert wrong.code == "EZS866"
     span = wrong.primary.span
     marked = span.text if len(span.text) < 20 else "all"
-    return f"{span.begin.line} {marked}: {wrong.title.partition('cannot learn from ')[2]}"
+    return f"{span.begin.line} {marked}: {wrong.title.partition('`: ')[2]}"
 
 
 def changed(lines: Lines, line: int, change: Callable[[dict[str, Any]], object]) -> Lines:
