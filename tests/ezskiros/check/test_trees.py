@@ -107,7 +107,7 @@ MISWRITTEN = [
     ("self.serialstar([Grip(Force=1.0)])", "EZS502", "write `*[...]`"),
     ("self.serialstar(lambda: Grip(Force=1.0))", "EZS502", "call it"),
     ("self.retry(3, Grip(Force=1.0))", "EZS503", "write `self.retry(child, 3)`"),
-    ("yield Grip(Force=1.0)", "EZS507", "leave out `yield`"),
+    ("yield Grip(Force=1.0)", "EZS507", "remove `yield`"),
     ("self.timeout(Grip(Force=1.0), second=2.0)", "EZS538", "write `self.timeout(child, seconds)`"),
     ("self.retry(Grip(Force=1.0))", "EZS538", "write `self.retry(child, count)`"),
     ("self.inverter(Grip(Force=1.0), Grip(Force=1.0))", "EZS538", "write `self.inverter(child)`"),

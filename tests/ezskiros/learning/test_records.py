@@ -46,7 +46,7 @@ def verdicts() -> Lines:
         (b"[1, 2]\n", "1 [1, 2]: this is not a JSON object"),
         (b'{"event": ', "1  : this is not JSON (Expecting value)"),
         (b'{"at_ns": NaN}', '1 {"at_ns": NaN}: `NaN` is not a JSON number'),
-        (b'{"a":' * 100_000, "1 all: it is nested too deeply"),
+        (b'{"a":' * 100_000, "1 all: its nesting is too deep"),
         (b'{"at_ns": ' + b"9" * 5000 + b"}", "1 all: Exceeds the limit"),
         (
             b'{"skills": []}',

@@ -50,8 +50,8 @@ def test_a_run_without_its_other_half_is_reported(tmp_path: Path) -> None:
     first, second = trace(tmp_path, "a", 1), trace(tmp_path, "b", 30)
     found, others = verdicts(tmp_path, "c", 0, 12), verdicts(tmp_path, "d", 60, 70)
     assert wrong(first, second, found, others) == [
-        ("EZS867", f"no verdicts are of the time of {shown(second)}"),
-        ("EZS867", f"no traces are of the time of {shown(others)}"),
+        ("EZS867", f"no verdicts cover the time of {shown(second)}"),
+        ("EZS867", f"no traces cover the time of {shown(others)}"),
     ]
 
 
@@ -72,7 +72,7 @@ def test_the_other_clock_is_guessed(tmp_path: Path) -> None:
 
 def test_a_run_alone_needs_no_others_to_be_reported(tmp_path: Path) -> None:
     path = trace(tmp_path, "a", 1)
-    assert wrong(path) == [("EZS867", f"no verdicts are of the time of {shown(path)}")]
+    assert wrong(path) == [("EZS867", f"no verdicts cover the time of {shown(path)}")]
 
 
 def test_two_of_one_time_are_reported(tmp_path: Path) -> None:
