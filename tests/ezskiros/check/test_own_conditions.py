@@ -88,8 +88,7 @@ def test_what_is_wrong_is_reported_where_it_is(
     ("lines", "help"),
     [
         ("Object.Weight == 2.0", "write `self.pre_conditions += ...`, or delete the method"),
-        ("yield Object.Weight", "leave out `yield`: the method is called, and nobody asks for what "
-                                "it yields"),
+        ("yield Object.Weight", "remove `yield`: yielded values are ignored"),
     ],
 )  # fmt: skip
 def test_a_method_that_adds_nothing_is_reported(lines: str, help: str) -> None:
