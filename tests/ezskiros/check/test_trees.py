@@ -100,7 +100,7 @@ MISWRITTEN = [
     ("self.fallback(Grip(Force=1.0))", "EZS519", "write `self.selectorstar(...)`"),
     ("self.skill('Grip', 'grip')", "EZS519", "`Drive(Target=params.Place)`"),
     ("Grip(Force=params['Force'])", "EZS220", "write `params.Force`"),
-    ("params.Force = 1.0\nGrip()", "EZS220", "give the value to the child, `Skill(Force=...)`"),
+    ("params.Force = 1.0\nGrip()", "EZS220", "pass the value to the child, `Skill(Force=...)`"),
     ("Drive(Target=params.Place())", "EZS220", "`params.Place` is a thing"),
     ("self.serialstar('Grip')", "EZS502", "write `Grip(...)`, without quotes"),
     ("self.serialstar(Grip)", "EZS502", "write `Grip(...)`"),

@@ -112,7 +112,7 @@ def test_a_base_that_is_nowhere_is_told_once(tmp_path: Path) -> None:
     )
     (problem,) = found.diagnostics
     assert problem.title == "`ask` inherits from `Caller`, which none of these files defines"
-    assert problem.help == "name the library that has `Caller` as well, if there is one"
+    assert problem.help == "if a library defines `Caller`, give its file as well"
     assert problem.notes[-1] == "for the same reason `beg` and `say` are not translated"
     assert "# EZS733: `say` inherits from `Caller`" in texts["saying"]
 
@@ -218,7 +218,7 @@ def test_a_state_under_another_name() -> None:
 
 def test_states_that_only_skiros2_has() -> None:
     found = migrated(STATE, returning("State.Failure if self.x == State.Idle else 1"))
-    assert [title.partition(" is ")[0] for _, title in told(found)] == ["`State.Idle`"]
+    assert [title.partition(" belongs ")[0] for _, title in told(found)] == ["`State.Idle`"]
     assert "return State_.FAILURE if self.x == State.Idle else 1\n" in found.text
     assert "import SkillDescription, State as State_\n" in found.text
 

@@ -70,7 +70,7 @@ def test_all_that_is_left_with_a_description_is_one_finding() -> None:
 
 def test_each_place_has_a_mark() -> None:
     text = migrate_text("skills.py", HEAD + WRITE + OPEN).text
-    assert text.count("# EZS722: the child `Write` is left as it is, for EZS704\n") == 2
+    assert text.count("# EZS722: the child `Write` is not translated because of EZS704\n") == 2
     assert (
         text.count(
             "# EZS721: `Write`, which this class implements, is not translated because of EZS704"
