@@ -279,7 +279,7 @@ def test_an_implementation_of_a_skill_that_another_file_leaves(tmp_path: Path) -
     found, texts = migrated(package)
     assert [each.code for each in found.diagnostics] == ["EZS704", "EZS737"]
     left = "is not translated because of EZS704\n"
-    assert f"# EZS721: `Drive`, which this implements, {left}" in texts["primitive"]
+    assert f"# EZS721: `Drive`, which this class implements, {left}" in texts["primitive"]
     assert f"# EZS722: the child `Drive` {left}" in texts["delivering"]
     assert "class Deliver(SkillDescription):\n    def description(" in texts["delivering"]
 
