@@ -1,4 +1,6 @@
-"""A check without the solver reports that it asked nothing; a promise without a proof is an error."""
+"""A check without the solver reports that it asked nothing; a promise without a proof is an
+error.
+"""
 
 from __future__ import annotations
 
