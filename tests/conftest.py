@@ -95,13 +95,13 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 @pytest.fixture
 def bless(request: pytest.FixtureRequest) -> bool:
-    """Whether expectations and golden files are to be written."""
+    """True if expectations and golden files are to be written."""
     return bool(request.config.getoption("--bless"))
 
 
 @pytest.fixture(autouse=True)
 def same_environment() -> Iterator[None]:
-    """What a test sets in the environment is not there for the next one."""
+    """Restore the environment after each test."""
     before = dict(os.environ)
     yield
     if os.environ != before:
@@ -111,5 +111,5 @@ def same_environment() -> Iterator[None]:
 
 @pytest.fixture(scope="session", autouse=True)
 def interruptible() -> None:
-    """What tests start can be interrupted, also if a shell runs the tests in the background."""
+    """Make child processes interruptible, also if a shell runs the tests in the background."""
     signal.signal(signal.SIGINT, signal.default_int_handler)

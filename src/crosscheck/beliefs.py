@@ -84,7 +84,7 @@ class Beliefs:
             try:
                 found = statement_of(each.statement)
             except ValueError as problem:
-                why = f"`{each.text}` of `{skill.name}` is no condition: {problem}"
+                why = f"`{each.text}` of `{skill.name}` is not a condition: {problem}"
                 raise UnreadableConditionError(why) from None
             for statement in conjuncts(found):
                 yield Said(renamed(statement, names), each, span)

@@ -1,4 +1,4 @@
-"""CHK0xx to CHK3xx: findings that only rules and skills together give."""
+"""CHK0xx to CHK3xx: findings that need both the rules and the skills."""
 
 from __future__ import annotations
 
@@ -6,48 +6,48 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoSkills(Error, code="CHK001", name="no-skills"):
-    """Rules that name no file of skills: there is nothing to look at together."""
+    """Rules that name no skills file, so that crosscheck has no skills to check."""
 
-    title = "{rules} names no file of skills"
-    label = "these rules know no skills"
-    help = 'write `skills "skills.json";`, and the file with `ezskiros export`'
+    title = "{rules} names no skills file"
+    label = "these rules do not import skills"
+    help = 'write `skills "skills.json";`, and create the file with `ezskiros export`'
     rules: str
 
 
 class ExemptionWithoutTree(Warning, code="CHK101", name="exemption-without-tree"):
-    """An exemption for a skill that stands in no tree."""
+    """An exemption for a skill that no tree uses."""
 
-    title = "no tree uses `{skill}`, for which `{rule}` has an exemption"
+    title = "`{rule}` has an exemption for `{skill}`, which no tree uses"
     label = "this exemption is for `{skill}`"
-    help = "take the exemption out, unless somebody starts `{skill}` by itself"
+    help = "delete the exemption, unless an operator or another node starts `{skill}` alone"
     skill: str
     rule: str
 
     class Described(Remark):
-        says = "it is described here, and no tree has it"
+        says = "`{skill}` is described here, and no tree uses it"
 
 
 class WiderThanPermitted(Error, code="CHK102", name="wider-than-permitted"):
     """An exemption that lets a skill do more than its description permits."""
 
     title = "`{rule}` lets `{skill}` do more than its description permits"
-    label = "nothing acts on {shown} while `{skill}` runs"
-    help = "act on it in this exemption: `unless doing {skill} then if ... {limit} then {{ ... }}`"
+    label = "no rule acts on {shown} while `{skill}` runs"
+    help = "act on this in the exemption: `unless doing {skill} then if ... {limit} then {{ ... }}`"
     rule: str
     skill: str
     shown: str
     limit: str
 
     class Permitted(Remark):
-        says = "this is all that it permits"
+        says = "`{skill}` permits only this"
 
 
 class NotPermitted(Error, code="CHK103", name="not-permitted"):
-    """An exemption for a skill whose description permits nothing of the kind."""
+    """An exemption for a skill whose description has no such permission."""
 
-    title = "`{rule}` is about {kind}, and `{skill}` permits none"
-    label = "it is not applied while `{skill}` runs"
-    help = "let the description permit it, as in `self.permits += {example}`, or take this out"
+    title = "`{rule}` limits {kind}, but `{skill}` permits no {kind}"
+    label = "`{rule}` is not applied while `{skill}` runs"
+    help = "add `self.permits += {example}` to the description, or delete this exemption"
     rule: str
     skill: str
     kind: str
@@ -59,41 +59,41 @@ class NotPermitted(Error, code="CHK103", name="not-permitted"):
 
 
 class NotGranted(Warning, code="CHK104", name="not-granted"):
-    """A permission that rules do not heed: they act before its limit is reached."""
+    """A permission that rules do not grant: they act below its limit."""
 
-    title = "`{skill}` permits {permission}, and `{rule}` acts on {condition} all the same"
+    title = "`{skill}` permits {permission}, but `{rule}` acts on {condition}"
     label = "the rules do not grant this"
-    help = "give `{rule}` an exemption, `unless doing {skill} then ...`, or take the permission out"
+    help = "add the exemption `unless doing {skill} then ...` to `{rule}`, or delete the permission"
     skill: str
     permission: str
     rule: str
     condition: str
 
     class Acting(Remark):
-        says = "this acts while `{skill}` runs"
+        says = "this rule acts while `{skill}` runs"
         skill: str
 
 
 class NeverInScene(Warning, code="CHK105", name="never-in-this-scene"):
-    """A query to the skills that asks for a thing of a class that the scene has none of."""
+    """A query for a thing of a class that has no member in the scene."""
 
     title = "`{query}` is never true in this scene"
-    label = "no thing of the scene is of the class that `{parameter}` has to be of"
+    label = "the scene has no thing of the class that `{parameter}` needs"
     query: str
     parameter: str
 
     class Others(Remark):
-        says = "in this scene `{parameter}` can be {known}; ask for that, or describe another thing"
+        says = "in this scene `{parameter}` can be {known}; query one of these, or add a thing"
         parameter: str
         known: str
 
 
 class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
-    """A thing of the scene without a number that a rule reads while a skill runs with it."""
+    """A thing of the scene without a number that a rule reads while a skill uses the thing."""
 
-    title = "{thing} {problem} {property}, so that {rules} {hold} while `{skill}` runs with it"
-    label = "{rules} cannot know {property} of this"
-    help = "give it one {property} that is a number, or ask for a class without this thing"
+    title = "{thing} {problem} {property}, so {rules} {hold} while `{skill}` uses it"
+    label = "{rules} cannot read {property} of this thing"
+    help = "add one numeric {property} to this thing, or query a class without this thing"
     thing: str
     problem: str
     property: str
@@ -102,15 +102,15 @@ class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
     skill: str
 
     class Read(Remark):
-        says = "this rests on {query}, and holds where that is unknown"
+        says = "this reads {query}, and is true if the value is unknown"
         query: str
 
 
 class NeverWorks(Error, code="CHK201", name="skill-never-works"):
-    """A skill that needs something that a rule takes away whenever the skill runs."""
+    """A skill that needs a resource that a rule takes away whenever the skill runs."""
 
-    title = "`{skill}` can never work: `{rule}` is active whenever it runs"
-    label = "this holds whenever `{skill}` runs, whatever the sensors say"
+    title = "`{skill}` can never work: `{rule}` is active whenever `{skill}` runs"
+    label = "this condition holds whenever `{skill}` runs, for all sensor values"
     help = "give `{rule}` a condition that can be false while `{skill}` runs"
     skill: str
     rule: str
@@ -127,11 +127,11 @@ class NeverWorks(Error, code="CHK201", name="skill-never-works"):
 
 
 class RulesNeverLetWork(Error, code="CHK202", name="rules-never-let-work"):
-    """A skill that needs something that one rule or another takes away whenever it runs."""
+    """A skill that needs a resource that one of several rules takes away whenever it runs."""
 
-    title = "`{skill}` can never work: one of {rules} is active whenever it runs"
+    title = "`{skill}` can never work: one of {rules} is active whenever `{skill}` runs"
     label = "`{skill}` needs {thing}"
-    help = "let all of these rules be inactive at the same time while `{skill}` runs"
+    help = "change the conditions so that all these rules can be inactive while `{skill}` runs"
     skill: str
     rules: str
     thing: str
@@ -141,10 +141,10 @@ class RulesNeverLetWork(Error, code="CHK202", name="rules-never-let-work"):
 
 
 class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
-    """A rule that ends a skill, and is cleared by that, so that the skill is started again."""
+    """A rule that ends a skill and is cleared by its end, so that the skill restarts."""
 
-    title = "`{rule}` and `{skill}` fight: the one ends the other, again and again"
-    label = "active only while `{skill}` runs, and cleared as soon as that has ended"
+    title = "`{rule}` and `{skill}` fight: `{rule}` ends `{skill}` again and again"
+    label = "`{rule}` is active only while `{skill}` runs, and cleared as soon as `{skill}` ends"
     help = "clear `{rule}` later (`clear for 5 sec`, `latched until reset`)"
     rule: str
     skill: str
@@ -156,37 +156,37 @@ class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
         thing: str
 
     class Started(Remark):
-        says = "and here it is started again after it has failed"
+        says = "here `{skill}` restarts after a failure"
 
 
 class NotAllAsked(Error, code="CHK204", name="not-all-asked"):
-    """Queries that took longer than they may."""
+    """Queries that exceeded the time limit."""
 
-    title = "not all was asked about rules and skills within {seconds:g} s of processor time"
-    label = "so nobody knows whether all is well"
-    help = "ask about fewer rules at a time, in a file of their own"
+    title = "the check of rules and skills did not finish within {seconds:g} s of processor time"
+    label = "so there may be more findings"
+    help = "split the rules into several files, and check each file"
     seconds: float
 
 
 class NothingToTake(Warning, code="CHK205", name="nothing-to-take"):
-    """Skills that need a thing of a class that the scene has none of."""
+    """Skills that need a thing of a class that has no member in the scene."""
 
-    title = "{skills} cannot start in this scene: there is no {owl_class}"
-    label = "this has to be one"
-    help = "describe one in the scene"
+    title = "{skills} cannot start in this scene: the scene has no {owl_class}"
+    label = "this parameter needs a {owl_class}"
+    help = "add a {owl_class} to the scene"
     skills: str
     owl_class: str
 
     class Needed(Remark):
-        says = "and this"
+        says = "this parameter needs it as well"
 
 
 class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
-    """A topic or server that rules and skills take for something else."""
+    """A topic or server that has different types in rules and skills."""
 
-    title = "{thing} is {one} to the rules, and {other} to `{skill}`"
+    title = "{thing} is {one} in the rules, but {other} in `{skill}`"
     label = "{other} here"
-    help = "correct the type on one side"
+    help = "correct one of the types"
     thing: str
     one: str
     other: str
@@ -198,26 +198,28 @@ class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
 
 
 class NobodyReads(Warning, code="CHK302", name="nobody-reads"):
-    """A topic that rules or skills send on, and no node of the system model subscribes to."""
+    """A topic that rules or skills publish to, and to which no node of the system model
+    subscribes.
+    """
 
-    title = "nobody reads {topic}"
-    label = "this sends on it, and no node of the system model subscribes to it"
-    help = "correct the name, or declare who reads it: `node NAME {{ subscribes {topic}; }}`"
+    title = "no node subscribes to {topic}"
+    label = "this publishes to {topic}; no node of the system model subscribes"
+    help = "correct the name, or declare the subscriber: `node NAME {{ subscribes {topic}; }}`"
     topic: str
 
     class Near(Remark):
-        says = "did you mean `{near}`, which `{node}` reads?"
+        says = "did you mean `{near}`, to which `{node}` subscribes?"
         near: str
         node: str
 
 
 class NoOntologyForScene(Error, code="CHK303", name="scene-without-ontology"):
-    """A scene for skills whose file leads to no ontology, or to one that lacks a class."""
+    """A scene for skills whose ontology is missing or does not have a class of the scene."""
 
-    title = "nobody knows what the things of the scene are: `{missing}` is not in the ontology"
-    label = "these skills tell of no ontology that has it"
-    note = "the ontology is that of the sources of this file"
-    help = "write the file with `ezskiros export`, beside the ontology"
+    title = "the classes of the scene are unknown: `{missing}` is not in the ontology"
+    label = "no ontology of these skills has `{missing}`"
+    note = "crosscheck reads the ontology files that the skills file lists as its sources"
+    help = "create the file with `ezskiros export`, and keep the ontology files in place"
     missing: str
 
 

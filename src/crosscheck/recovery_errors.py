@@ -1,4 +1,4 @@
-"""CHK2xx: findings on the behavior trees that rules run."""
+"""CHK2xx: findings on behavior trees that rules run."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class TreeHindered(Error, code="CHK206", name="tree-hindered-by-its-rule"):
-    """A behavior tree that needs something that the rule which runs it takes away meanwhile."""
+    """A behavior tree that needs a resource that its own rule takes away."""
 
-    title = "`{rule}` takes {thing} away from `{tree}`, which it runs"
-    label = "in force while `{tree}` runs"
-    help = "let another rule do this, or do it after the tree"
+    title = "`{rule}` runs `{tree}` but takes {thing} away from it"
+    label = "this action is in force while `{tree}` runs"
+    help = "move this action to another rule, or after the tree"
     rule: str
     tree: str
     thing: str
@@ -26,23 +26,23 @@ class TreeHindered(Error, code="CHK206", name="tree-hindered-by-its-rule"):
 
 
 class NeededHere(Remark):
-    """A condition of a tree, or of a skill that goes on."""
+    """The label of a condition of a tree, or of a skill that continues."""
 
     says = "`{skill}` needs this"
     skill: str
 
 
 class KnownHere(Remark):
-    """A condition of a skill that runs."""
+    """The label of a condition that holds while a skill runs."""
 
     says = "this holds while `{skill}` runs"
     skill: str
 
 
 class EndedHere(Remark):
-    """A post-condition that ends what is needed."""
+    """The label of a post-condition that may end a needed condition."""
 
-    says = "`{skill}` may end that"
+    says = "`{skill}` may end this condition"
     skill: str
 
 
@@ -51,18 +51,18 @@ class TreeNeverStarts(Error, code="CHK207", name="tree-never-starts"):
 
     title = "`{tree}` can never start: `{condition}` is false when `{rule}` becomes active"
     label = "`{rule}` runs `{tree}` here"
-    help = "run another tree, or take the condition out of `{tree}`"
+    help = "run another tree, or delete the condition from `{tree}`"
     rule: str
     tree: str
     condition: str
 
 
 class TreeMayNotStart(Warning, code="CHK208", name="tree-may-not-start"):
-    """A tree with a condition that nothing says to hold when its rule becomes active."""
+    """A tree with a condition that nothing ensures when its rule becomes active."""
 
-    title = "`{tree}` may not start: nothing says that `{condition}` holds"
+    title = "`{tree}` may not start: nothing ensures that `{condition}` holds"
     label = "`{rule}` runs `{tree}` here, {running}"
-    help = "let `{rule}` ask for a skill that has this condition, or take it out of `{tree}`"
+    help = "query a skill with this condition in `{rule}`, or delete the condition from `{tree}`"
     rule: str
     tree: str
     condition: str
@@ -70,12 +70,12 @@ class TreeMayNotStart(Warning, code="CHK208", name="tree-may-not-start"):
 
 
 class NoDeadline(Warning, code="CHK209", name="step-without-deadline"):
-    """A step of a behavior tree that only the rule bounds, beside others that need time as well."""
+    """A step without its own deadline in a behavior tree with several steps that need time."""
 
-    title = "`{step}` has no deadline in `{tree}`: it can use up the {within} that `{rule}` gives"
-    label = "no `timeout` stands over this"
+    title = "`{step}` has no deadline in `{tree}`: it can use all {within} that `{rule}` allows"
+    label = "no `timeout` contains this step"
     note = "the other steps then have no time left"
-    help = "say how long it may take: `self.timeout({step}(...), SECONDS)`"
+    help = "limit its time: `self.timeout({step}(...), SECONDS)`"
     step: str
     tree: str
     rule: str
@@ -88,11 +88,11 @@ class NoDeadline(Warning, code="CHK209", name="step-without-deadline"):
 
 
 class DeadlinesTooLong(Error, code="CHK210", name="deadlines-too-long"):
-    """A behavior tree whose deadlines add up to more than the time that the rule gives."""
+    """A behavior tree whose deadlines add up to more time than the rule allows."""
 
-    title = "the deadlines in `{tree}` add up to {most}, and `{rule}` gives it {within}"
-    label = "after {within} the tree is stopped"
-    help = "give the tree more time, or its steps less"
+    title = "the deadlines in `{tree}` add up to {most}, but `{rule}` allows {within}"
+    label = "the rule stops the tree after {within}"
+    help = "allow the tree more time, or its steps less"
     tree: str
     rule: str
     most: str
@@ -109,11 +109,11 @@ class DeadlinesTooLong(Error, code="CHK210", name="deadlines-too-long"):
 
 
 class MayNotGoOn(Warning, code="CHK211", name="task-may-not-go-on"):
-    """A skill that a tree interrupts, and that cannot start again after the tree."""
+    """A skill that a tree interrupts and that may not restart after the tree."""
 
-    title = "after `{tree}`, `{skill}` may not start again: `{condition}` need not hold"
-    label = "`{afterwards}` starts `{skill}` again"
-    help = "go on by `replan`, or let `{tree}` have this as a post-condition"
+    title = "after `{tree}`, `{skill}` may not restart: `{condition}` need not hold"
+    label = "`{afterwards}` restarts `{skill}`"
+    help = "use `replan` instead, or add this condition to `{tree}` as a post-condition"
     tree: str
     skill: str
     condition: str
@@ -121,10 +121,10 @@ class MayNotGoOn(Warning, code="CHK211", name="task-may-not-go-on"):
 
 
 class NoValueForTree(Warning, code="CHK212", name="tree-without-value"):
-    """A tree that takes a value from a skill that need not run."""
+    """A tree that takes a value from a skill that may not be running."""
 
-    title = "`{rule}` may become active while `{skill}` does not run"
-    label = "`{tree}` has no values then: the goal is refused, and `else` answers"
+    title = "`{rule}` may become active while `{skill}` is not running"
+    label = "then `{tree}` has no values: the goal is refused, and `else` takes effect"
     help = "add `and doing {skill}` to the condition of `{rule}`"
     rule: str
     tree: str
@@ -132,20 +132,20 @@ class NoValueForTree(Warning, code="CHK212", name="tree-without-value"):
 
 
 class ConditionsUnknown(Warning, code="CHK213", name="conditions-without-ontology"):
-    """Trees whose conditions cannot be looked at: their ontology, or a condition, is unreadable."""
+    """Trees whose conditions cannot be checked: their ontology or a condition is unreadable."""
 
     title = "the conditions of trees are not checked: {reason}"
-    label = "these skills say what trees need"
-    help = "write this file with `ezskiros export`, beside the ontology"
+    label = "the conditions of trees come from these skills"
+    help = "create this file with `ezskiros export`, and keep the ontology files in place"
     reason: str
 
 
 class EndsItsTree(Warning, code="CHK214", name="rule-ends-its-tree"):
-    """A rule whose condition is false as soon as its tree has begun."""
+    """A rule whose condition becomes false as soon as its tree starts."""
 
-    title = "`{rule}` ends `{tree}`, which it runs: `{skill}` does not run meanwhile"
-    label = "this is false as soon as `{tree}` has begun, and the tree ends with the rule"
-    help = "write `clear when doing {skill}`: the rule lasts until the task goes on"
+    title = "`{rule}` runs `{tree}` and ends it at once: `{skill}` does not run meanwhile"
+    label = "this is false as soon as `{tree}` starts, and the tree ends with the rule"
+    help = "write `clear when doing {skill}`, so that the rule lasts until the task continues"
     rule: str
     tree: str
     skill: str

@@ -48,7 +48,7 @@ def find_tree_conditions(robot: Robot, inquiry: Inquiry) -> Iterator[Diagnostic]
         return
     classes = ontology_of(robot)
     if classes.missing is not None:
-        reason = f"`{classes.missing}` is not to be read in the ontology"
+        reason = f"`{classes.missing}` cannot be resolved in the ontology"
         yield ConditionsUnknown(reason=reason).at(robot.span_of(None))
         return
     reported: dict[tuple[object, ...], Diagnostic] = {}

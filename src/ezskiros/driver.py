@@ -1,4 +1,6 @@
-"""From paths to findings: what the command line and other programs call."""
+"""The main functions of EzSkiROS, which turn paths into findings. The command line and other
+programs call them.
+"""
 
 from __future__ import annotations
 
@@ -39,7 +41,7 @@ SCENE = ".turtle"
 
 @dataclass(frozen=True)
 class Checked:
-    """The skills of some files with the trees of compound ones, and what is wrong with them."""
+    """The skills of some files, the trees of the compound skills, and the findings."""
 
     files: Sequence[Path]
     skills: Sequence[SkillInterface]

@@ -1,4 +1,4 @@
-"""From the name of a skill to a task that can be run: checked first, with its world and values."""
+"""Preparation of a task from the name of a skill: check, world model and values."""
 
 from __future__ import annotations
 
@@ -81,8 +81,8 @@ def _modules(checked: Checked) -> list[Path]:
 
 
 def _ontology(library: Library) -> tuple[Ontology, Sequence[Diagnostic]]:
-    """That of the skills; if they are about no things, what `load()` loads, if it is reported what;
-    and what is wrong with that.
+    """Return the ontology of the skills and its findings. If the skills use no things, take the
+    ontology that `load()` finds, if any.
     """
     known = library.ontology()
     if known is not None:

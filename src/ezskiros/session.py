@@ -1,5 +1,5 @@
-"""Where findings about skills go: while skills are checked they are collected, and work goes on;
-else the first is raised, as Python does.
+"""Destination of findings about skills: a check collects findings and continues; otherwise the
+first finding is raised as an exception.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ LIBRARIES = tuple(
         *(path for path in sys.path if Path(path).name in _SITES),  # such as those of ROS
     }
 )
-"""Where Python's own modules are, and installed ones."""
+"""The folders of the standard library and of installed packages."""
 _checked: ContextVar[tuple[str, ...]] = ContextVar("checked", default=())
 _collector: ContextVar[Collector | None] = ContextVar("collector", default=None)
 _follower: ContextVar[Callable[[str], object] | None] = ContextVar("follower", default=None)
@@ -41,7 +41,9 @@ COMMAND_LINE = Span(SourceFile("<command line>", ""), 0, 0)
 
 
 class SkillError(TypeError):
-    """A mistake in a skill, when nobody collects findings; `diagnostic` has all of it."""
+    """A mistake in a skill, raised when no session collects findings; `diagnostic` contains all
+    details.
+    """
 
     def __init__(self, diagnostic: Diagnostic) -> None:
         self.diagnostic = diagnostic

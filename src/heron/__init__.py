@@ -1,5 +1,5 @@
 """The robot of the thesis in MuJoCo, its safety rules, and its experiments.
 
-A robot that is modelled on Heron drives in a physical simulation; its sensors and its commands are
-ROS topics by name and type. Safety rules written in ROSSMARie guard it.
+A robot modelled on Heron drives in a physics simulation. Its sensors and its commands are ROS
+topics with names and types. Safety rules written in ROSSMARie guard the robot.
 """

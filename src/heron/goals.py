@@ -1,4 +1,4 @@
-"""Action servers of the robot, and goals for them: all that its skills know of it."""
+"""Action servers of the robot and their goals, the only interface of its skills to the robot."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Server(Protocol):
 
 
 class Servers(Protocol):
-    """Whoever knows the action servers by their names."""
+    """A collection of action servers by their names."""
 
     def server(self, name: str) -> Server:
         """An action server. Raises `KeyError` if it is not there."""

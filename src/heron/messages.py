@@ -1,6 +1,6 @@
-"""The ROS messages that the robot speaks, and how they are made.
+"""Constructors of the ROS messages that the robot uses.
 
-The classes are those that rosbags has for ROS 1: plain data with the fields of the definitions.
+The classes are those of rosbags for ROS 1: plain data with the fields of the definitions.
 """
 
 from __future__ import annotations
@@ -154,7 +154,7 @@ def imu(
 
 
 def odometry(at_ns: int, x: float, y: float, yaw: float, velocity: Message) -> Message:
-    """Where the wheels say that the base is, and how fast it is."""
+    """The pose and velocity of the base from wheel odometry."""
     pose = PoseWithCovariance(_pose(x, y, yaw), np.zeros(36))
     return Odometry(
         header(at_ns, "odom"), "base_link", pose, TwistWithCovariance(velocity, np.zeros(36))
@@ -176,7 +176,7 @@ def transform_on_floor(
 
 
 def stamped_pose(at_ns: int, x: float, y: float, yaw: float) -> Message:
-    """Where the base is on the map."""
+    """The pose of the base on the map."""
     pose = PoseWithCovariance(_pose(x, y, yaw), np.zeros(36))
     return PoseWithCovarianceStamped(header(at_ns, "map"), pose)
 
@@ -198,7 +198,7 @@ def laser_scan(
 def joint_state(
     at_ns: int, names: list[str], positions: Floats, velocities: Floats, efforts: Floats
 ) -> Message:
-    """Where the joints are (rad), how fast (rad/s), and with which torque they move (Nm)."""
+    """The positions (rad), velocities (rad/s) and torques (Nm) of the joints."""
     return JointState(header(at_ns, ""), names, positions, velocities, efforts)
 
 

@@ -1,5 +1,5 @@
-"""A recorder of all topics: messages as ROS 2 has them, in one MCAP file. Beside it, the trace of a
-task.
+"""A recorder of all topics to one MCAP file with ROS 2 messages, with the trace of a task beside
+it.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""Connections of the robot, what drives it and what guards it: topics, action servers, parameters.
+"""Connections between the robot, its programs and its guard: topics, action servers, parameters.
 
-A `Carrier` carries messages by the name and the type of their topic, and nothing else is known of
-who speaks and who listens. `InProcess` hands each message over at once.
+A `Carrier` delivers messages by the name and the type of their topic. Senders and receivers do not
+know each other. `InProcess` delivers each message at once.
 """
 
 from __future__ import annotations

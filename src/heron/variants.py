@@ -1,4 +1,4 @@
-"""The variants to choose from. Needs no simulation."""
+"""The variants of the experiments. The module needs no simulation."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Table(str, enum.Enum):
 
 
 class Person(str, enum.Enum):
-    """Where somebody walks while the arm works."""
+    """The area in which a person walks while the arm works."""
 
     OUTSIDE = "outside"  # past the open door: whatever a monitor restricts here is without need
     INSIDE = "inside"  # into the room, close to the arm, and out again
@@ -101,7 +101,7 @@ VARIANTS: Mapping[str, tuple[enum.Enum, ...]] = {
     "blocked": (Blockage.PALLET, Blockage.TROLLEY, Blockage.BOTH),
     "second": (Trouble.LASTING, Trouble.PASSING, Trouble.NONE),
 }
-"""Of each experiment, by its name. The first one is run if none is named."""
+"""The variants of each experiment, by its name. The first variant is the default."""
 
 _THESIS = (Arm.NONE, Arm.COLLISION_MONITOR, Arm.DEROS, Arm.ROSSMARIE)
 ARMS: Mapping[str, tuple[Arm, ...]] = {

@@ -23,7 +23,9 @@ _PATIENCE_S = 5.0
 
 
 def trouble() -> str | None:
-    """Why no window can be opened here. To be asked first: MuJoCo would wait for one forever."""
+    """The reason why no window can be opened; None if a window can be opened. Call this first:
+    MuJoCo would wait for a window forever.
+    """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # it warns, too
         if glfw.init():

@@ -1,4 +1,4 @@
-"""What `make deep` says of its parts, and when it is due."""
+"""The report of `make deep` on its parts, and the days when it is due."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What this project depends on is under licences that it can live with, and NOTICE says which."""
+"""Dependencies have acceptable licences, and NOTICE lists them."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ WORDS = {
     "Mozilla Public License 2.0 (MPL 2.0)": {"MPL-2.0"},
     "Python Software Foundation License": {"PSF-2.0"},
 }
-"""What metadata say that are no SPDX expression."""
+"""Texts in metadata that are not SPDX expressions, with their licences."""
 
 
 def locked() -> set[str]:
@@ -68,7 +68,7 @@ def noticed() -> Mapping[str, str]:
 
 @cache
 def installed(name: str) -> Distribution | None:
-    """What is installed under a name."""
+    """The distribution that is installed under a name."""
     try:
         return distribution(name)
     except PackageNotFoundError:
@@ -108,7 +108,7 @@ def identifiers(expression: str) -> set[str]:
 
 
 def is_allowed(expression: str, allowed: frozenset[str]) -> bool:
-    """Whether an SPDX expression without brackets leaves a choice of allowed licences."""
+    """Say whether an SPDX expression without brackets leaves a choice of allowed licences."""
     return all(set(part.split(" OR ")) & allowed for part in expression.split(" AND "))
 
 

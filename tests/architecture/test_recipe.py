@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 SOURCES = ROOT / "src" / "rossmarie"
 MOST = 8
-"""How many files of the sources a new function may touch."""
+"""The maximum number of source files that a new function may touch."""
 
 
 def recipe() -> set[str]:

@@ -1,4 +1,6 @@
-"""What findings say is declared, with fields, in errors files: none of it where it is found."""
+"""Texts of findings are declared, with fields, in errors files and not in the code that reports
+them.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +39,7 @@ def loose(file: Path) -> Iterator[str]:
 
 
 def problem_of_call(call: ast.Call) -> str | None:
-    """What is wrong with a call: it makes a label, or hands over a text."""
+    """The fault of a call that makes a label or passes a text; None if the call is correct."""
     function = name_of(call.func)
     if function in MADE_FROM_TEXTS:
         return f"{function}(...) by hand: give a remark its place, or a template"
@@ -55,7 +57,7 @@ def name_of(node: ast.expr) -> str:
 
 
 def is_text(node: ast.expr) -> bool:
-    """Whether a text stands there, alone, in a tuple, or in one of two cases."""
+    """Say whether an expression is a text, a tuple of texts, or a choice of two texts."""
     match node:
         case ast.Constant(value=value):
             return isinstance(value, str)

@@ -13,7 +13,7 @@ ALLOWED = {"support/parts.py"}
 
 
 def skips(path: Path) -> Iterator[str]:
-    """Where a file skips tests as pytest and unittest do."""
+    """The places where a file skips tests with pytest or unittest."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Attribute) and ast.unparse(node.value) in {"pytest", "pytest.mark"}:
             names = [node.attr]

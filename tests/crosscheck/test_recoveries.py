@@ -52,7 +52,7 @@ def test_a_tree_is_not_hindered_by_its_own_rule(
     hindered = [each for each in found if each.severity is Severity.ERROR]
     assert {each.code for each in hindered} <= {TreeHindered.code}, hindered
     assert sorted(each.title.split(" takes ")[1].split()[0] for each in hindered) == taken
-    assert all("which it runs" in each.title for each in hindered)
+    assert all("` runs `" in each.title for each in hindered)
 
 
 def test_another_rule_may_take_what_it_needs(robot: Path) -> None:
@@ -215,9 +215,12 @@ rule near: if gap < 0.3 m and doing Rub then {{ recover; }} clear when doing Rub
 """
     (found,) = found_with(recovering, rules)
     assert found.title == (
-        "after `Drop`, `Rub` may not start again: `Gripper.contain(Sponge)` need not hold"
+        "after `Drop`, `Rub` may not restart: `Gripper.contain(Sponge)` need not hold"
     )
-    assert [label.text for label in found.labels] == ["`Rub` needs this", "`Drop` may end that"]
+    assert [label.text for label in found.labels] == [
+        "`Rub` needs this",
+        "`Drop` may end this condition",
+    ]
     assert [label.span.text for label in found.labels] == [
         "Gripper.contain(Sponge)",
         "~Gripper.contain(Sponge)",

@@ -38,7 +38,7 @@ the last column.
 
 
 def checked_fault(fault: dict[str, Any]) -> Checked:
-    """The result of a check of a skill with the fault."""
+    """The findings at the place of the fault."""
     if "tree" in fault:
         return tree(fault["tree"], fault.get("parameters", PARAMETERS))
     if "methods" in fault:

@@ -1,4 +1,4 @@
-"""Where in the user's code something is done."""
+"""The place in user code from which a function is called."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from dslkit.source.call_site import call_site, place_of
 
 
 def spans(text: str, folder: Path) -> list[Span]:
-    """Where a module calls `mark`, which lies in this file."""
+    """The places where a module calls `mark`, which is defined in this file."""
     found: list[Span] = []
 
     def mark(*_arguments: object) -> int:

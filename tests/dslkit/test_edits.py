@@ -1,4 +1,4 @@
-"""What a text becomes when a fix is applied to it."""
+"""Texts after a fix is applied."""
 
 from __future__ import annotations
 

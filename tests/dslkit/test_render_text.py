@@ -123,7 +123,9 @@ def test_carets_stand_under_exactly_the_span(line: str, data: st.DataObject) -> 
 
 
 def _shown(line: str, start: int, end: int) -> tuple[str, str]:
-    """What is seen before and in `[start, end)`: tabs stop every 4 columns, the rest is named."""
+    """The visible text before and in `[start, end)`: tabs stop every 4 columns, other control
+    characters are named.
+    """
     before = marked = ""
     for index, character in enumerate(line[:end]):
         stop = 4 - _screen_width(before + marked) % 4

@@ -80,7 +80,9 @@ COURSES = {
     "linearSpeed": np.where(TIMES < 45, 0.3, 0.8),
     "force": SHAKING,
 }
-"""What the signals of some inputs do in a minute; all others swing slowly through a wide range."""
+"""The signals of some inputs during one minute. All other signals swing slowly through a wide
+range.
+"""
 
 
 def drive(machine: Machine) -> str:

@@ -1,5 +1,5 @@
-"""What the benchmark measures: the libraries find the same in a generated ontology, and generated
-skills are right, or have the mistake that they are meant to have. Nothing is timed here.
+"""Tests of the benchmark's subject: the libraries agree on a generated ontology, and generated
+skills are correct or have the intended mistake. Nothing is timed here.
 """
 
 from __future__ import annotations

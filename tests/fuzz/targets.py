@@ -1,9 +1,8 @@
-"""What is fuzzed: each kind of file that comes from outside, through all that reads it, and all
-that is said about it.
+"""The fuzz targets: each kind of external file, with all its readers and all messages about it.
 
-No target runs code that has been damaged: of skills, it damages what descriptions hold, the values
-that are known at launch, and the text that `ezskiros migrate` parses. Of the engine of monitors in
-C, bytes are no file but calls of it.
+No target runs damaged code. For skills, the targets damage the content of descriptions, the values
+that are given at launch, and the text that `ezskiros migrate` parses. For the C engine of monitors,
+the bytes are not a file but calls of the engine.
 """
 
 from __future__ import annotations
@@ -369,4 +368,4 @@ TARGETS = {
     "runs": Target(_records, _read_records),
     ENGINE: Target(trying.seeds, trying.read),
 }
-"""By what `make fuzz TARGET=...` calls them."""
+"""The targets by their names in `make fuzz TARGET=...`."""

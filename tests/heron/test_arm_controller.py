@@ -46,7 +46,7 @@ class Bench:
         self.controller = ArmController(self.arm, self.carrier, places, ArmControllerParameters())
 
     def tick(self, _: int) -> None:
-        """What is held is said again and again, as a guard does."""
+        """Repeat a held command at each tick, as a guard does."""
         for topic in self.held:
             self.carrier.publisher(topic)(messages.Bool(True))
         self.peak = max(self.peak, float(self.arm.efforts.max()))
@@ -55,7 +55,7 @@ class Bench:
         self.carrier.server(ARM).send({"pose": "there", "seconds": seconds}, self.results.append)
 
     def pass_time(self, seconds: float, is_over: Callable[[], bool] = lambda: False) -> float:
-        """How long it took (s)."""
+        """Run for some time. Return the elapsed time (s)."""
         begin_ns = self.arm.now_ns
         run(self.arm, [self, self.controller], begin_ns + round(seconds * SECOND), is_over)
         return (self.arm.now_ns - begin_ns) * 1e-9

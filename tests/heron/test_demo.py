@@ -49,7 +49,7 @@ def shot_in_a_process(
 
 
 def browns(picture: bytes) -> int:
-    """How many pixels are of the color of a table."""
+    """The number of pixels with the color of a table."""
     with Image.open(io.BytesIO(picture)) as shown:
         pixels = np.asarray(shown.convert("RGB"), dtype=int)
     red, green, blue = pixels[..., 0], pixels[..., 1], pixels[..., 2]

@@ -49,7 +49,7 @@ def row(arm: Arm, seed: int, variant: str = "high", **numbers: float) -> Row:
 
 
 def as_expected(seeds: Iterable[int]) -> list[Row]:
-    """What the thesis says, in numbers."""
+    """The results of the thesis, in numbers."""
     found = []
     for seed in seeds:
         found += [

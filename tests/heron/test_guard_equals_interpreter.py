@@ -99,7 +99,9 @@ def test_verdicts_are_those_of_the_interpreter(rules: str) -> None:
 def interpreted(
     machine: Machine, carried: list[tuple[int, str, Message]], end_ns: int
 ) -> list[Said]:
-    """What the interpreter says; it begins with the first messages of all topics together."""
+    """The output of the interpreter, which begins with the first messages of all topics
+    together.
+    """
     interpreter, known = Interpreter(machine), readers(machine)
     first: dict[int, ChannelValues] = {}
     events = []

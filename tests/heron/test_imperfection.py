@@ -1,4 +1,4 @@
-"""What keeps sensors from saying the proposition."""
+"""Imperfections of sensors."""
 
 from __future__ import annotations
 

@@ -24,7 +24,7 @@ REAL = replace(RangeScanParameters(), latency=0.0)
 
 
 def scans(parameters: RangeScanParameters, place: tuple[float, float], count: int) -> list[Message]:
-    """What is seen while somebody stands at a place."""
+    """The scans while a person stands at a place."""
     built, person = ArmParameters(), PersonParameters()
     arm = Arm(build_room(RoomParameters(), built, person), built)
     Visitor(arm, Walk((Leg(0.0, 1.0, place, place),), None), person)

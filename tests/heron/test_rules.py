@@ -18,7 +18,7 @@ FILES = [*(f"{name}{arm}" for name in EXPERIMENTS for arm in ("", "_deros")), *C
 
 
 def conditions(machine: Machine) -> set[str]:
-    """When its rules act, as it is written."""
+    """The conditions of the rules, as they are written."""
     return {machine.propositions[rule.condition].text for rule in machine.rules}
 
 

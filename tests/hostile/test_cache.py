@@ -78,7 +78,7 @@ def kept(cache: Path, kind: str) -> Path:
 
 
 def stops_at(rules: Path, metres: float) -> bool:
-    """Whether the rule is active, in a monitor that is loaded as a new process loads it."""
+    """Say whether the rule is active in a monitor that is loaded as in a new process."""
     load_tables.cache_clear()
     monitor = rossmarie.load(rules)
     assert monitor.kind == "native"
@@ -230,7 +230,7 @@ def test_what_is_no_file_holds_nobody_up(rules: Path, library: Path, make: objec
 
 
 class Payload:
-    """What makes a file as soon as it is unpickled."""
+    """An object that creates a file when it is unpickled."""
 
     def __init__(self, mark: Path) -> None:
         self._mark = mark

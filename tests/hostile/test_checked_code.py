@@ -1,4 +1,4 @@
-"""Code that is checked can neither end a check without a word, nor take findings back, nor do
+"""Code that is checked can neither end a check unnoticed, nor take findings back, nor do
 anything to the world.
 
 Each attack is checked by the real command, in a module of its own between two others: `a.py` has
@@ -189,12 +189,12 @@ HANGS = {
     "a loop in C": (
         "import collections, itertools\ncollections.deque(itertools.repeat(0), maxlen=0)",
         "EZS240",
-        "the code did not go on for 60 s",
+        "the code made no progress for 60 s",
     ),
     "a stop": (
         "import signal\nsignal.raise_signal(signal.SIGSTOP)",
         "EZS240",
-        "the code did not go on for 60 s",
+        "the code made no progress for 60 s",
     ),
 }
 

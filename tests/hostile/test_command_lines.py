@@ -73,7 +73,7 @@ def running(*command: str, folder: Path) -> Iterator[subprocess.Popen[str]]:
 
 
 def listens(process: int) -> bool:
-    """Whether it catches SIGTERM."""
+    """Say whether a process catches SIGTERM."""
     caught = Path(f"/proc/{process}/status").read_text().partition("SigCgt:")[2].split()[0]
     return bool(int(caught, 16) >> (signal.SIGTERM - 1) & 1)
 
@@ -193,7 +193,7 @@ def test_a_file_name_that_is_no_text_gets_into_what_is_written(tmp_path: Path) -
 
 
 def shell(text: str, folder: Path) -> subprocess.CompletedProcess[str]:
-    """What a shell makes of it, with `rossmarie` and the like known to it."""
+    """The result of a shell command that can call `rossmarie` and the other programs."""
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     return subprocess.run(
         ["sh", "-c", text], cwd=folder, env={**os.environ, "PATH": path},

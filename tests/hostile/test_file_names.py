@@ -77,7 +77,7 @@ def after_hash(text: str) -> object:
 
 
 def of_markdown(text: str) -> object:
-    """How each line begins, but for the one that names the file."""
+    """The beginning of each line, except the line with the name of the file."""
     return [line[:2] for line in text.split("\n")]
 
 

@@ -23,7 +23,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def is_reported(folder: Path, *command: str, code: str) -> bool:
-    """Whether a command says what is wrong, and nothing of what is secret."""
+    """Say whether a command reports the mistake and prints none of the secret text."""
     done = command_line.run(*command, folder=folder)
     said = done.stdout + done.stderr
     assert done.returncode in (1, 2)

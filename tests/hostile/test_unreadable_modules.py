@@ -23,7 +23,7 @@ def place(folder: Path, content: bytes) -> Path:
 
 
 def python_refuses(path: Path) -> bool:
-    """Whether Python refuses to run a file before its first line."""
+    """Say whether Python refuses to run a file before its first line."""
     done = subprocess.run([sys.executable, path], capture_output=True, text=True, check=False)
     return "SyntaxError" in done.stderr or "TabError" in done.stderr
 

@@ -16,14 +16,14 @@ from support.live_cases import vehicle as machine_of_vehicle
 from support.parts import ROS1, ROS2, require
 
 Needs: TypeAlias = Callable[[str], Sequence[Wanted]]
-"""What is to be built for a test, in a generation of ROS."""
+"""The packages to build for a test, in a generation of ROS."""
 
 Built: TypeAlias = Mapping[Needs, Sequence[Path]]
 """Programs of nodes, and folders of those of packages."""
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """What tests need is built at once, before the first of them."""
+    """Build the packages of all tests at once, before the first test."""
     config.addinivalue_line("markers", "builds(by): what makes that of which `programs` are built")
 
 
@@ -77,24 +77,24 @@ def ros(request: pytest.FixtureRequest) -> Ros:
 
 @pytest.fixture(scope="session")
 def built_on_ros1(request: pytest.FixtureRequest, ros1: ros1_live.Ros1) -> Built:
-    """What the tests of this run need; if it cannot be built, it is tried once."""
+    """The packages of the tests in this run. Build them on first use, and try that only once."""
     return all_built(ros1, request.session.items)
 
 
 @pytest.fixture(scope="session")
 def built_on_ros2(request: pytest.FixtureRequest, ros2: ros2_live.Ros2) -> Built:
-    """What the tests of this run need; if it cannot be built, it is tried once."""
+    """The packages of the tests in this run. Build them on first use, and try that only once."""
     return all_built(ros2, request.session.items)
 
 
 @pytest.fixture
 def built(request: pytest.FixtureRequest, ros: Ros) -> Built:
-    """What was built on the generation of the test."""
+    """The built packages for the generation of the test."""
     return cast("Built", request.getfixturevalue(f"built_on_{ros.name}"))
 
 
 def all_built(ros: Ros, tests: Iterable[pytest.Item]) -> Built:
-    """What tests need, built at once."""
+    """Build the packages of several tests at once."""
     concerned = [test for test in tests if runs_on(test, ros.name)]
     needs = {mark.kwargs["by"] for test in concerned for mark in test.iter_markers("builds")}
     if any("vehicle" in names_of_fixtures(test) for test in concerned):
@@ -105,7 +105,7 @@ def all_built(ros: Ros, tests: Iterable[pytest.Item]) -> Built:
 
 
 def runs_on(test: pytest.Item, generation: str) -> bool:
-    """Whether a test runs on a generation of ROS, and on no other."""
+    """Say whether a test runs only on one generation of ROS."""
     parameters = test.callspec.params if hasattr(test, "callspec") else {}
     return parameters.get("ros") == generation or generation in names_of_fixtures(test)
 
@@ -120,7 +120,7 @@ def needs_of_vehicle(generation: str) -> Sequence[Wanted]:
 
 @pytest.fixture
 def programs(request: pytest.FixtureRequest, built: Built) -> Sequence[Path]:
-    """What the mark `builds` of the test says."""
+    """The programs in the mark `builds` of the test."""
     mark = request.node.get_closest_marker("builds")
     return built[mark.kwargs["by"]]
 
@@ -156,7 +156,7 @@ def robot(ros: Ros, vehicle: Path) -> Iterator[Robot]:
 
 @pytest.fixture
 def started() -> Iterator[list[Process]]:
-    """What a test starts; it is ended after the test."""
+    """The processes that a test starts; they are ended after the test."""
     processes: list[Process] = []
     try:
         yield processes

@@ -46,7 +46,7 @@ def package(request: pytest.FixtureRequest, tmp_path: Path) -> GuardPackage:
 
 
 def refusal(package: GuardPackage) -> str:
-    """What cmake says when it fails, in one line."""
+    """The error message of cmake, in one line."""
     done = package.configure()
     assert done.returncode != 0
     return " ".join((done.stdout + done.stderr).split())

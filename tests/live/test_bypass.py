@@ -1,4 +1,4 @@
-"""Who commands the robot past the filter is seen, and reported; nothing is added to it."""
+"""Nodes that command the robot past the filter are detected and reported."""
 
 from __future__ import annotations
 

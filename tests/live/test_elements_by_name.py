@@ -43,8 +43,8 @@ def test_s55_a_joint_is_found_by_its_declared_name_where_the_length_fits(
         until(lambda: is_driven() == is_active, f"{torques}")
 
     def stays(is_active: bool, torques: list[object], effort: int) -> None:
-        """Of joints in an array of another length nothing is known. Other messages, which are sent
-        later, have arrived when this is looked at.
+        """Joints in an array of another length are unknown. Messages that are sent later have
+        arrived before this test looks.
         """
         robot.set(torques=torques)
         robot.set(efforts=[("elbow", effort)])

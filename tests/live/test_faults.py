@@ -41,7 +41,7 @@ def test_stamps_are_frozen(robot: Robot, start: Start, topic: str) -> None:
 
 
 def test_stamps_are_out_of_order(robot: Robot, start: Start) -> None:
-    """What is older than what is known already must not lift a limit."""
+    """A message older than the known state must not lift a limit."""
     robot.set(pitch=15.0, belated=0.0)
     start(header_stamps=["/imu/data"])
     robot.passes(0.2)

@@ -13,8 +13,8 @@ Start = Callable[..., Process]
 def test_a_command_is_limited_on_a_slope_and_comes_back_along_the_ramp(
     robot: Robot, start: Start
 ) -> None:
-    """From 0.2 to 1 m/s by 0.5 m/s^2, in 1.6 s. The planner sends 50 commands in a second, and the
-    node 20 of its own: a busy machine makes them fewer, and the way longer.
+    """Ramp from 0.2 to 1 m/s by 0.5 m/s^2, in 1.6 s. The planner sends 50 commands per second, and
+    the node 20 of its own. On a busy machine there are fewer commands, and the distance is longer.
     """
     start()
     robot.passes(1.0)

@@ -119,7 +119,7 @@ def test_transforms_that_lie_are_stale(ros: Ros, programs: Sequence[Path], tmp_p
 
 
 STALE_AT_S = (1.0, 1.5, 2.0, 2.5, 4.0, 4.5, 5.0, 5.5)
-"""When something is stale and is back, by turns."""
+"""The times at which an input alternately becomes stale and recovers."""
 
 
 def lying_drive(store: Typestore) -> Iterator[Reading]:

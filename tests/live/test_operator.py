@@ -1,4 +1,4 @@
-"""What an operator sees of a running node, and can do."""
+"""An operator's view of a running node, and the operator's commands."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ ROOT = Path(__file__).parents[2]
 THESIS = ROOT / "examples" / "thesis"
 STATE = "/peg_in_hole_safety/state"
 EDGE = 0.1
-"""Where the volume ends along x, in m."""
+"""The end of the volume along x, in m."""
 
 
 def needs(generation: str) -> Sequence[Wanted]:

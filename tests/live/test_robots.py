@@ -86,7 +86,9 @@ def of_ros1(robot: Robot, path: Path) -> Path:
 
 
 def of_each_rule(changes: Changes) -> dict[str, list[tuple[int, Any]]]:
-    """How rules changed, and when: of rules that change at one instant, either may be first."""
+    """The changes of each rule with their times. Rules that change at the same instant may come in
+    any order.
+    """
     found: dict[str, list[tuple[int, Any]]] = {}
     for rule, change, at in changes:
         found.setdefault(rule, []).append((change, at))

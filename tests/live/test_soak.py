@@ -76,8 +76,8 @@ def test_a_node_runs_for_long(
 
 @contextmanager
 def ahead_of_others() -> Iterator[None]:
-    """What starts within goes before all other work of the machine, where this user may say so: a
-    node that has no time for a second misses what happens in it.
+    """Give processes that start within priority over all other work of the machine, if this user
+    may do so. A node without processor time for a second misses events.
     """
     usual = os.sched_getscheduler(0), os.sched_getparam(0)
     with suppress(PermissionError):
@@ -89,13 +89,15 @@ def ahead_of_others() -> Iterator[None]:
 
 
 def heard(ears: Ears) -> list[Change]:
-    """What the node has said so far, but for losses: they come once the talker is silent."""
+    """The changes that the node has reported, except stale inputs: these come after the talker
+    stops.
+    """
     changes = [(reported["rule"], reported["change"]) for reported in ears.heard(VERDICTS)]
     return [each for each in changes if each[1] != ir.Change.ACTIVATED_STALE]
 
 
 def replayed(folder: Path, recording: Path) -> list[Change]:
-    """What `rossmarie replay` says of what was sent."""
+    """The changes that `rossmarie replay` reports for the sent messages."""
     rules = folder / "sensors.ross"
     rules.write_text(sensors(TOPICS), encoding="utf-8")
     replay, _ = replay_file(rules, recording, topic_map={})

@@ -1,4 +1,4 @@
-"""How a node starts, and what it says of a world that is not as expected."""
+"""The start of a node, and its reports about an unexpected environment."""
 
 from __future__ import annotations
 

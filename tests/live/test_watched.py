@@ -21,7 +21,7 @@ ROOT = Path(__file__).parents[2]
 RULES = ROOT / "tests" / "fixtures" / "skillful" / "skillful.ross"
 DIGEST = f"c0ffee{'0' * 58}"
 DEBIAN = "/usr/lib/python3/dist-packages"
-"""Where Debian has rospy."""
+"""The folder of rospy in Debian."""
 GLASS = ("Push", [("Object", "skiros.Glass", 0.3)])
 NODE = "skillful_safety"
 

@@ -32,12 +32,12 @@ TRACES = "traces, random and chosen"
 _STEPS = 4000
 _EVENTS = 1500
 _ENOUGH = "ulimit -t 2; exec $0"
-"""How many seconds of a processor a run may take; without a fault it needs a tenth of one."""
+"""The maximum processor time of a run (s). Without a mutation, a run needs a tenth of it."""
 
 
 @dataclass(frozen=True)
 class Seen:
-    """What a build shows, by what is run on it."""
+    """The observations of a build, by the programs that are run on it."""
 
     by: Mapping[str, Sequence[str]]
 
@@ -55,7 +55,7 @@ class Bench:
         self.sources = {**c99.generate(self.machine), **c99.generate_loadable(self.machine)}
 
     def noticed(self, fault: Fault) -> frozenset[str]:
-        """Who notices a fault."""
+        """The checks that detect a mutant."""
         undamaged = self._monitor if fault.part == "monitor" else self._reactor
         look = self._see_monitor if fault.part == "monitor" else self._see_reactor
         seen = look(self.damaged(fault))
@@ -100,7 +100,7 @@ class Bench:
     # --- without damage ----------------------------------------------------------------------
 
     def expected_of_monitor(self) -> tuple[object, object]:
-        """What the interpreter says of the long trace, and what the generated C does."""
+        """The output of the interpreter and of the generated C for the long trace."""
         traces = [self._trace, *chosen_traces(self.machine)]
         lines = "\n".join(self._monitor.by[TRACES]).encode()
         found = c_replay.observations(self.machine, lines, sum(map(len, traces)) + 2 * len(traces))
@@ -124,7 +124,7 @@ _BESIDE = ("step ", "known ", "jump ")
 
 
 def outputs(files: Mapping[str, str], main: str, given: Sequence[bytes]) -> list[list[str]]:
-    """What a program prints for each of its inputs."""
+    """The output of a program for each of its inputs."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         write({**files, "main.c": main}, folder)

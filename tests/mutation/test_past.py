@@ -207,7 +207,7 @@ def test_an_undamaged_copy_is_the_interpreter(package: Path) -> None:
 
 
 def is_noticed(look: Callable[[], list[Observation]], expected: list[Observation]) -> bool:
-    """Whether it fails, does not end, or shows something else."""
+    """Say whether a run fails, does not end, or has other observations."""
     signal.signal(signal.SIGVTALRM, _too_long)
     signal.setitimer(signal.ITIMER_VIRTUAL, MOST_SECONDS)
     try:

@@ -66,7 +66,7 @@ def run_with(copy: Path, *arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def watched(copy: Path) -> frozenset[str]:
-    """Who notices something with a copy of the package."""
+    """The checks that detect a difference in a copy of the package."""
     done = run_with(copy, "-m", "mutation.skill_watch")
     return frozenset([*done.stdout.splitlines(), *(["a crash"] if done.returncode else [])])
 

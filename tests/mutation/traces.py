@@ -1,4 +1,4 @@
-"""What happens to the rules in `rules.ross`: the same each time, and close to their limits."""
+"""Traces for the rules in `rules.ross`: always the same, and close to their limits."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from support.reacting import Look, ReactingCase, look
 
 _TICK = 2 * 10**7
 _LIMITS = {"/imu": (0.2,), "/odom": (0.01, 0.5, 1.0), "/slope": (5.0,), "/spot": (2.0,)}
-"""What numbers of a topic are compared with, in its unit; those of arrays are below."""
+"""The limits of the numbers of a topic, in its unit. The limits of arrays follow below."""
 
 _ELEMENTS = (0.4, 0.6, 0.8, 1.0, 1.2)
 _ODD = (math.nan, math.nan, math.inf, -math.inf)
@@ -57,7 +57,7 @@ class _Recorder:
 
 
 def scripted(machine: ir.Machine, script: Script) -> Sequence[Step]:
-    """What a test of a rules file does to an engine."""
+    """The steps of an engine in a test of a rules file."""
     recorder = _Recorder()
     run(recorder, machine, script)
     return recorder.steps

@@ -56,12 +56,14 @@ def watching(machine: ir.Machine) -> Interpreter:
 
 
 def values_of(machine: ir.Machine, monitor: Interpreter) -> dict[int, TruthValue]:
-    """What all propositions are worth."""
+    """The truth values of all propositions."""
     return dict(zip(whole_propositions(machine), monitor.watches, strict=True))
 
 
 def is_settled(machine: ir.Machine, values: Mapping[int, TruthValue], *roots: int) -> bool:
-    """Whether each `for` has matured whose condition is true, of all or of what some rest on."""
+    """Say whether each `for` with a true condition has matured, for all propositions or the support
+    of some.
+    """
     below = {
         proposition for root in roots for proposition in ir.reachable_propositions(machine, root)
     } or values
@@ -235,7 +237,7 @@ def test_the_loss_of_an_input_does_nothing_to_rules_of_which_that_is_said(
 
 
 def _are_known(machine: ir.Machine, monitor: Interpreter, stale: int) -> bool:
-    """Whether all numbers of the messages that the rule rests on are, but for one channel."""
+    """Say whether all numbers in the messages of the rule are known, except one channel."""
     slots = ir.supports(machine).propositions[machine.rules[0].condition].slots
     reads = {
         signal.node.slot: monitor.signals[index]

@@ -112,7 +112,9 @@ def conditions() -> st.SearchStrategy[Condition]:
 
 
 def robustness(condition: Condition, seen: list[float]) -> float:
-    """By the definition: differences, the least and the greatest; NaN where any number is."""
+    """The robustness by its definition: differences, minimum and maximum; NaN if a number is
+    NaN.
+    """
 
     def extreme(choose: object, numbers: tuple[float, ...]) -> float:
         assert callable(choose)

@@ -1,4 +1,4 @@
-"""What holds of every reactor, whatever the rules do and whatever happens to it."""
+"""Properties of every reactor, for all rules and all events."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ HAS_FAILED = (State.FAILED, State.OVERDUE)
 
 @dataclass(frozen=True)
 class Scene:
-    """What was seen around one event."""
+    """The observations around one event."""
 
     event: Look
     before: tuple[State, ...]
@@ -205,7 +205,7 @@ def _fastest(found: ir.Reactions, command: int, field: int) -> float:
 
 
 def _grows(earlier: float, later: float, most: float) -> bool:
-    """Whether it grows, if at all, and by no more than so much, but for what rounding adds."""
+    """Say whether a value does not grow by more than a limit, apart from rounding."""
     return earlier <= later <= earlier + most * 1.001 + abs(later) * 1e-12 + 1e-300
 
 
@@ -243,8 +243,9 @@ def test_a_wake_lies_ahead_and_is_the_end_of_a_task_or_a_pose(case: ReactingCase
 @MANY
 @given(reacting_cases())
 def test_nothing_waits_in_vain(case: ReactingCase) -> None:
-    """When nothing more happens to engaged rules, all that another rule keeps from its resource has
-    failed, and its escalations have begun: but what nobody awaits, and what another rule does too.
+    """When no more events happen to engaged rules, each task whose resource another rule holds has
+    failed, and its escalations have begun. Exceptions are tasks without a time limit, and tasks
+    that the other rule runs too.
     """
     found = case.machine.reactions
     *_, last = scenes(case)

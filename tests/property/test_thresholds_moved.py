@@ -1,4 +1,6 @@
-"""What rests on a threshold, run by itself, says what the whole machine says: random machines."""
+"""The part of a random machine that depends on a threshold behaves alone as in the whole
+machine.
+"""
 
 from __future__ import annotations
 

@@ -54,7 +54,7 @@ class Arm(Ears):
         return "succeeds" if self._is_retracted else None
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "goal" in request:
             self._client.send(request["goal"])
         return super().answer(request)

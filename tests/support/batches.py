@@ -30,7 +30,7 @@ def can_be_shown(machine: ir.Machine) -> tuple[int, ...]:
 def in_batches(
     machine: ir.Machine, monitor: NativeMonitor, trace: Sequence[Step], size: int
 ) -> Observed:
-    """What a monitor finds in the updates of a trace, taken in batches of some size."""
+    """The findings of a monitor for the updates of a trace, taken in batches of some size."""
     updates = updates_of(trace)
     events, samples = list[object](), list[tuple[int, list[str]]]()
     for start in range(0, len(updates), size):

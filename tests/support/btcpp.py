@@ -19,7 +19,7 @@ int main() {}
 
 
 def missing() -> str | None:
-    """What keeps the player from being compiled; None if nothing does."""
+    """The reason why the player cannot be compiled; None if it can."""
     if shutil.which("g++") is None:
         return "no g++"
     command = ["g++", "-x", "c++", "-", "-lbehaviortree_cpp", "-o", "/dev/null"]
@@ -37,7 +37,7 @@ def _player() -> Path:
 
 
 def played(xml: str, folder: Path, scripts: dict[str, str], ticks: int = 8) -> list[str]:
-    """What happens at each tick; other actions succeed at once."""
+    """The events at each tick. Other actions succeed at once."""
     path = folder / "tree.xml"
     path.write_text(xml, encoding="utf-8")
     arguments = []

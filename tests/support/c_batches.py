@@ -87,7 +87,7 @@ def program_with_batch(machine: ir.Machine) -> str:
 
 
 def batch_bytes(machine: ir.Machine, updates: list[Update]) -> bytes:
-    """What the program reads after the table."""
+    """The input of the program after the table."""
     nothing = Assembly(machine, np.empty(0, np.int64)).batch()
     batch = next(batched(machine, updates), nothing)
     parts = [struct.pack("=q", len(updates)), batch.times_ns.tobytes(), batch.arriving.tobytes()]
@@ -98,7 +98,7 @@ def batch_bytes(machine: ir.Machine, updates: list[Update]) -> bytes:
 
 
 def of_batch(machine: ir.Machine, output: bytes, steps: int) -> Observed:
-    """What the program printed of the batch, behind what it printed of so many steps."""
+    """The output of the program for the batch, after its output for the given number of steps."""
     events = observations(machine, output, steps + 1)[-1].events
     lines = (line.split() for line in output.decode().splitlines())
     rows = [words[1:] for words in lines if words[0] == "sample"]

@@ -15,7 +15,7 @@ from support.growing import TICK
 from support.reacting import ReactingCase, look
 
 LATER = (0, 1, TICK // 3, 3 * TICK, -TICK)
-"""When bounds are asked for, counted from an event."""
+"""The times at which bounds are queried, counted from an event."""
 
 EVER = {"INT64_MIN": -(2**63), "INT64_MAX": 2**63 - 1, "(INT64_C(1) << 62) - 1": 2**62 - 1}
 """And at these instants, whenever the event was."""
@@ -191,7 +191,7 @@ def event_bytes(case: ReactingCase) -> bytes:
 
 
 def wanted(case: ReactingCase) -> list[str]:
-    """What the program has to print, from the interpreter."""
+    """The expected output of the program, from the interpreter."""
     reactor = Reactor(case.machine.reactions)
     lines = []
     for number, event in enumerate(case.events):

@@ -233,7 +233,7 @@ def _arguments(machine: ir.Machine, channel: int, prefix: str) -> list[str]:
 
 
 def trace_bytes(machine: ir.Machine, trace: Sequence[Step], latched: Sequence[int] = ()) -> bytes:
-    """What the program reads: the rules that are to be latched, then the steps."""
+    """The input of the program: the rules to latch, then the steps."""
     parts = [struct.pack(f"={len(latched) + 1}q", len(latched), *latched)]
     parts.append(struct.pack("=q", len(trace)))
     fields = [types.fields_of(machine, channel) for channel in range(len(machine.channels))]
@@ -254,7 +254,7 @@ def trace_bytes(machine: ir.Machine, trace: Sequence[Step], latched: Sequence[in
 
 
 def table_bytes(columns: Columns) -> bytes:
-    """What the program reads after the trace."""
+    """The input of the program after the trace."""
     fields = [column.tobytes() for column in (*columns.slots, *columns.arrays)]
     return b"".join(
         [
@@ -287,7 +287,9 @@ def _message(machine: ir.Machine, fields: Sequence[types.Field], values: ir.Chan
 
 
 def observations(machine: ir.Machine, output: bytes, steps: int) -> list[Observation]:
-    """What the program printed, as `observe` has it: before all steps, after each, at the end."""
+    """The observations in the output of the program, in the form of `observe`: before all steps,
+    after each step, at the end.
+    """
     found: list[Observation] = []
     events: list[object] = []
     for line in output.decode().splitlines():
@@ -306,13 +308,15 @@ def observations(machine: ir.Machine, output: bytes, steps: int) -> list[Observa
 
 
 def knowledge(output: bytes) -> list[str]:
-    """What the program printed of inputs and watches, as `known` has it."""
+    """The states of inputs and watches in the output of the program, in the form of `known`."""
     lines = output.decode().splitlines()
     return [line for line in lines if line.startswith("known ")]
 
 
 def known(machine: ir.Machine, monitor: Interpreter) -> str:
-    """Whether all inputs have arrived once, their states, and what the watches are worth."""
+    """Say whether all inputs have arrived once, and give their states and the truth values of the
+    watches.
+    """
     states = monitor.input_states
     lacking = [
         used.timeout_ns is not None and state is ir.InputState.NEVER

@@ -14,7 +14,7 @@ from dslkit.campaign import Bar, Journal, Processes, Value, run
 
 
 def work(key: str) -> Value:
-    """What is before the colon is done with what is behind it."""
+    """Do the work before the colon on the text after it."""
     kind, _, rest = key.partition(":")
     if kind == "raise":
         raise ValueError(rest)

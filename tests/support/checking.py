@@ -10,19 +10,19 @@ from rossmarie.driver.analyze import analyze_file
 from support import expectations
 
 THOROUGH = "// rossmarie check --thorough"
-"""What stands in rules of which all queries are asked."""
+"""The text in rules files for which all queries are run."""
 
 
 def findings(path: Path) -> tuple[Diagnostic, ...]:
-    """What `rossmarie check` says of a rules file."""
+    """The findings of `rossmarie check` on a rules file."""
     text = path.read_text(encoding="utf-8", errors="replace") if path.exists() else ""
     return analyze_file(path, thorough=THOROUGH in text).diagnostics
 
 
 def compare_file(path: Path, *, bless: bool) -> list[str]:
-    """What differs between the findings on a rules file and the expectations in it.
+    """The differences between the findings on a rules file and its expectations.
 
-    Findings in the files that it imports are compared with the expectations there.
+    Findings in imported files are compared with the expectations there.
     """
     found = findings(path)
     own = [one for one in found if one.primary.span.file.path == str(path)]
@@ -57,6 +57,6 @@ def useless_fixes(path: Path) -> list[str]:
 
 
 def _count(found: Sequence[Diagnostic], like: Diagnostic) -> int:
-    """How many findings have the code of `like` and concern the same words."""
+    """The number of findings with the code of `like` about the same words."""
     words = like.primary.span.text
     return sum((one.code, one.primary.span.text) == (like.code, words) for one in found)

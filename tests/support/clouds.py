@@ -16,7 +16,7 @@ from rosbags.typesys.store import Typestore
 from support.recordings import stamped
 
 FORMATS = {1: "b", 2: "B", 3: "h", 4: "H", 5: "i", 6: "I", 7: "f", 8: "d"}
-"""Of `struct`, by the `datatype` of a field."""
+"""The formats of `struct`, by the `datatype` of a field."""
 
 READ = ("x", "intensity", "z")
 """The fields that tests read."""

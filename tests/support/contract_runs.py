@@ -35,8 +35,8 @@ def ticked(running: Ticks) -> bool | None:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a node is: in a further try of a retry, in what a later tick starts again, or where
-    others stand in for one that fails.
+    """The position of a node: in a further try of a retry, in a part that a later tick restarts, or
+    before a fallback.
     """
 
     is_retried: bool = False
@@ -58,16 +58,18 @@ class Run:
     """
     started: list[SkillCall] = field(default_factory=list)
     broken_holds: list[Clause] = field(default_factory=list)
-    """Of the compound, when a child started; what a further try ends is not reported."""
+    """The false hold-conditions of the compound skill when a child started. Those that a further
+    try ends are not reported.
+    """
     is_broken: bool = False
-    """Whether the compound would have failed by what it holds."""
+    """True if the compound skill would have failed because of a hold-condition."""
 
     @property
     def world(self) -> Facts:
         return self.drawn.rules.closed(self.facts)
 
     def run(self, node: Node, place: Place = Place()) -> Ticks:
-        """Whether it has succeeded; yields between ticks."""
+        """Run a node. Yield between ticks, and return whether the node succeeded."""
         match node:
             case SkillCall():
                 return (yield from self._call(node, place))

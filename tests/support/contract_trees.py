@@ -36,7 +36,7 @@ FILE = SourceFile("skills.py", " " * 4000)
 
 @dataclass(frozen=True)
 class Rules:
-    """What an ontology of two relations says."""
+    """An ontology of two relations."""
 
     kinds: tuple[frozenset[str], frozenset[str]]
     others: frozenset[str]
@@ -71,7 +71,7 @@ class Rules:
             )
 
     def is_possible(self, facts: Facts) -> bool:
-        """Whether facts, with all that follows, can be so."""
+        """Say whether facts, with all their consequences, are possible."""
         for name, kinds in zip(RELATIONS, self.kinds, strict=True):
             pairs = {(one, other) for each, one, other in facts if each == name}
             firsts, seconds = [a for a, _ in pairs], [b for _, b in pairs]
@@ -169,7 +169,7 @@ class Drawing:
         return SkillInterface(name, self.span(), parameters, pre, hold, post)
 
     def call(self, compound: SkillInterface) -> SkillCall:
-        """Of a new skill, or of one that there is."""
+        """Draw a call of a new or an existing skill."""
         known: list[Any] = [*self.skills.known]
         called = self.chance.choice([*known, None, None])
         if called is None:

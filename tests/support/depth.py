@@ -1,4 +1,4 @@
-"""How deep tests go: in each run, and by `make deep`."""
+"""The depth of random tests, in each run and in `make deep`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def examples(factor: float) -> int:
 
 
 def is_deep() -> bool:
-    """Whether `make deep` runs the tests."""
+    """Say whether `make deep` runs the tests."""
     return settings().max_examples > _MANY
 
 

@@ -1,4 +1,4 @@
-"""How the effort of some work grows with its size, reported on a busy machine as on a quiet one."""
+"""The growth of work with its size, measured independently of the load of the machine."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ ATTEMPTS = 3
 
 
 def calls_of(work: Callable[[T], object], thing: T) -> int:
-    """How many functions are called, which is the same on any machine under any load."""
+    """The number of called functions, which does not depend on the machine or its load."""
     with cProfile.Profile() as profile:
         work(thing)
     return sum(entry.callcount for entry in profile.getstats())
@@ -41,7 +41,9 @@ def cpu_s_of(work: Callable[[T], object], thing: T) -> float:
 
 
 def takes_at_most(times: float, work: Callable[[T], object], small: T, large: T) -> bool:
-    """Whether the work on something large takes at most so many times the CPU of the small."""
+    """Say whether the work on a large thing takes at most `times` the processor time of the work on
+    a small one.
+    """
     return any(
         cpu_s_of(work, large) < NOTHING_S + times * cpu_s_of(work, small) for _ in range(ATTEMPTS)
     )

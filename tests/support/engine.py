@@ -49,7 +49,7 @@ class Clock:
 
 @dataclass
 class Ran:
-    """What has come of a run."""
+    """The result of a run."""
 
     outcome: TaskOutcome
     events: list[Event]
@@ -62,7 +62,7 @@ class Ran:
         return self.outcome.reason.text if self.outcome.reason else ""
 
     def ends(self) -> list[str]:
-        """How all skills have ended, in order: `Wait#2 failed`."""
+        """The ends of all skills in order, as in `Wait#2 failed`."""
         found = (Happened.SUCCEEDED, Happened.FAILED, Happened.PREEMPTED)
         return [
             f"{each.path[-1]} {each.happened.value}"
@@ -85,7 +85,7 @@ class Skills:
     options: dict[str, Any] = field(default_factory=dict)
 
     def task(self, skill: str, *texts: str) -> tuple[Task, list[Event], Clock]:
-        """What can be run."""
+        """Prepare a task that can be run."""
         folder = Path(tempfile.mkdtemp(dir=self.folder))  # Python knows modules by their places
         path = folder / "skills.py"
         path.write_text(IMPORTS + self.source, encoding="utf-8")
@@ -121,5 +121,5 @@ class Skills:
 
 
 def notes_of(events: Sequence[Event]) -> list[str]:
-    """What skills have said, in order."""
+    """The messages of skills, in order."""
     return [each.text for each in events]

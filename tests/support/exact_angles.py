@@ -28,7 +28,7 @@ def _small_arc_tangent(x: int) -> int:
 
 
 def _arc_tangent(x: int) -> int:
-    """Of a number from 0 to 1, by half of the angle, and half of that, ..."""
+    """The arc tangent of a number from 0 to 1, by halving the angle repeatedly."""
     halvings = 0
     while x > ONE >> 8:
         x = x * ONE // (ONE + isqrt(ONE * ONE + x * x))
@@ -61,7 +61,7 @@ def arc_sine(x: float) -> int:
 
 
 def units(found: float, exact: int) -> float:
-    """How far a result is from the exact one, in units of its last place."""
+    """The distance of a result from the exact result, in units of its last place."""
     nearest = exact / ONE
     return abs(float((Fraction(found) - Fraction(exact, ONE)) / Fraction(math.ulp(nearest))))
 

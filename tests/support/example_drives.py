@@ -53,8 +53,9 @@ _CALM_NS = 4_400_000_000
 _ALL_NS = _CALM_NS + 8_000_000_000
 
 BEGIN_S = 4.1
-"""From here on nothing rests on which messages came first. A node waits for all of them; a replay
-sees one after the other."""
+"""The time from which the order of the first messages has no effect. A node waits for all of them;
+a replay gets them one after the other.
+"""
 
 
 def drive(store: Typestore) -> Iterator[Reading]:

@@ -242,7 +242,7 @@ def _sent(machine: ir.Machine, event: Event) -> dict[int, ir.ChannelValues]:
 
 
 def differences(program: Program, events: Sequence[Event]) -> Iterator[str]:
-    """Where the interpreter and the model hold other rules for active, or have other rules."""
+    """The differences between the active rules of the interpreter and of the model."""
     machine = machine_of(program.text())
     if [rule.actions for rule in machine.rules] != list(program.actions()):
         yield f"{[rule.actions for rule in machine.rules]}"

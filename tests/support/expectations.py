@@ -77,7 +77,8 @@ def parse(text: str, sign: str = "//") -> tuple[Expectation, ...]:
 
 
 def compare(text: str, found: Sequence[Diagnostic], sign: str = "//") -> list[str]:
-    """What differs between the expectations in `text` and the findings in it; empty if nothing.
+    """The differences between the expectations in `text` and the findings in it; empty if there are
+    none.
 
     An unexpected finding is shown as the line that would accept it.
     """
@@ -134,7 +135,7 @@ def _blessed_lines(text: str, new: dict[int, list[Expectation]], sign: str) -> I
 
 @cache
 def _patterns(sign: str) -> tuple[re.Pattern[str], re.Pattern[str]]:
-    """Of lines that state a finding, and of those that state a label."""
+    """The patterns of lines that state a finding, and of lines that state a label."""
     finding, note = (pattern.replace("{sign}", re.escape(sign)) for pattern in (_FINDING, _NOTE))
     return re.compile(finding), re.compile(note)
 

@@ -16,7 +16,7 @@ SCHEMA: dict[str, Any] = json.loads(
 
 
 def export(*paths: Path, out: Path, ontology: Path | None = None) -> dict[str, Any]:
-    """What `ezskiros export` writes, which is as its schema says."""
+    """The output of `ezskiros export`, which matches its schema."""
     variables = {VARIABLE: str(ontology)} if ontology else {}
     done = command_line.run("ezskiros", "export", *paths, "-o", out, variables=variables)
     assert (done.returncode, done.stderr) == (0, ""), done.stdout

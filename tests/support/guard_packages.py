@@ -52,7 +52,7 @@ class GuardPackage(ABC):
     @property
     @abstractmethod
     def guards(self) -> Path:
-        """Where its guards are generated."""
+        """The folder of the generated guards."""
 
     @property
     @abstractmethod

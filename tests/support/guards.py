@@ -22,7 +22,7 @@ from support.machines import NAN, Advance, Reset, Step, Update, exactly, machine
 from support.reacting import READINGS, Sprouting, reacting_machines
 
 LATER = (0, 1, TICK // 3, 3 * TICK, -TICK)
-"""When bounds are asked for, counted from a step."""
+"""The times at which bounds are queried, counted from a step."""
 
 
 @st.composite
@@ -58,8 +58,8 @@ def _at_times_a_reset(draw: st.DrawFn, task: reactions.Task) -> reactions.Task:
 
 @dataclass(frozen=True)
 class Course:
-    """What happens to a guard: steps of its monitor, with a report of a task after some. It opens
-    before one of the steps, or never.
+    """A trace for a guard: steps of its monitor, with a report of a task after some steps. The
+    guard opens before one of the steps, or never.
     """
 
     steps: list[Step]

@@ -17,7 +17,7 @@ class Hand(Ears):
         self._server = Server(self, "/hand", sys.argv[1], "goal", lambda _: None)
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "obeys" in request:
             self._server.obeys = request["obeys"]
         return super().answer(request)

@@ -22,7 +22,7 @@ _NOTES = {"$schema", "title", "$defs"}
 
 
 def faults(value: Any, schema: Mapping[str, Any]) -> list[str]:
-    """Where a value is not as a schema says, and why."""
+    """The places where a value does not match a schema, with the reasons."""
     return list(_faults(value, schema, schema, "$"))
 
 

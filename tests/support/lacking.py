@@ -88,7 +88,7 @@ class Lacking:
 
 
 def _terminal(config: pytest.Config) -> pytest.TerminalReporter | None:
-    """Where to tell; None in a worker of pytest-xdist, and where tests are only listed."""
+    """The reporter for messages; None in a worker of pytest-xdist, and if tests are only listed."""
     if config.option.collectonly:
         return None
     found: pytest.TerminalReporter | None = config.pluginmanager.get_plugin("terminalreporter")

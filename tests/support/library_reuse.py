@@ -31,7 +31,7 @@ numbers.
 
 @dataclass(frozen=True)
 class _Use:
-    """How a robot imports a file of the library: the numbers that it gives."""
+    """The reuse of a library file by a robot: the arguments of its import."""
 
     path: Path
     numbers: frozenset[str]

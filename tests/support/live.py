@@ -1,4 +1,4 @@
-"""What live tests share: processes, a robot that is asked by lines of JSON."""
+"""Common parts of live tests: processes, and a robot that answers lines of JSON."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ SOME = 10
 """Commands by which a speed is distinguished from a passing one; planners send 50 in a second."""
 
 Wanted: TypeAlias = ir.Machine | Path
-"""What is to be built: the node of a machine, or a package of this repository."""
+"""A build target: the node of a machine, or a package of this repository."""
 
 
 def until(is_so: Callable[[], bool], what: str) -> None:
@@ -93,7 +93,7 @@ class Process:
         self.running = start(command, variables, self._log)
 
     def said(self) -> str:
-        """What it has written to its log."""
+        """The log of the process."""
         self._log.seek(self._begin)
         return self._log.read().decode("utf-8", "replace")
 
@@ -115,7 +115,7 @@ class Process:
 
 
 class Faults:
-    """What sanitizers wrote into the logs of a folder."""
+    """The reports of sanitizers in the logs of a folder."""
 
     _MARKS = ("ERROR: AddressSanitizer", "ERROR: LeakSanitizer", "runtime error: ")
 
@@ -152,11 +152,11 @@ class Ears(Process):
         self.ask(set=values)
 
     def heard(self, topic: str) -> list[Any]:
-        """What came on a topic since the last `forget`, without the times."""
+        """The messages on a topic since the last `forget`, without their times."""
         return [message for _, message in self.ask(heard=topic)]
 
     def count(self, topic: str) -> int:
-        """How much came on a topic since the last `forget`."""
+        """The number of messages on a topic since the last `forget`."""
         return int(self.ask(count=topic))
 
     def silent(self, topic: str) -> None:
@@ -174,7 +174,7 @@ class Ears(Process):
         until(lambda: self.ask(publishers=topic) > 0, f"connected to {topic}")
 
     def last(self, topic: str) -> Any:
-        """What came last; None before the first."""
+        """The last message on a topic; None before the first one."""
         found = self.ask(last=topic)
         return found and found[1]
 
@@ -210,7 +210,7 @@ class Robot(Ears):
         return self.last("/vehicle_safety/state") or {}
 
     def states(self, action: str) -> list[str]:
-        """What has become of the tasks of an action, as far as the node has reported."""
+        """The states of the tasks of an action that the node has reported."""
         tasks = self.state().get("tasks", ())
         return [task["state"] for task in tasks if task["action"] == action]
 
@@ -272,7 +272,7 @@ class Ros(Protocol):
         ...
 
     def ears(self, *arguments: str, script: str = ...) -> Ears:
-        """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
+        """Start a listener for the topics of the arguments, `TOPIC TYPE ...`, or another script."""
         ...
 
     def prepare(self, wanted: Sequence[Wanted]) -> list[Path]:
@@ -312,7 +312,7 @@ class Ros(Protocol):
         ...
 
     def ros_type(self, name: str) -> str:
-        """How `sensor_msgs/Imu` is called."""
+        """The name of a type such as `sensor_msgs/Imu` in this generation of ROS."""
         ...
 
     def end(self) -> None:

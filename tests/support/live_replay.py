@@ -1,4 +1,4 @@
-"""What `rossmarie replay` says of a recording, and a node to which it is played."""
+"""Comparison of `rossmarie replay` on a recording with a node to which the recording is played."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ def replayed(
     part: tuple[float, float] = (0.0, 1e9),
     message_folders: Sequence[Path] = (),
 ) -> Changes:
-    """What `rossmarie replay` says of a part of a recording; instants may be off by `near` s."""
+    """The changes that `rossmarie replay` reports for a part of a recording. Instants may differ by
+    `near` s.
+    """
     replay, _ = replay_file(rules, recording, topic_map={}, message_folders=message_folders)
     begin, end = part
     return [

@@ -77,7 +77,7 @@ Case = tuple[ir.Machine, list[Step]]
 
 @st.composite
 def traces(draw: st.DrawFn, machine: ir.Machine, max_steps: int = 24) -> list[Step]:
-    """What happens to a monitor: gaps, equal instants, jumps back, silence, bad numbers."""
+    """Traces of a monitor: gaps, equal instants, jumps back, silence, invalid numbers."""
     return [draw(_step(machine, at_ns)) for at_ns in draw(instants(max_steps))]
 
 
@@ -223,11 +223,11 @@ class Monitor(Protocol):
         """An operator resets."""
 
     def next_wake(self) -> int | None:
-        """When something may change by itself."""
+        """The next time at which a timer may change the state."""
 
     @property
     def active(self) -> tuple[bool, ...]:
-        """Which rules are active."""
+        """The activity of each rule."""
 
 
 @dataclass(frozen=True)

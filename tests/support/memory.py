@@ -1,6 +1,6 @@
-"""What a node of live tests remembers, and how it is asked: by lines of JSON.
+"""The memory of a node in live tests, and its queries by lines of JSON.
 
-Runs with the Python of either generation of ROS, and needs nothing of it.
+It runs with the Python of either generation of ROS and needs no ROS packages.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from collections import deque
 from typing import Any
 
 NAMESPACE = os.environ.get("ROBOT_NAMESPACE", "")
-"""Of the node and of its topics, `/robot1`."""
+"""The namespace of the node and of its topics, `/robot1`."""
 
 _OF_ALL = ("/clock", "/diagnostics", "/rosout")
 
@@ -24,7 +24,7 @@ def in_namespace(name: str) -> str:
 
 
 class Memory:
-    """What happened, under a topic or another name, and when."""
+    """Events with their times, by topic or another name."""
 
     def __init__(self) -> None:
         self.heard: dict[str, deque[list[Any]]] = {}
@@ -33,7 +33,7 @@ class Memory:
         self.heard.setdefault(name, deque(maxlen=50000)).append([time.time(), what])
 
     def answer(self, request: dict[str, Any]) -> Any:
-        """What a request asks for."""
+        """Answer a request."""
         for name, value in request.get("set", {}).items():
             setattr(self, name, value)
         if "forget" in request:

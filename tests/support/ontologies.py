@@ -10,7 +10,7 @@ from ezskiros import session
 from ezskiros.ontology import Ontology, load
 
 HALL = Path(__file__).parents[2] / "examples" / "pick_place" / "ontology"
-"""That of the example."""
+"""The ontology of the example."""
 
 PREFIXES = """\
 @prefix : <http://example.org/test.owl#> .

@@ -21,7 +21,7 @@ LONG = (
     "tests/rossmarie/cli/",
     "tests/ezskiros/",
 )
-"""Where the long tests are, the longest first."""
+"""The files with long tests, the longest first."""
 
 
 def arranged(items: Iterable[pytest.Item]) -> list[pytest.Item]:

@@ -94,7 +94,9 @@ TREES: list[tuple[str, str, list[str] | str]] = [
         ["left feather", "lifted nut"],
     ),
 ]
-"""What is `One`, the tree, and what the primitives tell; or the condition that fails."""
+"""Cases: the class of `One`, the tree, and the expected messages of the primitives or the failing
+condition.
+"""
 
 
 def skills(tree: str) -> str:

@@ -120,7 +120,7 @@ def _seccomp() -> str | None:
 
 
 def prover_programs() -> Path:
-    """Where `tools/setup_prover_debian.sh` puts CBMC and its solvers."""
+    """The folder in which `tools/setup_prover_debian.sh` installs CBMC and its solvers."""
     return cache_folder() / "prover" / "programs"
 
 

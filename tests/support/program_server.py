@@ -34,14 +34,15 @@ _PACKAGES = {
     "ezskiros migrate": ("ezskiros.migrate",),
     "rossmarie": ("rossmarie",),
 }
-"""Of which packages a command has all modules imported. Those of heron look at the environment."""
+"""The packages whose modules a command imports completely. The heron packages read the environment.
+"""
 _MODULES = {
     "crosscheck": ("typer._adapters",),
     "ezskiros": ("typer._adapters",),
     "heron": ("heron.cli.main", "typer._adapters"),
     "rossmarie": ("_cffi_backend", "cffi.cparser", "typer._adapters"),
 }
-"""What it imports besides."""
+"""The other modules that it imports."""
 _LATER = ("ezskiros.migrate",)
 _imported: set[str] = set()
 

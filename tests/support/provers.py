@@ -138,7 +138,7 @@ def wait_for(condition: Callable[[], bool], seconds: float = 30.0) -> None:
 
 
 def is_running(number: int) -> bool:
-    """Whether a process does more than wait for its parent to notice its end."""
+    """Say whether a process is more than a zombie that waits for its parent."""
     try:
         return Path(f"/proc/{number}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
     except FileNotFoundError:

@@ -163,7 +163,7 @@ class Robot(Ears):
         return {"success": self.lamp}
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "goal" in request:
             self._clients[request.get("of", "/arm")].send(request["goal"])
         if "offer" in request:

@@ -1,7 +1,7 @@
 # mypy: ignore-errors
-"""What ROS 1 gives to nodes of live tests, under the names of `ros2_ears.py`.
+"""The ROS 1 functions for nodes of live tests, with the names of `ros2_ears.py`.
 
-Runs with the system's Python, which has rospy.
+It runs with the system's Python, which has rospy.
 """
 
 import roslib.message
@@ -73,7 +73,7 @@ class Ears(Memory):
         return rospy.Duration(seconds)
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "publishers" in request:
             return self._subscribers[request["publishers"]].get_num_connections()
         return super().answer(request)

@@ -25,7 +25,7 @@ _HERE = Path(__file__).parent
 
 
 def missing() -> str | None:
-    """What is not installed of ROS 1, None if all is."""
+    """The missing part of ROS 1; None if all parts are installed."""
     lacking = [tool for tool in TOOLS if shutil.which(tool, path="/usr/bin") is None]
     if lacking:
         return f"not installed: {', '.join(lacking)}"
@@ -71,7 +71,7 @@ class Master(Process):
         until(self._answers, "the master is up")
 
     def _answers(self) -> bool:
-        """Whether somebody answers at its port, and it is this one."""
+        """Say whether this master answers at its port."""
         assert self.running.poll() is None, self.said()
         try:
             with master_of(self.variables) as master:
@@ -149,8 +149,8 @@ class Ros1:
         return Master(variables, self._python)
 
     def _script(self, log: str, *command: str) -> tuple[Sequence[str], dict[str, str], Path, Start]:
-        """What starts a script with rospy. It listens at an address of its own, where nobody asks
-        who looks for the dead of another master.
+        """Prepare the start of a script with rospy. The script listens at an address of its own,
+        which no other master probes.
         """
         port = int(self.variables["ROS_MASTER_URI"].rpartition(":")[2])
         variables = {**self.variables, "ROS_IP": "127.{}.{}.1".format(*divmod(port, 256))}
@@ -164,7 +164,7 @@ class Ros1:
         return Robot(command, {**variables, "ROBOT_NAMESPACE": namespace}, log, start)
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
-        """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
+        """Start a listener for the topics of the arguments, `TOPIC TYPE ...`, or another script."""
         return Ears(*self._script("ears.log", str(_HERE / script), *arguments))
 
     def start(
@@ -223,7 +223,7 @@ class Ros1:
         return Process(*self._script("publish.log", *command))
 
     def ros_type(self, name: str) -> str:
-        """How `sensor_msgs/Imu` is called."""
+        """The name of a type such as `sensor_msgs/Imu` in ROS 1."""
         return name
 
     def end(self) -> None:

@@ -31,7 +31,7 @@ class Robot1(Robot):
         return config
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "lose_goals" in request:
             self._arm_status.publish(GoalStatusArray())
         return super().answer(request)

@@ -19,7 +19,7 @@ QUICK = (
 
 
 def is_installed(package: str) -> bool:
-    """Whether ROS, as it is sourced, has a package."""
+    """Say whether the sourced ROS has a package."""
     return _prefix(package) is not None
 
 
@@ -31,7 +31,7 @@ def folder_of(package: str) -> Path:
 
 
 def has_security() -> bool:
-    """Whether the DDS of ROS, as it is sourced, can control access; that of Fast DDS always can."""
+    """Say whether the DDS of the sourced ROS can control access. Fast DDS always can."""
     if "cyclonedds" not in os.environ.get("RMW_IMPLEMENTATION", ""):
         return True
     prefixes = map(Path, os.environ["AMENT_PREFIX_PATH"].split(":"))
@@ -39,7 +39,7 @@ def has_security() -> bool:
 
 
 def _prefix(package: str) -> Path | None:
-    """Where a package is installed."""
+    """The folder in which a package is installed."""
     prefixes = map(Path, os.environ["AMENT_PREFIX_PATH"].split(":"))
     return next((each for each in prefixes if (each / "share" / package).is_dir()), None)
 

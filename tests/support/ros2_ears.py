@@ -1,5 +1,5 @@
 # mypy: ignore-errors
-"""What ROS 2 gives to nodes of live tests, under the names of `ros1_ears.py`."""
+"""The ROS 2 functions for nodes of live tests, with the names of `ros1_ears.py`."""
 
 import math
 import threading
@@ -89,7 +89,7 @@ class Ears(Memory):
         return Duration(sec=time.sec, nanosec=time.nanosec)
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "publishers" in request:
             return self._subscriptions[request["publishers"]].get_publisher_count()
         return super().answer(request)

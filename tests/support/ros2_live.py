@@ -27,7 +27,7 @@ _NEEDED = ("rclcpp_lifecycle", "rclcpp_components", "rclcpp_action", "rclpy", "l
 
 
 def missing() -> str | None:
-    """What is not there of ROS 2, None if all is."""
+    """The missing part of ROS 2; None if all parts are installed."""
     if os.environ.get("ROS_VERSION") != "2" or not os.environ.get("AMENT_PREFIX_PATH"):
         return "not sourced"
     lacking = [tool for tool in ("colcon", "ros2", "python3") if shutil.which(tool) is None]
@@ -84,7 +84,7 @@ class Ros2:
         return Robot(command, variables, self._folder / "robot.log")
 
     def ears(self, *arguments: str, script: str = "ears.py") -> Ears:
-        """What hears the topics of the arguments, `TOPIC TYPE ...`; or another script."""
+        """Start a listener for the topics of the arguments, `TOPIC TYPE ...`, or another script."""
         command = [str(shutil.which("python3")), str(_HERE / script), *arguments]
         return Ears(command, self.variables, self._folder / "ears.log")
 
@@ -144,7 +144,7 @@ class Ros2:
         return None
 
     def command(self, *arguments: str) -> str:
-        """What a command of ROS 2 says."""
+        """The output of a ROS 2 command."""
         self._has_daemon = True
         done = subprocess.run(
             ["ros2", *arguments], env=self.variables, capture_output=True, text=True, timeout=LIMIT
@@ -174,7 +174,7 @@ class Ros2:
         )
 
     def ros_type(self, name: str) -> str:
-        """How `sensor_msgs/Imu` is called."""
+        """The name of a type such as `sensor_msgs/Imu` in ROS 2."""
         package, _, bare = name.partition("/")
         return f"{package}/msg/{bare}"
 

@@ -35,7 +35,7 @@ class Robot2(Robot):
         return SetParametersResult(successful=True)
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "reliabilities" in request:
             return {topic: self._reliability(topic) for topic in request["reliabilities"]}
         if "keep" in request:

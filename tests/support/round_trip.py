@@ -27,7 +27,7 @@ _numbers = count()
 
 
 def old_forms(text: str) -> dict[str, Form]:
-    """What the descriptions of SkiROS2 in a module store."""
+    """The descriptions of SkiROS2 in a module, in stored form."""
     with skiros2_api.installed(), standing_in(lambda _name, _place: None):
         found = _run("old", text)
         return {
@@ -40,7 +40,9 @@ def old_forms(text: str) -> dict[str, Form]:
 
 
 def new_forms(text: str, folder: Path, world: str = "world") -> dict[str, Form]:
-    """What the descriptions of EzSkiROS in a module become; `folder` has the ontology."""
+    """The descriptions of EzSkiROS in a module, in the form of SkiROS2; `folder` has the
+    ontology.
+    """
     ontology = load(folder, relations=False)
     with skiros2_api.installed(), standing_in(lambda _name, _place: None), _world(world, ontology):
         found = _run("new", text)

@@ -42,7 +42,7 @@ class FastMonitor(Monitor, Protocol):
         """A function of the instant and the numbers of a channel."""
 
     def take_events(self) -> Sequence[ir.Event]:
-        """What such functions found."""
+        """The events that such functions found."""
 
 
 class FastCalls:

@@ -34,7 +34,7 @@ _DEFAULT = "S,RS,RS"
 
 class Scripted(SkillDescription):
     def description(self, Letter: str, Script: str) -> None:  # noqa: N803
-        """What is called is noted."""
+        """A skill that notes its calls."""
 
 
 class scripted(Scripted.SkillBase):  # noqa: N801
@@ -90,7 +90,7 @@ def tree(described: str) -> Node:
 
 
 def traced(root: Node, *, compatible: bool, ticks: int = MOST_TICKS) -> list[str]:
-    """What happens, tick by tick, until there is a result."""
+    """The events, tick by tick, until there is a result."""
     execution = ExecutionContext(Library({}), World(Ontology(())), compatible=compatible)
     running = behavior(root, Names({}), execution, None)
     found = []
@@ -104,5 +104,5 @@ def traced(root: Node, *, compatible: bool, ticks: int = MOST_TICKS) -> list[str
 
 
 def traces(described: Sequence[str], *, compatible: bool) -> dict[str, list[str]]:
-    """What happens in some trees."""
+    """The events in some trees."""
     return {each: traced(tree(each), compatible=compatible) for each in described}

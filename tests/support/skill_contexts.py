@@ -119,7 +119,7 @@ CONTEXTS = tuple(random_context(_CHOSEN) for _ in range(60))
 
 @cache
 def reported(step: SkillStep, number: int) -> float:
-    """What one of these contexts answers to a query."""
+    """The answer of one of these contexts to a query."""
     return answer(step, CONTEXTS[number])
 
 

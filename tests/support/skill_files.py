@@ -29,7 +29,7 @@ class Skill(SkillDescription):
 """
 WRONG = "self.pre_conditions += Object.hasAA(Place)"
 TYPO = ("EZS301", "Object.hasAA")
-"""What is found in `WRONG`."""
+"""The findings in `WRONG`."""
 VENDOR = """\
 import socket
 
@@ -56,7 +56,7 @@ class Sensor:
 
 
 def checked(text: str, *, name: str = "skills.py") -> Checked:
-    """What is found in the text of a module, with the ontology of the example."""
+    """The findings in the text of a module, with the ontology of the example."""
     before = os.environ.get(VARIABLE)
     os.environ[VARIABLE] = str(HALL)
     try:
@@ -71,7 +71,7 @@ def checked(text: str, *, name: str = "skills.py") -> Checked:
 
 
 def described(body: str, parameters: str = PARAMETERS) -> Checked:
-    """What is found in a skill whose description has this body."""
+    """The findings in a skill whose description has this body."""
     lines = indent(dedent(body).strip() or "pass", " " * 8)
     text = f"class Skill(SkillDescription):\n    def description(self, {parameters}):\n{lines}\n"
     return checked(f"{HEADER}\n\n{text}")
@@ -83,7 +83,7 @@ def skill(line: str) -> str:
 
 
 def check_folder(folder: Path, **files: str) -> Checked:
-    """What is found in modules, by their names, in a new folder `own`."""
+    """The findings in modules, by their names, in a new folder `own`."""
     own = folder / "own"
     own.mkdir()
     for name, text in files.items():

@@ -17,7 +17,7 @@ from rossmarie.ir.skills import RunningSkill, SkillContext
 from support.compiled import machine_of
 
 MOST = 64
-"""Of each thing that a message lists, by the definition of the messages."""
+"""The maximum length of each list in a message, by the message definition."""
 
 NUMBERS = (0.0, 1.0, 1.0, 0.25, -1.0, -0.0, 7.25, 2.5e-308, math.inf, math.nan)
 _PLAIN = ("float", "int", "bool", "str", "enum")

@@ -87,7 +87,7 @@ class Skillful(Ears):
         self._planner.publish(twist)
 
     def answer(self, request):
-        """What a request asks for."""
+        """Answer a request."""
         if "exempt" in request:
             duration = self.duration_of(60.0)
             return self.call(NODE + "/exempt", Exempt, {**request["exempt"], "time": duration})

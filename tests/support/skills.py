@@ -18,8 +18,8 @@ CHECKED = (".py", ".turtle")
 
 
 def findings(paths: Iterable[Path]) -> Sequence[Diagnostic]:
-    """What is wrong with the skills and scenes among some files, with the values that one of them
-    may have.
+    """The findings on the skills and scenes among some files, with the launch values in one of
+    them.
     """
     paths = list(paths)
     values = next((path for path in paths if path.suffix == ".yaml"), None)
@@ -27,9 +27,9 @@ def findings(paths: Iterable[Path]) -> Sequence[Diagnostic]:
 
 
 def compare_files(files: Sequence[Path], *, bless: bool) -> list[str]:
-    """What differs between the findings on some files, and the expectations in them.
+    """The differences between the findings on some files and their expectations.
 
-    Skills and scenes among them are checked together; ontologies are what these load.
+    Skills and scenes among them are checked together. The skills load the ontologies among them.
     """
     found = findings(files)
     problems = []

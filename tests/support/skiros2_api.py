@@ -160,7 +160,7 @@ _OWN: dict[str, object] = {
 
 
 class Other:
-    """What all other classes of SkiROS2 have in common here: they keep what they are given."""
+    """A stand-in for all other classes of SkiROS2, which stores its arguments."""
 
     def __init__(self, *given: Any) -> None:
         self.given = given

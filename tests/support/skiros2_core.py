@@ -107,7 +107,7 @@ class Core:
         return found
 
     def load(self, library, *skills):
-        """What the skill manager does when it starts."""
+        """Load skills as the skill manager does at its start."""
         self.instanciator.load_library(library, False)
         for each in skills:
             self.instanciator.add_instance(each)

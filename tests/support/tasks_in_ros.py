@@ -13,7 +13,7 @@ from support.live import Process, Ros, talking
 from support.ontologies import HALL
 
 _DEBIAN = "/usr/lib/python3/dist-packages"
-"""Where Debian has rospy."""
+"""The folder of rospy in Debian."""
 
 
 def export(folder: Path, skills: str, scene: str) -> None:

@@ -32,7 +32,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 def alone(
     *command: str | Path, folder: Path | None = None, given: str = ""
 ) -> subprocess.CompletedProcess[str]:
-    """What `run` imitates."""
+    """Run a command in its own process, as a reference for `run`."""
     environment = {**os.environ}  # else the C library adds its own, such as the size of a terminal
     return subprocess.run(
         command, cwd=folder, env=environment, input=given, capture_output=True, text=True

@@ -122,7 +122,7 @@ def test_what_is_blessed_is_accepted(text: str, data: st.DataObject) -> None:
 
 
 def _moved(text: str, blessed: str, start: int, end: int) -> tuple[int, int]:
-    """Where a span of `text` lies in `blessed`, which has more lines but the same columns."""
+    """The position of a span of `text` in `blessed`, which has more lines but the same columns."""
     file = SourceFile("", blessed)
     code = [
         number

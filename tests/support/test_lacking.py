@@ -1,4 +1,4 @@
-"""What the suite tells of parts that are missing, on a small suite of its own."""
+"""The suite's messages about missing parts, on a small suite of its own."""
 
 from __future__ import annotations
 
@@ -109,7 +109,7 @@ ALONE = {"PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
 
 
 def reported(suite: Path, *arguments: str) -> list[str]:
-    """What a run prints, without the progress of its tests and without how long it took."""
+    """The output of a run, without the progress of its tests and without times."""
     done = subprocess.run(
         [sys.executable, "-m", "pytest", "-p", "xdist", "-p", "no:cacheprovider", *arguments],
         cwd=suite, env={**os.environ, **ALONE, "PYTHONPATH": f"{TESTS}:{suite}"},

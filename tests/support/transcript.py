@@ -1,4 +1,4 @@
-"""What a page shows of a terminal: commands behind `$`, and what they print."""
+"""Terminal sessions in pages: commands after `$`, and their output."""
 
 from __future__ import annotations
 
@@ -35,9 +35,9 @@ def steps(text: str) -> list[Step]:
 
 
 def shows(shown: str, actual: str) -> bool:
-    """Whether a page that shows `shown` shows what was printed.
+    """Say whether a page that shows `shown` matches the actual output.
 
-    `...` stands for any lines if it is alone on its line, else for any part of its line.
+    `...` alone on a line matches any lines; otherwise it matches any part of its line.
     """
     pattern = ""
     for line in shown.rstrip().split("\n"):

@@ -29,7 +29,7 @@ class wait(Wait.SkillBase):
     def execute(self):
         return self.success(f"{self.params.Duration}")
 """
-"""What skills of a test begin with."""
+"""The beginning of a test's skills file."""
 
 
 @contextmanager

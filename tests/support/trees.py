@@ -83,7 +83,7 @@ IS_USED = "self.pre_conditions += Place.contain(Box)"
 
 
 def tree(body: str, parameters: str = PARAMETERS) -> Checked:
-    """What is found in a compound skill whose `expandBT` has this body."""
+    """The findings in a compound skill whose `expandBT` has this body."""
     condition = IS_USED if parameters == PARAMETERS else "pass"
     lines = indent(dedent(body).strip(), " " * 8)
     own = ", ".join(filter(None, ["self", parameters]))
@@ -95,7 +95,7 @@ def tree(body: str, parameters: str = PARAMETERS) -> Checked:
 
 
 def primitive(methods: str) -> Checked:
-    """What is found in a primitive skill that has these methods."""
+    """The findings in a primitive skill with these methods."""
     lines = indent(dedent(methods).strip(), " " * 4)
     return checked(
         f"{HEADER}\n\nclass Skill(SkillDescription):\n    def description(self): ...\n\n\n"

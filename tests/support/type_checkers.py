@@ -18,7 +18,7 @@ Refused = set[tuple[str, int]]
 
 
 def mypy(folder: Path) -> Refused:
-    """What mypy refuses in a folder, with the settings that it has by itself."""
+    """The errors of mypy in a folder, with its default settings."""
     options = ("--config-file=", "--output=json", "--cache-dir=.mypy_cache", ".")
     lines = _run(folder, "mypy", *options).splitlines()
     found = [json.loads(line) for line in lines if line.startswith("{")]
@@ -26,7 +26,7 @@ def mypy(folder: Path) -> Refused:
 
 
 def pyright(folder: Path) -> Refused:
-    """What pyright refuses in a folder, with the settings that it has by itself."""
+    """The errors of pyright in a folder, with its default settings."""
     printed = _run(folder, "pyright", "--pythonpath", sys.executable, "--outputjson", ".")
     found = json.loads(printed)["generalDiagnostics"]
     return {
@@ -37,7 +37,7 @@ def pyright(folder: Path) -> Refused:
 
 
 def _run(folder: Path, module: str, *options: str) -> str:
-    """What a checker prints; raises `AssertionError` if it could not do its work."""
+    """The output of a checker. Raises `AssertionError` if the checker itself failed."""
     done = subprocess.run(
         [sys.executable, "-m", module, *options],
         cwd=folder,

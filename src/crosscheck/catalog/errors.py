@@ -1,4 +1,4 @@
-"""CHK9xx: defects of this tool itself."""
+"""CHK9xx: internal errors of crosscheck."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template
 
 
 class InternalError(Error, code="CHK900", name="internal-error"):
-    """Something that cannot happen did."""
+    """An unexpected exception in crosscheck."""
 
     title = "this is a defect of crosscheck, not of your robot"
     help = "please report it, with the files that you checked"

@@ -1,4 +1,4 @@
-"""CHK4xx: findings on a robot that runs."""
+"""CHK4xx: findings on a running robot."""
 
 from __future__ import annotations
 
@@ -6,54 +6,54 @@ from dslkit.diagnostics import Error, Template
 
 
 class UnusableContext(Error, code="CHK401", name="unusable-context"):
-    """A message about running skills that the rules do not take."""
+    """A message about running skills that the rules reject."""
 
-    title = "the rules do not take what {topic} tells: {reason}"
-    label = "these rules know the export {digest}"
-    note = "to them nobody tells which skills run: exemptions end, and `while` holds"
-    help = "export the skills, build the node from these rules, and start both again"
+    title = "the rules reject the messages on {topic}: {reason}"
+    label = "these rules were built with the export {digest}"
+    note = "the running skills are unknown, so exemptions end and `while` is true"
+    help = "export the skills, rebuild the node from these rules, and restart both"
     topic: str
     reason: str
     digest: str
 
 
 class NotExported(Error, code="CHK402", name="skill-not-exported"):
-    """Skills that run, and that the file of skills does not have."""
+    """Running skills that the skills file does not have."""
 
-    title = "the rules do not know what runs: {skills}"
-    label = "this file has no skill of the name"
-    help = "run `ezskiros export` with all skills of the robot, and build the rules anew"
+    title = "the rules do not know the running skills {skills}"
+    label = "this file has no such skill"
+    help = "run `ezskiros export` with all skills of the robot, and rebuild the rules"
     skills: str
 
 
 class SilentContext(Error, code="CHK403", name="silent-context"):
-    """Nobody tells which skills run."""
+    """No message about running skills."""
 
-    title = "nobody has reported on {topic} for {seconds:.3g} s which skills run"
-    label = "these rules wait no longer than {timeout:g} s"
-    note = "exemptions have ended, and `while` holds"
-    help = "look after the skill manager: does it run, does it name this file as its context?"
+    title = "no message on {topic} for {seconds:.3g} s: the running skills are unknown"
+    label = "the timeout of these rules is {timeout:g} s"
+    note = "exemptions have ended, and `while` is true"
+    help = "check that the skill manager runs and uses this file as its context"
     topic: str
     seconds: float
     timeout: float
 
 
 class SilentNode(Error, code="CHK404", name="silent-node"):
-    """Nothing comes from the node of the rules."""
+    """No message from the node of the rules."""
 
-    title = "{node} has said nothing for {seconds:.3g} s"
-    label = "nobody knows whether these rules are watched"
-    help = "start the node, or name its namespace: `--namespace NS`"
+    title = "no message from {node} for {seconds:.3g} s"
+    label = "these rules may not be monitored"
+    help = "start the node, or give its namespace: `--namespace NS`"
     node: str
     seconds: float
 
 
 class OtherRules(Error, code="CHK405", name="node-of-other-rules"):
-    """A node that tells of rules that this file does not have."""
+    """A node that reports rules that this file does not have."""
 
-    title = "{node} was made from other rules: it tells of {rules}"
-    label = "no rule here is called so"
-    help = "build the node from these rules, and start it again"
+    title = "{node} was built from other rules: it reports {rules}"
+    label = "this file has no such rule"
+    help = "rebuild the node from these rules, and restart it"
     node: str
     rules: str
 

@@ -1,4 +1,4 @@
-"""EZS9xx: defects of this tool itself."""
+"""EZS9xx: internal errors of ezskiros."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template
 
 
 class InternalError(Error, code="EZS900", name="internal-error"):
-    """Something that cannot happen did."""
+    """An unexpected exception in ezskiros."""
 
     title = "this is a defect of ezskiros, not of your skills"
     help = "please report it, with the file that you checked"

@@ -1,4 +1,4 @@
-"""Every diagnostic class, stage by stage: the one list that pages, SARIF and tests go by."""
+"""The list of all diagnostic classes by stage, for pages, SARIF and tests."""
 
 from __future__ import annotations
 

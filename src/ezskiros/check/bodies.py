@@ -1,9 +1,9 @@
-"""The bodies of methods that a check does not run: names and attributes that nothing defines, and
-arithmetic that always fails.
+"""Checks of method bodies that a check does not run: undefined names and attributes, and arithmetic
+that always fails.
 
-Nothing is reported where the method catches the exception, or where it asks first whether something
-is there (`hasattr`, `sys.platform`). Nor is it where a name may be defined in a way that cannot be
-seen (`setattr`, `exec`, a base class without its source).
+Nothing is reported if the method catches the exception, or tests first whether the name exists
+(`hasattr`, `sys.platform`). Nothing is reported either if a name may be defined invisibly
+(`setattr`, `exec`, a base class without its source).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The children of behavior trees against the descriptions of the skills that they name."""
+"""Checks of the children of behavior trees against the descriptions of the called skills."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Statements that cannot all hold, and why."""
+"""Statements that cannot all hold, and the reasons."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Axiom(NamedTuple):
 
 
 class Reason(NamedTuple):
-    """Why something holds: what is said, and what the ontology says."""
+    """The reason for a fact: the conditions that imply it, and the axioms of the ontology."""
 
     said: frozenset[Statement] = frozenset()
     axioms: tuple[Axiom, ...] = ()
@@ -46,7 +46,7 @@ class Clash:
     thing: str | None = None
 
     def reason(self, model: Model) -> str:
-        """All that is to be said of it, in one sentence."""
+        """The full reason, in one sentence."""
         reported = dict.fromkeys(axiom.reported(model) for axiom in self.axioms)
         return "; ".join([*reported, *filter(None, [self.why])])
 
@@ -64,4 +64,6 @@ def joined(*reasons: Reason, axiom: Axiom | None = None) -> Reason:
 
 
 KnownClasses: TypeAlias = Mapping[str, Mapping[str, Reason]]
-"""By things: the classes that they are of, and why. That of a parameter needs no reason."""
+"""The known classes of each thing, with a reason for each. The class of a parameter needs no
+reason.
+"""

@@ -1,4 +1,4 @@
-"""The findings of clashes: their words, and the places that they show."""
+"""The findings of clashes: their texts and labels."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def places_of(clauses: Iterable[Clause]) -> Places:
 
 @dataclass(frozen=True)
 class Moment:
-    """When conditions hold together, and what comes of it if they cannot."""
+    """The time at which conditions hold together, and the consequence if they cannot."""
 
     kind: str
     when: str
@@ -49,7 +49,7 @@ class ClashFindings:
         return listed([spelled(each, self._model) for each in said])
 
     def found(self, clash: Clash, moment: Moment, places: Places) -> Diagnostic:
-        """That conditions cannot hold together at a moment."""
+        """Report that conditions cannot hold together at a moment."""
         found = clash.kind(
             together=self.listed(_in_order(clash, places)),
             when=moment.when,
@@ -60,7 +60,7 @@ class ClashFindings:
         return self._at(found, clash, places)
 
     def ended(self, clash: Clash, places: Places) -> Diagnostic:
-        """That post-conditions end what has to hold."""
+        """Report that post-conditions end a hold-condition."""
         why = clash.reason(self._model)
         found = world_errors.EndsItsHold(
             together=self.listed(_in_order(clash, places)),

@@ -1,8 +1,9 @@
-"""Conditions against each other: repeated ones, and those that no world satisfies together.
+"""Checks of conditions against each other: repeated conditions, and conditions that no world model
+satisfies together.
 
-When a skill starts its pre-conditions hold, and its hold-conditions too; after it its
-post-conditions hold. What these exclude of what was before, they end: only that they end a
-hold-condition is reported. The classes of things never change.
+Pre- and hold-conditions hold when a skill starts; post-conditions hold after it. A post-condition
+ends earlier facts that it excludes; this is only reported if it ends a hold-condition. The classes
+of things never change.
 """
 
 from __future__ import annotations
@@ -155,7 +156,7 @@ class _Consistency:
         return next(self._impossible(world), None) is not None
 
     def _impossible(self, world: World) -> Iterator[Clash]:
-        """Why there is no such world."""
+        """Find the reasons why no such world model exists."""
         yield from filter(_is_error, world.clashes())
         yield from class_clashes(world.facts, world.classes, self._model)
 

@@ -1,6 +1,7 @@
-"""The flow of data: the children of a behavior tree read and write, along all ways through it.
+"""Data flow: the values that the children of a behavior tree read and write, along all paths
+through the tree.
 
-A child that fails has written nothing: its outputs are passed on when it has succeeded.
+A failed child has written nothing: outputs are passed on after success.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Relations that skills use in both directions between the same classes.
 
-An ontology need not say what a relation relates, and SkiROS2's own does not; the other conditions
-do.
+An ontology need not declare the domain and range of a relation, and SkiROS2's own does not. So the
+other conditions show the usual direction.
 """
 
 from __future__ import annotations

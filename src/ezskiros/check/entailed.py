@@ -1,8 +1,8 @@
 """Relations that follow from others by the ontology, and relations that cannot hold together.
 
-Subproperties, inverses, symmetry and transitivity; relations that are functional, inverse
-functional, asymmetric or irreflexive, or of which a class has a limited number. Each parameter
-stands for a thing of its own, which matters where things are counted, and nowhere else.
+The module handles subproperties, inverses, symmetry and transitivity, and relations that are
+functional, inverse functional, asymmetric, irreflexive, or limited in number by a class. Each
+parameter stands for a different thing, which only matters where things are counted.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ def _following(
 def relation_clashes(
     facts: Facts, forbidden: Iterable[Relation], classes: KnownClasses, model: Model
 ) -> Iterator[Clash]:
-    """Find what cannot be among relations that hold, and some that do not.
+    """Find contradictions among relations that hold and relations that do not hold.
 
     `classes` are those that things are known to be of.
     """
@@ -103,11 +103,11 @@ def _wrong_way(fact: Fact, reason: Reason, facts: Facts, *, is_asymmetric: bool)
     back = Fact(fact.object, fact.relation, fact.subject)
     if fact == back:
         kind = "asymmetric" if is_asymmetric else "irreflexive"
-        axiom = Axiom(f"{{}} is {kind}: it relates nothing to itself", (fact.relation,))
+        axiom = Axiom(f"{{}} is {kind}: it relates no thing to itself", (fact.relation,))
         whole = joined(reason, axiom=axiom)
         yield Clash(whole.said, world_errors.ToItself, whole.axioms)
     elif is_asymmetric and back in facts:
-        text = "{} is asymmetric: if it holds one way, it does not hold the other"
+        text = "{} is asymmetric: it cannot hold in both directions"
         whole = joined(reason, facts[back], axiom=Axiom(text, (fact.relation,)))
         yield Clash(whole.said, world_errors.BothWays, whole.axioms)
 

@@ -1,4 +1,4 @@
-"""EZS4xx: conditions against the ontology, and against each other."""
+"""EZS4xx: conditions that contradict the ontology or each other."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from ezskiros.check.world_errors import Clashing
 
 
 class OtherWay(Remark):
-    """The help where a relation fits if it is turned."""
+    """The help for a relation that fits with its sides exchanged."""
 
-    says = "the other way round: `{other}.{property}({subject})`"
+    says = "exchange the sides: `{other}.{property}({subject})`"
     other: str
     property: str
     subject: str
@@ -25,15 +25,15 @@ class DeclaredAs(Remark):
 class Relates(Remark):
     """The label of a property of the ontology."""
 
-    says = "what it relates is declared here"
+    says = "its domain and range are declared here"
 
 
 class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
-    """A relation of something that it does not relate."""
+    """A relation of a thing outside its domain or range."""
 
     title = "{parameter} is a {found}, but {property} needs a {wanted}"
     label = "this is a {found}"
-    help = "relate a {wanted}, or declare in the ontology that {property} relates a {found}"
+    help = "use a {wanted}, or add {found} to the domain or range of {property} in the ontology"
     parameter: str
     found: str
     property: str
@@ -41,10 +41,10 @@ class DoesNotFit(Error, code="EZS401", name="does-not-fit"):
 
 
 class MayNotFit(Warning, code="EZS402", name="may-not-fit"):
-    """A relation of something that may be of the right class."""
+    """A relation of a thing that may be in its domain or range."""
 
-    title = "{parameter} is a {found}, and not each is a {wanted} that {property} needs"
-    label = "may be another {found}"
+    title = "{parameter} is a {found}, but {property} needs a {wanted}: it may not be one"
+    label = "this may be a {found} of another class"
     help = "declare `{parameter}: {wanted}`"
     parameter: str
     found: str
@@ -53,9 +53,9 @@ class MayNotFit(Warning, code="EZS402", name="may-not-fit"):
 
 
 class WrongValue(Error, code="EZS403", name="wrong-value"):
-    """A value of another type than the property has."""
+    """A value of another type than the property."""
 
-    title = "{property} has values of type {wanted}, and {found} is none"
+    title = "{property} has values of type {wanted}, not {found}"
     help = "compare it with a value of type {wanted}"
     property: str
     wanted: str
@@ -65,8 +65,8 @@ class WrongValue(Error, code="EZS403", name="wrong-value"):
 class UnlistedValue(Error, code="EZS404", name="unlisted-value"):
     """A value that the ontology does not list."""
 
-    title = "{found} is no value of {property}"
-    note = "its values are {values}"
+    title = "{found} is not a value of {property}"
+    note = "the values of {property} are {values}"
     found: str
     property: str
     values: str
@@ -77,70 +77,70 @@ class UnlistedValue(Error, code="EZS404", name="unlisted-value"):
 
 
 class NoOrder(Error, code="EZS405", name="no-order"):
-    """`<` of texts."""
+    """`<` or the like on strings."""
 
-    title = "`{operator}` compares numbers, and {found} is none"
-    help = "only `==` and `!=` are for texts and truth values"
+    title = "`{operator}` compares numbers, not {found}"
+    help = "use `==` or `!=` for strings and Booleans"
     operator: str
     found: str
 
 
 class Repeated(Warning, code="EZS410", name="repeated-condition"):
-    """A condition that is there already."""
+    """A repeated condition."""
 
-    title = "this {kind}-condition is there already"
-    help = "leave it out: conditions are a set"
+    title = "this {kind}-condition repeats an earlier one"
+    help = "delete it: repeating a condition has no effect"
     kind: str
 
     class First(Remark):
-        says = "it is here"
+        says = "the first one is here"
 
 
 class Contradiction(Clashing, code="EZS411", name="contradiction"):
     """A condition and its opposite."""
 
-    title = "this {kind}-condition contradicts another"
-    note = "no world satisfies both, so that {consequence}"
+    title = "this {kind}-condition contradicts another one"
+    note = "no world model satisfies both, so {consequence}"
 
 
 class TwoPlaces(Clashing, code="EZS412", name="two-places"):
     """A functional relation with two objects, or an inverse functional one with two subjects."""
 
-    title = "{together} cannot be so at once {when}"
-    help = "leave out what is not meant, or say with `~` which of them does not hold"
+    title = "{together} cannot both hold {when}"
+    help = "delete the wrong condition, or negate it with `~`"
 
 
 class UnusedParameter(Warning, code="EZS420", name="unused-parameter"):
-    """A thing that no condition is about."""
+    """A thing that no condition uses."""
 
-    title = "no condition is about the parameter `{parameter}`"
-    help = "say what has to hold of it, or leave it out"
+    title = "no condition uses the parameter `{parameter}`"
+    help = "add a condition about `{parameter}`, or delete the parameter"
     parameter: str
 
 
 class NotInferable(Warning, code="EZS421", name="not-inferable"):
-    """An inferred parameter that no pre-condition leads to."""
+    """An inferred parameter that no pre-condition relates to a given parameter."""
 
-    title = "nothing leads to the inferred parameter `{parameter}`"
-    label = "SkiROS2 would take any {candidates}"
-    help = "add a pre-condition that relates `{parameter}` to a parameter that is given"
+    title = "no pre-condition determines the inferred parameter `{parameter}`"
+    label = "SkiROS2 would choose any {candidates}"
+    help = "add a pre-condition that relates `{parameter}` to a given parameter"
     parameter: str
     candidates: str
 
 
 class BothDirections(Warning, code="EZS422", name="both-directions"):
-    """A relation that other conditions have the other way round."""
+    """A relation whose sides are exchanged in other conditions."""
 
-    title = "{relation} relates a {subject} to a {object} here, and the other way round elsewhere"
-    note = "the ontology does not say what {relation} relates, so a swap is seen in no other way"
-    help = "if it is swapped here: `{turned}`"
+    title = "{relation} relates a {subject} to a {object} here, but elsewhere the reverse"
+    note = "the ontology gives no domain or range for {relation} that would reveal a swap"
+    help = "if the sides are swapped here, write `{turned}`"
     relation: str
     subject: str
     object: str
     turned: str
 
     class Other(Remark):
-        says = "here it is the other way round"
+        says = "the sides are exchanged here"
 
 
 ALL: tuple[type[Template], ...] = (

@@ -1,4 +1,4 @@
-"""The individuals of the ontology and of scenes: how many could be meant by a parameter."""
+"""The individuals of the ontology and of scenes that a parameter could stand for."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Inferred parameters get their values by pre-conditions that relate them to given ones."""
+"""Check that pre-conditions relate inferred parameters to given ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The number of values, or other things, that a thing can have by a property."""
+"""The limits on the number of values, or related things, of a property."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from ezskiros.ontology.model import Model
 
 
 class Limit(NamedTuple):
-    """At most so many, and what says so."""
+    """A maximum number of values, and its source in the ontology."""
 
     most: int
     axiom: Axiom
@@ -19,7 +19,7 @@ class Limit(NamedTuple):
     is_of_class: bool = False
 
     def exceeded(self, reasons: Iterable[Reason], thing: str) -> Clash:
-        """That a thing has more."""
+        """The clash of a thing that has more values than the limit."""
         whole = joined(*reasons, self.reason, axiom=self.axiom)
         kind = errors.TwoPlaces if self.most else world_errors.HasNone
         return Clash(whole.said, kind, whole.axioms, thing=thing if self.is_of_class else None)
@@ -30,7 +30,7 @@ def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Li
     declared = model.property(iri)
     if declared is not None and declared.is_functional:
         is_relation = iri in model.relations
-        one = "is so related to at most one other" if is_relation else "has at most one value"
+        one = "relates to at most one other" if is_relation else "has at most one value"
         yield Limit(1, Axiom(f"{{}} is functional: a thing {one}", (iri,)))
     for owl_class, reason in classes.items() if iri in model.limited else ():
         most = model.most(owl_class, iri)
@@ -41,9 +41,9 @@ def limits(iri: str, classes: Mapping[str, Reason], model: Model) -> Iterator[Li
 
 
 def limit_of_subjects(iri: str, model: Model) -> Limit | None:
-    """That of an inverse functional relation."""
+    """The limit of an inverse functional relation."""
     declared = model.relations.get(iri)
     if declared is None or not declared.is_inverse_functional:
         return None
-    text = "{} is inverse functional: at most one other is so related to a thing"
+    text = "{} is inverse functional: at most one other relates to a thing"
     return Limit(1, Axiom(text, (iri,)))

@@ -1,6 +1,6 @@
-"""The results that nodes of behavior trees can have, as far as implementations show it.
+"""The possible results of nodes of behavior trees, as far as implementations show them.
 
-A skill can always fail: its pre-conditions may not hold when it starts.
+A skill can always fail: its pre-conditions may be false when it starts.
 """
 
 from __future__ import annotations

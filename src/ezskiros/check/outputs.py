@@ -1,4 +1,6 @@
-"""Outputs, which have no value before the skill: only post-conditions are about them."""
+"""Check of outputs, which have no value before the skill, so that only post-conditions may use
+them.
+"""
 
 from __future__ import annotations
 
@@ -25,7 +27,7 @@ def check_outputs(skill: SkillInterface, _ontology: Ontology) -> Iterator[Diagno
 
 
 def _asked_before(output: Parameter, kind: str, clause: Clause) -> Diagnostic:
-    reason = f"a {kind}-condition is about it"
+    reason = f"a {kind}-condition uses it"
     found = WrongOutput(parameter=output.name, reason=reason, type=output.type.__qualname__)
     help = found.AskedBefore(parameter=output.name)
     return found.at(clause.span, DeclaredHere().at(output.span), help=help)

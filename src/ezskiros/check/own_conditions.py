@@ -1,4 +1,6 @@
-"""The pre-conditions of an implementation against the ontology, and against those of its skill."""
+"""Check of the pre-conditions of an implementation against the ontology and the conditions of its
+skill.
+"""
 
 from __future__ import annotations
 

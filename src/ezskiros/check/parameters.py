@@ -1,4 +1,4 @@
-"""The parameters that methods of implementations are about: whether the skill has them."""
+"""Check that the parameters used by methods of implementations exist in the skill."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""The methods of implementations: whether they are called, and return what SkiROS2 waits for.
+"""Check that methods of implementations are called, and return the values that SkiROS2 expects.
 
-`execute` returns what `self.success`, `self.step` and `self.fail` give, `onStart` and `onEnd`
-whether they succeeded. Other methods are called by these.
+`execute` returns the result of `self.success`, `self.step` or `self.fail`; `onStart` and `onEnd`
+return True on success. Other methods are called by these.
 """
 
 from __future__ import annotations
@@ -57,9 +57,9 @@ def check_protocol(implementation: type[SkillImplementation]) -> Iterator[Diagno
 def _given_at_once(method: FunctionType) -> str | None:
     """Name what a method gives before anything in it is done, if it gives something."""
     if inspect.iscoroutinefunction(method):
-        return "a coroutine, as it is `async`"
+        return "a coroutine, because it is `async`"
     if inspect.isgeneratorfunction(method) or inspect.isasyncgenfunction(method):
-        return "a generator, as it has `yield`"
+        return "a generator, because it has `yield`"
     return None
 
 

@@ -1,4 +1,6 @@
-"""Conditions against the ontology: what relations relate, and values of properties."""
+"""Checks of conditions against the ontology: domains and ranges of relations, and values of
+properties.
+"""
 
 from __future__ import annotations
 
@@ -55,7 +57,9 @@ Misfit: TypeAlias = type[errors.DoesNotFit] | type[errors.MayNotFit]
 
 
 def misfit(model: Model, owl_class: str, union: Union) -> Misfit | None:
-    """Tell what is wrong with things of a class where one of some classes is needed."""
+    """The reason why things of a class do not fit where one of some classes is needed; None if they
+    fit.
+    """
     if any(model.is_a(owl_class, each) for each in union):
         return None
     is_wider = any(model.is_a(each, owl_class) for each in union)

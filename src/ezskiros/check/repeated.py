@@ -1,4 +1,4 @@
-"""Two skills or implementations of one name."""
+"""Check for two skills or implementations with the same name."""
 
 from __future__ import annotations
 

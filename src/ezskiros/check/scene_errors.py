@@ -1,4 +1,4 @@
-"""EZS6xx: scenes, the worlds that a robot starts in."""
+"""EZS6xx: scenes, the initial world models."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class Near(Remark):
-    """The help where the name of an entity is misspelt."""
+    """The help for a misspelt name."""
 
     says = "did you mean {near}?"
     near: str
 
 
 class NoOntologyForScene(Error, code="EZS600", name="scene-without-ontology"):
-    """A scene, and nothing to check it against."""
+    """A scene without an ontology."""
 
-    title = "a scene is checked against an ontology, and none is named"
+    title = "a scene can only be checked with an ontology, and none is given"
     help = "add `--ontology DIR`"
 
 
 class UnknownSceneClass(Error, code="EZS601", name="unknown-class-in-scene"):
     """A thing of a class that the ontology does not have."""
 
-    title = "{thing} is a {owl_class}, which is no class of the ontology"
+    title = "{thing} is a {owl_class}, but the ontology has no such class"
     thing: str
     owl_class: str
 
@@ -31,39 +31,39 @@ class UnknownSceneProperty(Error, code="EZS602", name="unknown-property-in-scene
     """A relation or data property that the ontology does not have."""
 
     title = "the ontology has no relation or property {property}"
-    label = "said of {thing}"
+    label = "used on {thing}"
     property: str
     thing: str
 
 
 class UnknownThing(Error, code="EZS603", name="unknown-thing"):
-    """A relation to something that is nowhere described."""
+    """A relation to a thing that the scene does not describe."""
 
-    title = "{thing} is related by {property} to something that is not there: {other}"
-    help = "describe {other}, or correct its name"
+    title = "{property} relates {thing} to {other}, which the scene does not describe"
+    help = "add {other} to the scene, or correct its name"
     thing: str
     property: str
     other: str
 
 
 class SceneDoesNotFit(Error, code="EZS604", name="scene-does-not-fit"):
-    """A relation of something that it does not relate."""
+    """A relation of a thing outside its domain or range."""
 
     title = "{thing} is a {found}, but {property} needs a {wanted}"
-    label = "related by {property} here"
+    label = "{property} is used here"
     thing: str
     found: str
     property: str
     wanted: str
 
     class Relates(Remark):
-        says = "what it relates is declared here"
+        says = "its domain and range are declared here"
 
 
 class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
-    """A value of another type than the property has."""
+    """A value of another type than the property."""
 
-    title = "{property} of {thing} is {found}, but its values are {wanted}"
+    title = "{property} of {thing} is {found}, but its type is {wanted}"
     property: str
     thing: str
     found: str
@@ -73,7 +73,7 @@ class WrongSceneValue(Error, code="EZS605", name="wrong-value-in-scene"):
 class KindOfProperty(Error, code="EZS606", name="kind-of-property"):
     """A relation with a value, or a data property with a thing."""
 
-    title = "{property} is a {kind}, and {thing} gives it {found}"
+    title = "{property} is a {kind}, but {thing} gives it {found}"
     property: str
     kind: str
     thing: str
@@ -81,10 +81,10 @@ class KindOfProperty(Error, code="EZS606", name="kind-of-property"):
 
 
 class MissingRelation(Warning, code="EZS607", name="missing-relation"):
-    """A thing without what the ontology says that each of its class has."""
+    """A thing without a relation that the ontology requires of its class."""
 
-    title = "{thing} has no {wanted} by {property}"
-    note = "the ontology says that each {owl_class} has one"
+    title = "{thing} has no relation {property} to a {wanted}"
+    note = "the ontology requires one for every {owl_class}"
     thing: str
     wanted: str
     property: str
@@ -92,23 +92,23 @@ class MissingRelation(Warning, code="EZS607", name="missing-relation"):
 
 
 class RepeatedNumber(Error, code="EZS608", name="repeated-number"):
-    """Two things of one number: SkiROS2 tells things apart by it."""
+    """Two things with the same number, which SkiROS2 uses as their identifier."""
 
     title = "{thing} and {other} have the same number"
-    label = "SkiROS2 tells things apart by their numbers"
-    help = "give one of them a number that no other has"
+    label = "SkiROS2 identifies things by their numbers"
+    help = "give one of them an unused number"
     thing: str
     other: str
 
     class Other(Remark):
-        says = "the other one"
+        says = "the other thing"
 
 
 class TwoObjects(Error, code="EZS609", name="two-objects"):
-    """A functional relation with two objects, or its inverse."""
+    """A functional relation with two objects, or an inverse functional one with two subjects."""
 
     title = "{first} and {second} are both related to {thing} by {property}"
-    note = "{property} is {kind}, and allows one"
+    note = "{property} is {kind} and allows only one"
     thing: str
     property: str
     first: str

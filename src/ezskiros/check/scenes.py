@@ -1,4 +1,4 @@
-"""Scene files of SkiROS2 (`.turtle`) against the ontology: the world that a robot starts in."""
+"""Checks of SkiROS2 scene files (`.turtle`), the initial world models, against the ontology."""
 
 from __future__ import annotations
 

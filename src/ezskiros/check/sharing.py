@@ -1,4 +1,4 @@
-"""Names that the children of a behavior tree share: clashes, and the same thing twice."""
+"""Checks of names that the children of a behavior tree share: clashes, and the same thing twice."""
 
 from __future__ import annotations
 

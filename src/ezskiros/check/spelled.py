@@ -1,4 +1,4 @@
-"""Statements as they are written in a description."""
+"""Statements in the spelling of a description."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Of which classes a thing has to be, by all that is said of it; and which are disjoint."""
+"""The classes that a thing must belong to by all conditions about it, and the disjoint ones among
+them.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +19,9 @@ IsReported: TypeAlias = Callable[[str, Union], bool]
 
 
 class Need(NamedTuple):
-    """Why a thing has to be of one of some classes: also by a relation that is declared so."""
+    """The reason why a thing must belong to one of some classes, also by the declaration of a
+    relation.
+    """
 
     reasons: tuple[Reason, ...]
     relation: tuple[str, ...] = ()
@@ -39,14 +43,14 @@ def class_clashes(
                 is_reported and (is_reported(thing, one) or is_reported(thing, other))
             ):
                 first, second = (_named(each, model) for each in (one, other))
-                why = f"`{thing}` would be a {first} and a {second}, and nothing is both"
+                why = f"`{thing}` would be a {first} and a {second}, and these classes are disjoint"
                 whole = joined(*needs[one].reasons, *needs[other].reasons)
                 iris = (*needs[one].relation, *needs[other].relation)
                 yield Clash(whole.said, ImpossibleThing, whole.axioms, why, iris, thing)
 
 
 def _needs(facts: Facts, classes: KnownClasses, model: Model) -> Mapping[str, Mapping[Union, Need]]:
-    """By things; what the class of the parameter says comes first."""
+    """The needs by thing. The class of the parameter comes first."""
     found: dict[str, dict[Union, Need]] = defaultdict(dict)
     for thing, known in classes.items():
         for owl_class, reason in known.items():

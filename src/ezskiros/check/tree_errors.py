@@ -1,4 +1,4 @@
-"""EZS5xx: children of behavior trees against the skills that they name."""
+"""EZS5xx: children of behavior trees that do not match the skills they call."""
 
 from __future__ import annotations
 
@@ -6,68 +6,68 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NotImplementedAnywhere(Warning, code="EZS520", name="not-implemented"):
-    """A child of which no implementation is among the files that are checked."""
+    """A child whose skill has no implementation in the checked files."""
 
-    title = "nothing that is checked here implements `{skill}`"
-    note = "in SkiROS2 the tree starts and stops with an error when it gets there"
-    help = "name the files of its implementations, too"
+    title = "no checked file implements `{skill}`"
+    note = "in SkiROS2 the tree starts, and stops with an error at this child"
+    help = "check the file of an implementation of `{skill}` as well"
     skill: str
 
 
 class UnknownImplementation(Error, code="EZS521", name="unknown-implementation"):
-    """A child that asks for an implementation that is not there."""
+    """A child that requires a missing implementation."""
 
     title = "`{skill}` has no implementation `{spelled}`"
-    note = "in SkiROS2 the task hangs when the tree gets there, and every later one with it"
+    note = "in SkiROS2 the task hangs at this child, and so does every later task"
     skill: str
     spelled: str
 
     class Near(Remark):
-        says = "it is written here"
+        says = "the name is used here"
 
     class Known(Remark):
-        says = "`{skill}` is implemented by {known}"
+        says = "`{skill}` has the implementations {known}"
         skill: str
         known: str
 
 
 class NativeImplementation(Error, code="EZS562", name="native-implementation"):
-    """An implementation that trees need, and that is written for SkiROS2 itself."""
+    """An implementation for SkiROS2 itself that a checked tree needs."""
 
-    title = "`{implementation}` implements `{skill}` for SkiROS2 alone"
-    label = "trees that are checked here need it"
-    note = "SkiROS2 cannot load it: the description is none of its own any more"
-    help = "derive it from `{skill}.SkillBase`; if a migration has left it, a comment says why"
+    title = "`{implementation}` implements `{skill}` only for plain SkiROS2"
+    label = "checked trees need this implementation"
+    note = "SkiROS2 cannot load it, because the description is now written in EzSkiROS"
+    help = "derive it from `{skill}.SkillBase`; a comment by `ezskiros migrate` may give the reason"
     implementation: str
     skill: str
 
 
 class OtherSkillsImplementation(Error, code="EZS522", name="other-skills-implementation"):
-    """A child that asks for the implementation of another skill."""
+    """A child that requires an implementation of another skill."""
 
     title = "`{spelled}` implements `{owner}`, not `{skill}`"
-    help = "write `{owner}.{spelled}(...)` if that is meant"
+    help = "to run this implementation, write `{owner}.{spelled}(...)`"
     spelled: str
     skill: str
     owner: str
 
 
 class UnknownArgument(Error, code="EZS523", name="unknown-argument"):
-    """A value for a parameter that the skill does not have."""
+    """An argument for a parameter that the skill does not have."""
 
     title = "`{skill}` has no parameter `{spelled}`"
     skill: str
     spelled: str
 
     class Known(Remark):
-        says = "it has {known}"
+        says = "`{skill}` has {known}"
         known: str
 
 
 class WrongArgument(Error, code="EZS524", name="wrong-argument"):
     """A value of another type than the parameter."""
 
-    title = "`{parameter}` is of type {wanted}, and gets {found}"
+    title = "`{parameter}` has type {wanted} but gets {found}"
     help = "give a value of type {wanted}"
     parameter: str
     wanted: str
@@ -77,7 +77,7 @@ class WrongArgument(Error, code="EZS524", name="wrong-argument"):
 class NoThingGiven(Error, code="EZS525", name="no-thing-given"):
     """A value for a parameter that stands for a thing."""
 
-    title = "`{parameter}` stands for a {wanted}, and gets {found}"
+    title = "`{parameter}` stands for a {wanted} but gets {found}"
     help = "pass a parameter of this skill: `{parameter}=params.Name`"
     parameter: str
     wanted: str
@@ -85,7 +85,7 @@ class NoThingGiven(Error, code="EZS525", name="no-thing-given"):
 
 
 class PassedMisfit(Error, code="EZS526", name="passed-misfit"):
-    """A parameter of the compound that cannot be what the child needs."""
+    """A parameter of the compound skill whose class does not match the child's parameter."""
 
     title = "`{given}` is a {found}, but `{parameter}` of the child is a {wanted}"
     given: str
@@ -95,9 +95,9 @@ class PassedMisfit(Error, code="EZS526", name="passed-misfit"):
 
 
 class PassedMayNotFit(Warning, code="EZS527", name="passed-may-not-fit"):
-    """A parameter of the compound that may be what the child needs."""
+    """A parameter of the compound skill whose class may not match the child's parameter."""
 
-    title = "`{given}` is a {found}, and not each is a {wanted} as `{parameter}` of the child is"
+    title = "`{given}` is a {found}, but `{parameter}` needs a {wanted}: it may not be one"
     help = "declare `{given}: {wanted}`"
     given: str
     found: str
@@ -106,10 +106,10 @@ class PassedMayNotFit(Warning, code="EZS527", name="passed-may-not-fit"):
 
 
 class PassedLacksProperty(Error, code="EZS561", name="passed-lacks-property"):
-    """A parameter of the compound with which a pre-condition of the child never holds."""
+    """A parameter of the compound skill for which a pre-condition of the child never holds."""
 
-    title = "`{given}` is a {found}, and `{condition}` of `{skill}` never holds of one"
-    note = "the ontology says that {property} is of a {wanted}"
+    title = "`{given}` is a {found}, for which `{condition}` of `{skill}` never holds"
+    note = "in the ontology, {property} is a property of a {wanted}"
     help = "declare `{given}: {wanted}`, or call a skill without this pre-condition"
     given: str
     found: str
@@ -119,15 +119,15 @@ class PassedLacksProperty(Error, code="EZS561", name="passed-lacks-property"):
     wanted: str
 
     class Condition(Remark):
-        says = "asked here"
+        says = "the pre-condition is here"
 
 
 class NameClash(Error, code="EZS528", name="name-clash"):
-    """Two children that share a name, and that need different kinds of things under it."""
+    """Two children whose shared parameter name has different classes."""
 
-    title = "`{shared}` is a {one} for one child, and a {other} for another"
-    note = "parameters of one name that are given nothing are the same in all children"
-    help = "pass each child its own: `{shared}=params.Name`"
+    title = "`{shared}` is a {one} for one child and a {other} for another"
+    note = "children share parameters of the same name that no argument sets"
+    help = "pass a separate value to each child: `{shared}=params.Name`"
     shared: str
     one: str
     other: str
@@ -137,7 +137,7 @@ class SameThingTwice(Warning, code="EZS529", name="same-thing-twice"):
     """Two parameters of a child that get the same thing."""
 
     title = "`{one}` and `{other}` of `{skill}` are both `{shared}`"
-    note = "SkiROS2 passes on the first of them only"
+    note = "SkiROS2 passes only the first of them"
     skill: str
     one: str
     other: str
@@ -145,85 +145,85 @@ class SameThingTwice(Warning, code="EZS529", name="same-thing-twice"):
 
 
 class MissingArgument(Error, code="EZS530", name="missing-argument"):
-    """A parameter that has to have a value, and gets none."""
+    """A required parameter without a value."""
 
-    title = "`{skill}` needs a value for `{parameter}`, and nobody gives it one"
-    note = "in SkiROS2 it runs without one, or takes the first thing of its class that it finds"
+    title = "`{skill}` needs a value for `{parameter}`, but nothing provides one"
+    note = "in SkiROS2 the skill runs without a value, or takes the first thing of the class"
     help = "write `{parameter}=...`"
     skill: str
     parameter: str
 
 
 class NotWrittenOnAllWays(Error, code="EZS531", name="not-written-on-all-ways"):
-    """A parameter that has no value on some way through the tree."""
+    """A parameter that has no value on some path through the tree."""
 
-    title = "`{skill}` needs a value for `{parameter}`, which it does not have on all ways here"
-    help = "let what gives it a value come first, and succeed"
+    title = "`{skill}` needs a value for `{parameter}`, which is missing on some paths"
+    help = "put the child that sets the value before this one, where it must succeed"
     skill: str
     parameter: str
 
     class Writer(Remark):
-        says = "this gives it a value, if it gets there"
+        says = "this child sets the value, but does not run on every path"
 
 
 class ReadBesides(Error, code="EZS532", name="read-besides"):
-    """A value that one child of a parallel needs while another one finds it out."""
+    """A value that one child of a parallel reads while another one computes it."""
 
-    title = "`{skill}` needs `{parameter}` while `{writer}` is still finding it out"
+    title = "`{skill}` needs `{parameter}` while `{writer}` is still computing it"
     help = "run them one after the other: `self.serialstar(...)`"
     skill: str
     parameter: str
     writer: str
 
     class Writer(Remark):
-        says = "this gives it its value, at the same time"
+        says = "this child sets the value at the same time"
 
 
 class WrittenNeverRead(Warning, code="EZS533", name="written-never-read"):
-    """An output that nobody uses."""
+    """An output that is not used."""
 
-    title = "nobody uses `{parameter}`, which `{skill}` finds out"
+    title = "the output `{parameter}` of `{skill}` is not used"
     skill: str
     parameter: str
 
 
 class OutputMissing(Error, code="EZS534", name="output-missing"):
-    """An output of the compound skill that has no value on some way to its success."""
+    """An output of the compound skill that has no value on some path to its success."""
 
-    title = "`{skill}` finds out `{parameter}`, which has no value on all ways to its end"
-    help = "let each way have a child that finds it out: `Child({parameter}=params.{parameter})`"
+    title = "the output `{parameter}` of `{skill}` has no value on some paths to its success"
+    help = "on each path, let a child set it: `Child({parameter}=params.{parameter})`"
     skill: str
     parameter: str
 
 
 class OwnNamePassed(Warning, code="EZS535", name="own-name-passed"):
-    """A child is passed something with the name of another parameter of the child."""
+    """An argument with the name of another parameter of the child."""
 
-    title = "`{parameter}` of `{skill}` is `{shared}`, and `{skill}` has a `{shared}` of its own"
-    note = "SkiROS2 does not pass it on: `target key is already present`, says its log"
-    help = "give one of them another name, or the skills a parameter of the same name"
+    title = "`{parameter}` of `{skill}` gets `{shared}`, but `{skill}` has its own `{shared}`"
+    note = "SkiROS2 does not pass it and logs `target key is already present`"
+    help = "rename one of them, or use the same parameter name in both skills"
     skill: str
     parameter: str
     shared: str
 
 
 class WrittenBesides(Error, code="EZS536", name="written-besides"):
-    """A value that two children of a parallel find out at the same time."""
+    """A value that two children of a parallel set at the same time."""
 
-    title = "two children find out `{shared}` at the same time"
-    note = "which of the values stays depends on who is last"
-    help = "pass each its own, or run them one after the other"
+    title = "two children set `{shared}` at the same time"
+    note = "the child that finishes last determines the value"
+    help = "give each child its own parameter, or run them one after the other"
     shared: str
 
     class Other(Remark):
-        says = "this does so as well"
+        says = "this child sets it as well"
 
 
 class MayBeNothing(Error, code="EZS537", name="may-be-nothing"):
-    """An optional parameter of the compound is passed to a child that needs a value."""
+    """An optional parameter of the compound skill for a child that needs a value."""
 
-    title = "`{skill}` needs a value for `{parameter}`, and `{given}` may have none"
-    help = "ask for it before: `if params.{given}:`"
+    title = "`{skill}` needs a value for `{parameter}`, but `{given}` may have none"
+    help = "test it first: `if params.{given}:`"
     skill: str
     parameter: str
     given: str
@@ -233,10 +233,10 @@ class MayBeNothing(Error, code="EZS537", name="may-be-nothing"):
 
 
 class NoState(Error, code="EZS540", name="no-state"):
-    """An `execute` that returns something else than a state."""
+    """An `execute` that returns an object other than a state."""
 
     title = "`{method}` of `{implementation}` returns {found}"
-    note = "in SkiROS2 the task ends with a ValueError when it gets there"
+    note = "in SkiROS2 the task ends here with a ValueError"
     help = "return `self.success(...)`, `self.step(...)` or `self.fail(..., -1)`"
     implementation: str
     method: str
@@ -244,21 +244,21 @@ class NoState(Error, code="EZS540", name="no-state"):
 
 
 class NoTruth(Error, code="EZS541", name="no-truth"):
-    """An `onStart` or `onEnd` that does not say whether it succeeded."""
+    """An `onStart` or `onEnd` that does not return True."""
 
     title = "`{method}` of `{implementation}` returns {found}, which counts as a failure"
-    help = "return `True` if it succeeded"
+    help = "return `True` on success"
     implementation: str
     method: str
     found: str
 
 
 class NothingToDo(Error, code="EZS542", name="nothing-to-do"):
-    """An implementation that neither expands nor executes."""
+    """An implementation with neither `expandBT` nor `execute`."""
 
     title = "`{implementation}` does nothing: it has neither `expandBT` nor `execute`"
-    note = "in SkiROS2 it runs forever"
-    help = "write `def expandBT(self, params):` for a behavior tree, `def execute(self):` else"
+    note = "in SkiROS2 the skill runs forever"
+    help = "write `def expandBT(self, params):` for a behavior tree, otherwise `def execute(self):`"
     implementation: str
 
     class Migrate(Remark):
@@ -266,15 +266,15 @@ class NothingToDo(Error, code="EZS542", name="nothing-to-do"):
 
 
 class NeverCalled(Warning, code="EZS564", name="never-called"):
-    """A method whose name is nearly that of one that is called, or is one of SkiROS2."""
+    """A method with a misspelt name, or with a SkiROS2 name that EzSkiROS does not call."""
 
     title = "nothing calls `{method}` of `{implementation}`"
-    note = "the skill runs without it, in SkiROS2 as well"
+    note = "the skill runs without this method, also in SkiROS2"
     implementation: str
     method: str
 
     class SkillBase(Remark):
-        says = "delete it: `Skill.SkillBase` says which skill it is"
+        says = "delete it: `Skill.SkillBase` already names the skill"
 
     class OwnConditions(Remark):
         says = "add pre-conditions in `def {method}(self, Parameter):`"
@@ -285,10 +285,10 @@ class NeverCalled(Warning, code="EZS564", name="never-called"):
 
 
 class WrongProgress(Error, code="EZS547", name="wrong-progress"):
-    """`success`, `step` or `fail` is given something that it cannot say."""
+    """`success`, `step` or `fail` with an argument of the wrong type."""
 
-    title = "`{method}` gets {found}, where {wanted} is expected"
-    note = "in SkiROS2 the task ends with an AssertionError when it gets there"
+    title = "`{method}` gets {found}, but expects {wanted}"
+    note = "in SkiROS2 the task ends here with an AssertionError"
     help = 'write `self.success("a text")`, `self.fail("a text", -1)`'
     method: str
     found: str
@@ -296,7 +296,7 @@ class WrongProgress(Error, code="EZS547", name="wrong-progress"):
 
 
 class NeverSucceeds(Warning, code="EZS543", name="never-succeeds"):
-    """A behavior tree that no way through leads to a success."""
+    """A behavior tree that has no path to success."""
 
     title = "`{implementation}` never succeeds: it fails, or runs until it is stopped"
     implementation: str
@@ -306,9 +306,9 @@ class NeverSucceeds(Warning, code="EZS543", name="never-succeeds"):
 
 
 class NeverReached(Error, code="EZS544", name="never-reached"):
-    """A child that is never started."""
+    """A child that never starts."""
 
-    title = "this is never reached: what comes before it never {result}"
+    title = "this is never reached: the child before it never {result}"
     result: str
 
     class Before(Remark):
@@ -317,26 +317,26 @@ class NeverReached(Error, code="EZS544", name="never-reached"):
 
 
 class StartedAgain(Warning, code="EZS545", name="started-again"):
-    """A child of a Serial that takes time, after another one that does."""
+    """A child of a Serial that takes several ticks, after another such child."""
 
-    title = "this may never end: what comes before it is started again at each tick"
-    note = "a Serial begins with its first child at each tick, and stops the later ones meanwhile"
-    help = "write `self.serialstar(...)`, which goes on where it is"
+    title = "this may never end: the child before it restarts at each tick"
+    note = "at each tick a Serial begins with its first child and stops the later ones"
+    help = "write `self.serialstar(...)`, which continues with the current child"
 
     class Before(Remark):
-        says = "this is started again at each tick"
+        says = "this restarts at each tick"
 
 
 class EndlessRecursion(Error, code="EZS546", name="endless-recursion"):
     """A compound skill that cannot succeed without calling itself."""
 
-    title = "`{implementation}` calls itself without end: {way}"
-    help = "let one way through the tree end without it"
+    title = "`{implementation}` calls itself endlessly: {way}"
+    help = "add a path through the tree without this call"
     implementation: str
     way: str
 
     class Calls(Remark):
-        says = "which calls this"
+        says = "this is the next call"
 
 
 ALL: tuple[type[Template], ...] = (

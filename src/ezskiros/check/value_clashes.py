@@ -1,7 +1,7 @@
 """Conditions on data properties that no value satisfies.
 
-As in SkiROS2 a thing has a list of values. `==` asks whether a value is among them, `!=` whether it
-is not; `<` and its like ask for the first one, and that there is one.
+As in SkiROS2, a thing has a list of values. `==` tests whether a value is in the list, `!=` whether
+it is not. `<` and the like test the first value, which must exist.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ _COMPARES = {"<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operat
 
 
 def value_clashes(said: Iterable[Said], classes: KnownClasses, model: Model) -> Iterator[Clash]:
-    """Find what cannot be among conditions on values."""
+    """Find contradictions among conditions on values."""
     found: dict[tuple[str, str], list[Said]] = defaultdict(list)
     for each in said:
         found[each.subject, each.property].append(each)
@@ -64,7 +64,7 @@ class _Values:
         return None
 
     def _excluded(self, said: Sequence[Said]) -> Clash | None:
-        """Why some conditions cannot hold together."""
+        """The reason why some conditions cannot hold together."""
         together, asked = frozenset(said), _Asked(said)
         if any(negated(each) in together for each in said) or asked.leaves_no_number():
             return Clash(together, errors.Contradiction)
@@ -73,7 +73,7 @@ class _Values:
         if self._limit and self._limit.most == 0:
             return self._limit.exceeded([Reason(together)], self._thing)
         if asked.none:
-            return self._none(together, f"where there is no {self._name}, there is none to compare")
+            return self._none(together, f"without a {self._name} there is no value to compare")
         if not self._has_first(asked):
             return self._none(together, f"there is no such value of {self._name}")
         if asked.needs_several() and self._limit and self._limit.most == 1:
@@ -82,7 +82,7 @@ class _Values:
         return None
 
     def several(self, accepted: Sequence[Said]) -> Iterator[Clash]:
-        """That there is more than one value, by two conditions at least."""
+        """Find pairs of conditions that need more than one value."""
         for pair in combinations(accepted, 2):
             if _Asked(pair).needs_several():
                 why = f"{self._name} is not declared functional: SkiROS2 keeps a list of values"

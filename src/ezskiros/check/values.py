@@ -1,4 +1,4 @@
-"""Values of Python against the data types of XML Schema."""
+"""Comparison of Python values with the data types of XML Schema."""
 
 from __future__ import annotations
 

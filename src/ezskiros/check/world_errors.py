@@ -1,4 +1,4 @@
-"""EZS315 to EZS323: conditions that no world satisfies together."""
+"""EZS315 to EZS324: conditions that no world model satisfies together."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class IriHere(Remark):
-    """The label of a declaration of the ontology."""
+    """The label of a declaration in the ontology."""
 
     says = "{iri} is declared here"
     iri: str
 
 
 class AtOneTime(Remark):
-    """The label of another one of conditions that do not go together."""
+    """The label of a condition that conflicts with the reported one."""
 
     says = "this cannot hold at the same time"
 
 
 class OfOneThing(Remark):
-    """The label of another one of conditions that no thing fulfils."""
+    """The label of a condition that no thing satisfies together with the reported one."""
 
-    says = "this cannot be so of the same thing"
+    says = "this cannot hold for the same thing"
 
 
 class DeclaredAs(Remark):
@@ -32,10 +32,10 @@ class DeclaredAs(Remark):
 
 
 class Together(Template):
-    """Conditions that do not go together at one time, and what the ontology says of it."""
+    """Conditions that cannot hold together, and the axioms of the ontology that show it."""
 
     note = "{why}"
-    help = "leave out what is not meant"
+    help = "delete the wrong condition"
     together: str
     when: str
     why: str
@@ -48,25 +48,25 @@ class Clashing(Together, Error):
 
 
 class OppositeFollows(Clashing, code="EZS315", name="opposite-follows"):
-    """A fact that follows from conditions, by inverses and the like, is forbidden."""
+    """Conditions that imply a contradiction through inverses and other axioms."""
 
-    title = "by the ontology {together} contradict each other {when}"
+    title = "with the ontology, {together} contradict each other {when}"
 
 
 class BothWays(Clashing, code="EZS316", name="both-ways"):
-    """An asymmetric relation there and back."""
+    """An asymmetric relation in both directions."""
 
-    title = "{together} cannot hold both ways {when}"
+    title = "{together} cannot hold in both directions {when}"
 
 
 class ToItself(Clashing, code="EZS317", name="to-itself"):
     """An irreflexive relation of a thing to itself."""
 
-    title = "by {together} a thing would be related to itself"
+    title = "{together} would relate a thing to itself"
 
 
 class HasNone(Clashing, code="EZS318", name="has-none"):
-    """A relation, or a value, that things of a class do not have."""
+    """A relation or value that things of a class cannot have."""
 
     title = "{together} cannot hold {when}"
 
@@ -74,8 +74,8 @@ class HasNone(Clashing, code="EZS318", name="has-none"):
 class ImpossibleThing(Clashing, code="EZS319", name="impossible-thing"):
     """A thing of two disjoint classes."""
 
-    title = "by {together} a thing would be of disjoint classes"
-    help = "declare the parameter, or relate it, as a thing of one of them"
+    title = "{together} would make a thing a member of disjoint classes"
+    help = "use a thing of only one of these classes"
 
 
 class NoCommonValue(Clashing, code="EZS320", name="no-common-value"):
@@ -87,28 +87,28 @@ class NoCommonValue(Clashing, code="EZS320", name="no-common-value"):
 class TwoValues(Together, Warning, code="EZS321", name="two-values"):
     """Comparisons that only a thing with several values of a property satisfies."""
 
-    title = "{together} hold together only of a thing with two values"
+    title = "{together} hold together only for a thing with two values"
     note = "{why}"
-    help = "leave out what is not meant; what has one value at a time is an owl:FunctionalProperty"
+    help = "delete the wrong condition; declare a single-valued property as owl:FunctionalProperty"
 
 
 class EndsItsHold(Warning, code="EZS322", name="ends-its-hold"):
     """A post-condition that excludes a hold-condition."""
 
-    title = "{together} cannot hold together: `{skill}` ends what has to hold while it runs"
-    note = "{why}SkiROS2 looks at hold-conditions in each tick: unless what changes does so in the \
-last one, the skill fails"
-    help = "leave the hold-condition out, and hold it in those parts of the skill that need it"
+    title = "{together} cannot hold together: `{skill}` ends its own hold-condition"
+    note = "{why}SkiROS2 tests hold-conditions in each tick, so the skill fails unless the \
+change comes in the last tick"
+    help = "delete the hold-condition, and add it to the children that need it"
     together: str
     skill: str
     why: str
 
 
 class NoAlternative(Error, code="EZS323", name="no-alternative"):
-    """An `or` of which each part is excluded."""
+    """An `or` whose alternatives are all excluded."""
 
     title = "none of the alternatives of this {kind}-condition can hold {when}"
-    help = "leave out the `or`, or what excludes it"
+    help = "delete the `or`, or the conditions that exclude its alternatives"
     kind: str
     when: str
 
@@ -125,10 +125,10 @@ class NoAlternative(Error, code="EZS323", name="no-alternative"):
 
 
 class EmptyClass(Warning, code="EZS324", name="empty-class"):
-    """A parameter of a class that nothing can be of."""
+    """A parameter of a class that cannot have members."""
 
-    title = "by the ontology nothing is a {owl_class}: it is {why}"
-    help = "correct the ontology; SkiROS2 itself does not look at it"
+    title = "in the ontology {owl_class} cannot have members: it is {why}"
+    help = "correct the ontology; SkiROS2 itself does not check this"
     owl_class: str
     why: str
 

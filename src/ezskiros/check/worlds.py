@@ -1,7 +1,7 @@
-"""Conditions that hold together: those of one moment, with one alternative of each `or`.
+"""Sets of conditions that hold together at one moment, with one alternative of each `or`.
 
-Things are those that parameters stand for. A parameter that a condition says to stand for nothing
-is left out.
+The things are those that parameters stand for. A parameter that a condition declares as unset is
+left out.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def certain(statements: Iterable[Statement]) -> Iterator[Statement]:
 
 
 def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownClasses:
-    """The classes of things: those that are declared, and those that conditions ask for."""
+    """The classes of things: the declared ones, and those that conditions require."""
     found = dict(declared)
     for each in said:
         if isinstance(each, OfType):
@@ -62,7 +62,7 @@ def known_classes(declared: KnownClasses, said: Iterable[Statement]) -> KnownCla
 
 
 class World:
-    """Statements that hold together, about things of which the classes are declared."""
+    """Statements that hold together, about things with declared classes."""
 
     def __init__(self, declared: KnownClasses, model: Model, said: Iterable[Statement]) -> None:
         self._model, self._said = model, dict.fromkeys(said)
@@ -74,7 +74,7 @@ class World:
         self.facts = entailed((each for each in self._relations if each.is_true), model)
 
     def clashes(self) -> Iterator[Clash]:
-        """Find what cannot be."""
+        """Find contradictions."""
         yield from self._opposites()
         forbidden = [each for each in self._relations if not each.is_true]
         yield from relation_clashes(self.facts, forbidden, self.classes, self._model)

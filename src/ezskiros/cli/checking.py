@@ -1,4 +1,4 @@
-"""Checks for commands: users' code runs in a child process, and this one prints."""
+"""Checks for commands: user code runs in a child process, and this process prints the findings."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ def _looking_at_both() -> Callable[[Path | None], Sequence[Diagnostic]]:
 
 
 def file_count(report: Report, paths: Sequence[Path]) -> int:
-    """Of how many files a report is."""
+    """The number of files in a report."""
     from ezskiros.skills.load import module_files
 
     return report.value if isinstance(report.value, int) else len(module_files(paths))

@@ -1,4 +1,4 @@
-"""`ezskiros run --context`: tells which skills run, for rules that watch the robot."""
+"""`ezskiros run --context`: publishes the running skills for rules that monitor the robot."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def _refuse(found: Sequence[Diagnostic]) -> NoReturn:
 
 
 class Context:
-    """Tells of the skills of a task that run and that can start next: by a voice, and to whoever
-    hears each change.
+    """Publisher of the skills of a task that run and that can start next: to a voice, and to
+    listeners of each change.
     """
 
     def __init__(
@@ -59,7 +59,7 @@ class Context:
 
     @contextmanager
     def reported(self) -> Iterator[None]:
-        """Within, it is told of."""
+        """Publish the context while the block runs."""
         from ezskiros.context.voice import Voice
 
         with ExitStack() as stack:
@@ -72,7 +72,7 @@ class Context:
             output.complain(f"the context was published no more: {self._voice.problem!r}")
 
     def tell(self) -> None:
-        """Tell of what runs now: asked by the thread that ticks."""
+        """Publish the running skills. Called by the ticking thread."""
         snapshot = self._snapshots.of(self._task.execution.running, self._task.ahead)
         if self._voice is not None:
             self._voice.tell(snapshot)

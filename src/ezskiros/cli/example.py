@@ -1,4 +1,4 @@
-"""`ezskiros example`: the skills in the box, listed or copied."""
+"""`ezskiros example`: lists or copies the included examples."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`ezskiros check --fix`: adds the pre-conditions that compound skills lack to their files."""
+"""`ezskiros check --fix`: adds missing pre-conditions of compound skills to their files."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def fix(paths: Sequence[Path]) -> None:
 
 
 def _repairs(missing: Sequence[Missing]) -> list[tuple[str, str, list[str]]]:
-    """By skills: the file, the name, and the conditions."""
+    """Group repairs by skill: the file, the name, and the conditions."""
     found: dict[tuple[str, str], dict[str, None]] = {}
     for each in missing:
         place = (each.skill.span.file.path, each.skill.name)

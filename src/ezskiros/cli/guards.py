@@ -1,4 +1,4 @@
-"""`ezskiros run --guards`: primitives wait while rules take away what they use."""
+"""`ezskiros run --guards`: primitives wait while rules take away resources that they use."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`ezskiros learn`: what rules found while skills ran."""
+"""`ezskiros learn`: learns from the activations of rules while skills ran."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """The `ezskiros` command: one function per subcommand.
 
-Exit codes: 0 all is well (warnings may have been printed), 1 something was found, 2 the command
-itself was called wrongly or a file could not be read, 70 a defect of this tool.
+Exit codes: 0 no errors (warnings may have been printed), 1 errors were found, 2 the arguments were
+wrong or a file could not be read, 70 an internal error.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The print of behavior trees."""
+"""Printing of behavior trees."""
 
 from __future__ import annotations
 

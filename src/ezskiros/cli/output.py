@@ -1,4 +1,4 @@
-"""The voice of the `ezskiros` command."""
+"""The output of the `ezskiros` command."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`ezskiros plan`: which skills lead from a scene to a goal."""
+"""`ezskiros plan`: finds skills that lead from a scene to a goal."""
 
 from __future__ import annotations
 

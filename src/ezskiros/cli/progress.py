@@ -1,4 +1,4 @@
-"""The look of a task while it runs: lines, or a tree on a terminal."""
+"""The display of a running task: lines, or a tree on a terminal."""
 
 from __future__ import annotations
 
@@ -50,11 +50,11 @@ class LiveTree:
         self._live.start()
 
     def stop(self) -> None:
-        """Leave what is drawn as it is."""
+        """Leave the drawing as it is."""
         self._live.stop()
 
     def tell(self, event: Event) -> None:
-        """Note what a skill says."""
+        """Note the message of a skill."""
         self._texts[event.path] = f"[{event.code}] {event.text}"
 
     def draw(self, task: Task) -> None:

@@ -1,4 +1,4 @@
-"""`ezskiros run --context`: takes behavior trees that rules ask for, in place of the task."""
+"""`ezskiros run --context`: runs behavior trees that rules request instead of the task."""
 
 from __future__ import annotations
 

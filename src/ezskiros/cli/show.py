@@ -1,4 +1,6 @@
-"""`ezskiros show`: the behavior trees of a compound skill, drawn or for BehaviorTree.CPP."""
+"""`ezskiros show`: draws the behavior trees of a compound skill, or writes them for
+BehaviorTree.CPP.
+"""
 
 from __future__ import annotations
 

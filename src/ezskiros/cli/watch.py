@@ -1,4 +1,4 @@
-"""Does something again whenever one of some files has changed."""
+"""Repetition of an action whenever one of some files has changed."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Runs the users' code of a check in a child process that can do nothing to the world, and that
-cannot end without a word.
+"""Execution of user code for a check, in a child process that can have no side effects and cannot
+end unnoticed.
 """
 
 from ezskiros.confinement.report import RefusedError, Report, confined

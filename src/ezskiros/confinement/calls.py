@@ -1,8 +1,7 @@
-"""The system calls that code under check may make on Linux: those of somebody who computes and
-reads.
+"""The system calls that checked code may make on Linux: calls for computing and reading.
 
 The kernel refuses all others (seccomp): writing and changing files, the network, new processes,
-signals to others. libseccomp, which `apt` rests on, makes the filter for the kernel.
+signals to others. libseccomp, which `apt` also uses, builds the filter for the kernel.
 """
 
 from __future__ import annotations
@@ -63,7 +62,7 @@ class _Comparison(ctypes.Structure):
 
 
 def confine_calls() -> None:
-    """From now on this process cannot make other calls. Raises `UnconfinedError`."""
+    """Forbid all other system calls to this process from now on. Raises `UnconfinedError`."""
     process = os.getpid()
     rules = _Filter()
     for name in _ALLOWED.split():

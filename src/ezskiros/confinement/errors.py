@@ -1,4 +1,4 @@
-"""EZS24x: users' code that keeps a check from coming to its end."""
+"""EZS24x: user code that prevents a check from completing."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from dslkit.diagnostics import Error, Template
 
 
 class BrokenOff(Error, code="EZS240", name="check-broken-off"):
-    """A check without a whole report."""
+    """A check that ended early."""
 
-    title = "the check was broken off here: {reason}"
-    note = "findings up to this point are shown; the rest is not checked"
+    title = "the check stopped early: {reason}"
+    note = "the findings up to this point are shown; the rest was not checked"
     help = "look for code here, or in an imported module, that ends or blocks the process"
     reason: str
 
 
 class CheckerChanged(Error, code="EZS241", name="checker-changed"):
-    """Users' code that changes the modules of the checker."""
+    """User code that modifies the checker."""
 
-    title = "the checked code changed the checker: `{part}` is not what it was"
-    note = "findings may be missing, so the result of this check does not count"
-    help = "leave the modules of `ezskiros` and of Python as they are"
+    title = "the checked code modified `{part}` of the checker"
+    note = "findings may be missing, so the result of this check is invalid"
+    help = "do not modify the modules of `ezskiros` or Python"
     part: str
 
 

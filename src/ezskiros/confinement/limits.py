@@ -1,4 +1,4 @@
-"""Limits of a process that runs code under check: on what it takes, and on what it does."""
+"""Limits of a process that runs checked code: on its resources, and on its system calls."""
 
 from __future__ import annotations
 

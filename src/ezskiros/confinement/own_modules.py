@@ -1,4 +1,4 @@
-"""A test that the modules of the checker are still as they were before users' code ran."""
+"""A test that user code has not modified the modules of the checker."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class _Names:
 
 
 class Seal:
-    """Remembers what the checker is made of: its modules, classes and functions."""
+    """A record of the checker's modules, classes and functions."""
 
     def __init__(self) -> None:
         self._modules = dict(_modules())
@@ -56,7 +56,7 @@ class Seal:
                 self._functions.append((f"{owner}.{name}", function, _meaning(function)))
 
     def broken(self) -> tuple[str, object] | None:
-        """A part that is not what it was, and what it is now; None if all are."""
+        """A part that has changed, with its current value; None if no part has changed."""
         for name, module in self._modules.items():
             if sys.modules.get(name) is not module:
                 return name, sys.modules.get(name)

@@ -1,4 +1,4 @@
-"""A child process whose every message is read, and of which nothing is left afterwards."""
+"""A child process whose messages are all read and which leaves no processes behind."""
 
 from __future__ import annotations
 
@@ -63,9 +63,9 @@ def _messages(child: _Process, reading: int, patience: float) -> Iterator[list[A
         else:
             has_ended = bool(ready) or child.has_ended()
         if time.monotonic() - last > patience:
-            raise BrokenOffError(f"the code did not go on for {patience:g} s")
+            raise BrokenOffError(f"the code made no progress for {patience:g} s")
         if len(rest) > _LONGEST:
-            raise BrokenOffError("the code sent what is no message")
+            raise BrokenOffError("the code sent an invalid message")
 
 
 def _message(line: bytearray) -> list[Any]:
@@ -100,7 +100,9 @@ class _Process:
             self.has_ended(0)
 
     def cause(self) -> str:
-        """Why there is no more to read from it, whose files are closed a little before its end."""
+        """The reason why the process, whose files close shortly before its end, has nothing more to
+        read.
+        """
         limit = time.monotonic() + _END_S
         while not self.has_ended():
             if time.monotonic() > limit:
@@ -110,7 +112,7 @@ class _Process:
         if code >= 0:
             return f"the code ended the process, with exit code {code}"
         name = signal.Signals(-code).name
-        hint = ": perhaps there was no more memory" if name == "SIGKILL" else ""
+        hint = ": perhaps because memory was exhausted" if name == "SIGKILL" else ""
         return f"the process was ended by {name}{hint}"
 
 

@@ -1,4 +1,4 @@
-"""The report of a check in a child process, and the proof that it is whole."""
+"""The report of a check in a child process, and the proof that it is complete."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Work = Callable[[Collector], Any]
 
 
 class RefusedError(Exception):
-    """Raised by work: what was asked for cannot be done; the text says why, to the user."""
+    """Raised by work that cannot do its task. The text gives the reason to the user."""
 
 
 class DefectError(Exception):

@@ -1,4 +1,4 @@
-"""Why a process cannot be confined."""
+"""The error with the reason why a process cannot be confined."""
 
 from __future__ import annotations
 

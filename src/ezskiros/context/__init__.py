@@ -1,1 +1,1 @@
-"""The context: which skills run, with which things, for rules that watch them."""
+"""The context: the running skills and their things, for rules that monitor the robot."""

@@ -1,4 +1,4 @@
-"""EZS872 and EZS873: the file of guards that lets skills wait for rules."""
+"""EZS872 and EZS873: the guards file, which makes skills wait for rules."""
 
 from __future__ import annotations
 
@@ -6,21 +6,21 @@ from dslkit.diagnostics import Error, Template
 
 
 class NoGuards(Error, code="EZS872", name="no-guards"):
-    """A file that has no guards of skills, or one of another version."""
+    """A file that is not a guards file, or has another version."""
 
-    title = "`{path}` is no file of guards"
+    title = "`{path}` is not a guards file"
     label = "{reason}"
-    help = "write it with `crosscheck weave`"
+    help = "create the file with `crosscheck weave`"
     path: str
     reason: str
 
 
 class OtherGuards(Error, code="EZS873", name="other-guards"):
-    """Guards of other skills than those that are run."""
+    """A guards file of other skills than the running ones."""
 
-    title = "`{path}` has guards of other skills than those in `{export}`"
-    label = "the digest there is `{digest}`"
-    help = "write it again with `crosscheck weave`"
+    title = "`{path}` has guards for other skills than those in `{export}`"
+    label = "the digest in `{export}` is `{digest}`"
+    help = "create the file again with `crosscheck weave`"
     path: str
     export: str
     digest: str

@@ -1,7 +1,7 @@
-"""Guards in front of primitives, from a file that `crosscheck weave` writes, and what is known of
-their rules while a robot runs.
+"""Guards in front of primitives, from a file of `crosscheck weave`, and the known state of their
+rules while a robot runs.
 
-Unknown is not safe: while nobody knows which rules are active, what has a guard waits.
+An unknown state is not safe: while the active rules are unknown, each guarded primitive waits.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ def _fault(found: Any) -> tuple[str, str] | None:
         return "rules", "its `rules` are not names"
     assert isinstance(rules, list)
     if not isinstance(guards, dict):
-        return "guards", "its `guards` are no object"
+        return "guards", "its `guards` is not an object"
     known = set(rules)
     for skill, names in guards.items():
         if not _is_names(names):
@@ -132,7 +132,7 @@ class ActiveRules:
         self._sign = self._stale = -float("inf")
 
     def hear_state(self, message: Any) -> None:
-        """A `State` of the node; one that nobody can read says nothing."""
+        """Handle a `State` message of the node. An unreadable message is ignored."""
         if len(message.active) > _MOST_RULES or len(message.exempted) > _MOST_RULES:
             self._state = None
             return
@@ -144,7 +144,7 @@ class ActiveRules:
         self._sign = self.clock()
 
     def lose(self, at: float) -> None:
-        """The node was not there at a time: what it has reported before is worth nothing."""
+        """Forget the reported state, because the node was absent for a time."""
         self._stale = at
 
     def reason_to_wait(self, skill: str) -> str | None:

@@ -1,6 +1,4 @@
-"""The rules that are active, over ROS 1 or ROS 2. Nothing of ROS is imported before that is asked
-for.
-"""
+"""The active rules, over ROS 1 or ROS 2. ROS packages are only imported on first use."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The action server `recovery` over ROS 1 or ROS 2, as the context is reported: rules send it
-behavior trees. Nothing of ROS is imported before that is asked for.
+"""The action server `recovery` over ROS 1 or ROS 2, to which rules send behavior trees. ROS
+packages are only imported on first use.
 """
 
 from __future__ import annotations

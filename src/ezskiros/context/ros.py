@@ -1,5 +1,5 @@
-"""The message over ROS 1 or ROS 2, whichever of them this Python has; of both, the one that is
-sourced. Nothing of it is imported before that is asked for.
+"""The context message over ROS 1 or ROS 2, whichever this Python has; if it has both, the sourced
+one. ROS packages are only imported on first use.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The message `skill_context_msgs/SkillContext` as plain data, made of the skills that run."""
+"""The message `skill_context_msgs/SkillContext` as plain data, made from the running skills."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ class SkillProperty:
 
 @dataclass(frozen=True)
 class SkillArgument:
-    """A value of a parameter. A thing has a `type`; if it is of several classes of which none is
-    above another, there is an argument for each.
+    """The value of a parameter. A thing has a `type`; a thing of several unrelated classes has an
+    argument for each.
     """
 
     parameter: str
@@ -58,7 +58,7 @@ class SkillPermission:
 
 @dataclass(frozen=True)
 class RunningSkill:
-    """A skill that runs, `since` a time of the clock of whoever runs it, in seconds."""
+    """A running skill. `since` is its start time by the engine's clock, in seconds."""
 
     skill: str
     goal: str
@@ -77,8 +77,8 @@ class SkillAhead:
 
 @dataclass(frozen=True)
 class Snapshot:
-    """All that runs, in the order of the starts, and all that can start next, None if nobody knows
-    that. `digest` is that of the file of skills.
+    """All running skills, in the order of their starts, and all that can start next; None if these
+    are unknown. `digest` is the digest of the skills file.
     """
 
     digest: str
@@ -137,8 +137,8 @@ class Snapshots:
         self._numbers: dict[tuple[int, tuple[str, ...]], Sequence[tuple[str, str, float]]] = {}
 
     def of(self, running: Iterable[Running], ahead: Iterable[Ahead] | None) -> Snapshot:
-        """The snapshot of what runs now, and of what can start next, None if nobody knows that.
-        Only the thread that ticks may ask for it.
+        """The snapshot of the running skills, and of those that can start next; None if these are
+        unknown. Only the ticking thread may call this.
         """
         reported = None if ahead is None else tuple(dict.fromkeys(map(self._ahead, ahead)))
         if reported is not None and len(reported) > MOST_AHEAD:

@@ -1,9 +1,9 @@
-"""The thread that publishes snapshots, as long as the thread that ticks is alive.
+"""The thread that publishes snapshots while the ticking thread is alive.
 
-Who watches the robot treats silence as a stale context, and then the stricter of two rules holds.
-So this thread must not go on alone: without a sign of life from the thread that ticks it falls
-silent. It does not speak when the process is stopped, and after that only when the other thread
-goes on.
+A monitor treats silence as a stale context, and then the stricter of two rules holds. So this
+thread must not continue alone: without a sign of life from the ticking thread it stops publishing.
+It does not publish while the process is stopped, and afterwards only when the ticking thread
+continues.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class Voice:
             self._is_new.set()
 
     def live(self, alive: float | None = None) -> None:
-        """Give it a sign of life: what runs is what was reported last."""
+        """Give a sign of life: the last reported skills still run."""
         if self._last is not None:
             self._last = self._last[0], self._clock() if alive is None else alive
 

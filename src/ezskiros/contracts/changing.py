@@ -1,4 +1,4 @@
-"""Changes of what is known: by a child that succeeds or fails, and where ways meet."""
+"""Changes of the known conditions: by a child that succeeds or fails, and where paths join."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A child of a tree: its conditions and changes, said of the names of the tree."""
+"""A child of a tree: its conditions and changes, in the names of the tree."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ class Child:
     call: SkillCall
     skill: SkillInterface
     names: Mapping[str, str]
-    """By its parameters: those of the tree."""
+    """The names in the tree, by the parameters of the child."""
 
     @property
     def label(self) -> str:

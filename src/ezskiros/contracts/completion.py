@@ -1,4 +1,4 @@
-"""The pre-conditions that compound skills lack, with those that others need because of these."""
+"""The missing pre-conditions of compound skills, with those that other skills then need."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The findings: their words, the places that they show, and what repairs them."""
+"""The findings about contracts: their texts, labels and repairs."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ class Missing:
 
 @dataclass
 class Findings:
-    """Those of one tree. What is `missing` is what `--fix` adds; `branch` says which tree it is, if
-    an implementation has several.
+    """The findings of one tree. `missing` are the conditions that `--fix` adds; `branch` identifies
+    the tree if an implementation has several.
     """
 
     tree: Tree
@@ -164,7 +164,7 @@ class Findings:
         found = errors.CannotRestart(
             child=call.skill.__name__,
             condition=self._spelled(asked.statement),
-            ended="is false then" if clash else "may have ended",
+            ended="is false then" if clash else "may no longer hold",
             again=again,
         )
         change = self.last_touching(known, asked.statement)
@@ -175,7 +175,7 @@ class Findings:
     # --- what is known ----------------------------------------------------------------------------
 
     def last_touching(self, known: Known, said: Statement) -> Change | None:
-        """The last change that may have ended what a statement says."""
+        """The last change that may have ended a statement."""
         touching = (each for each in known.changes if self.judge.touches(each.made, said))
         return next(iter([*touching][::-1]), None)
 
@@ -201,7 +201,9 @@ class Findings:
         yield condition.at(asked.clause.span)
 
     def _reasons(self, clash: Clash, known: Known) -> list[Label]:
-        """Where that is written which excludes it, and which children have it."""
+        """Label the places of the conditions that exclude the statement, and the children that have
+        them.
+        """
         labels: dict[Label, None] = {}
         for said in known.facts:
             if said in clash.said:

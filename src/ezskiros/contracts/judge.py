@@ -1,4 +1,4 @@
-"""The judge: all that follows from what is known, and all that cannot be besides it."""
+"""The judge: consequences of the known conditions, and statements that contradict them."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ Said: TypeAlias = tuple[Statement, ...]
 
 _ANYTHING = Name(frozenset(), is_own=False)
 MOST_CHOICES = 1000
-"""Of things for inferred parameters; more are not looked into."""
+"""The maximum number of things that are tried for inferred parameters."""
 
 
 class Judge:
@@ -139,7 +139,9 @@ class Judge:
     # --- what cannot be ---------------------------------------------------------------------------
 
     def clash(self, known: Known, said: Statement) -> Clash | None:
-        """Why a statement cannot hold, whichever names stand for one thing; None if it can."""
+        """The reason why a statement cannot hold, for any identification of names with things; None
+        if it can hold.
+        """
         return self._clash(known.said, said)
 
     def _found_clash(self, facts: Said, said: Statement) -> Clash | None:
@@ -184,11 +186,11 @@ class Judge:
     # --- what ends --------------------------------------------------------------------------------
 
     def touches(self, made: Made, fact: Statement) -> bool:
-        """Say whether a change may end what holds."""
+        """Say whether a change may end a fact."""
         return self._touches(made, fact)
 
     def ended(self, known: Known, changes: Iterable[Change]) -> frozenset[Statement]:
-        """Facts that may end by changes, by one alone or by some together with what holds."""
+        """Facts that changes may end, alone or together with known facts."""
         return self._ended(known.said, tuple(each.made for each in changes))
 
     def _found_ended(self, facts: Said, made: tuple[Made, ...]) -> frozenset[Statement]:

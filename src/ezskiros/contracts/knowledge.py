@@ -1,4 +1,4 @@
-"""The knowledge at one point of a behavior tree: which conditions hold, and by whom."""
+"""The knowledge at one point of a behavior tree: the conditions that hold, and their origins."""
 
 from __future__ import annotations
 
@@ -87,12 +87,12 @@ class Known:
 
     @cached_property
     def said(self) -> tuple[Statement, ...]:
-        """The facts, in their order: what follows from them is kept by these."""
+        """The stated facts in their order; their consequences are derived from them."""
         return tuple(self.facts)
 
     @property
     def without_way(self) -> tuple[object, ...]:
-        """All that what comes next depends on: not on which way one has come here."""
+        """The knowledge that the next steps depend on, without the path so far."""
         facts, same = tuple(self.facts.items()), frozenset(self.same.items())
         return facts, self.bound, self.perhaps, same, self.is_dead
 
@@ -102,7 +102,7 @@ class Known:
         return replace(self, changes=changes, trail=(*before.trail, *self.trail))
 
     def one(self, name: str) -> str:
-        """A name, or the one that stands for the same thing."""
+        """A name, or the representative of its thing."""
         return self.same.get(name, name)
 
     def assuming(self, said: Mapping[Statement, Origin]) -> Known:
@@ -137,7 +137,7 @@ class Known:
         return self if perhaps == self.perhaps else replace(self, perhaps=perhaps)
 
     def unbinding(self, name: str) -> Known:
-        """With a name of which nothing is known."""
+        """Forget everything about a name."""
         same = {k: v for k, v in self.same.items() if name not in (k, v)}
         gone = [each for each in self.facts if name in names_of(each)]
         return replace(

@@ -41,19 +41,19 @@ class CalledHere(Remark):
 class HasEnded(Remark):
     """The label of a post-condition of a child."""
 
-    says = "this has ended it, or may have"
+    says = "this has ended, or may have ended, the condition"
 
 
 class BeforeItFailed(Remark):
     """The label of a post-condition of a child that has failed."""
 
-    says = "it may have done this before it failed"
+    says = "the failed child may already have done this"
 
 
 class Meanwhile(Remark):
     """The label of a post-condition of a child that runs beside."""
 
-    says = "it may do this before, or meanwhile"
+    says = "this may happen before, or at the same time"
 
 
 class ItsTree(Remark):
@@ -66,34 +66,34 @@ class ItsTree(Remark):
 
 
 class Why(Remark):
-    """The note that says why conditions exclude each other."""
+    """The note with the reason why conditions exclude each other."""
 
     says = "{why}"
     why: str
 
 
 class KnownThere(Remark):
-    """The note that lists what is known."""
+    """The note that lists the known conditions."""
 
-    says = "known there: {conditions}"
+    says = "known at this point: {conditions}"
     conditions: str
 
 
 class NothingKnown(Remark):
-    """The note where nothing is known."""
+    """The note without known conditions."""
 
-    says = "nothing is known there of these things"
+    says = "nothing is known about these things at this point"
 
 
 class OnTheWay(Remark):
-    """The note that says on which way through the tree that is."""
+    """The note with the path through the tree."""
 
-    says = "this is so where {way}"
+    says = "this is on the path where {way}"
     way: str
 
 
 class Branch(Remark):
-    """The note that says which of several trees it is."""
+    """The note that identifies one of several trees."""
 
     says = "`expandBT` branches: this is the tree with {children}"
     children: str
@@ -105,7 +105,7 @@ class Branch(Remark):
 class AddPreCondition(Remark):
     """A pre-condition is missing."""
 
-    says = "if it holds before `{skill}`, add `{condition}` to its description"
+    says = "if `{condition}` holds before `{skill}`, add it to the description of `{skill}`"
     skill: str
     condition: str
 
@@ -114,8 +114,8 @@ class AddElseInsert(Remark):
     """A pre-condition is missing, or a child."""
 
     says = (
-        "if it holds before `{skill}`, add `{condition}` to its description; else insert "
-        "`{child}` before"
+        "if `{condition}` holds before `{skill}`, add it to the description of `{skill}`; "
+        "otherwise insert `{child}` before this child"
     )
     skill: str
     condition: str
@@ -123,22 +123,22 @@ class AddElseInsert(Remark):
 
 
 class PassWithPreCondition(Remark):
-    """A condition is about something that the compound does not know."""
+    """A condition is about a thing that is not a parameter of the compound skill."""
 
-    says = "pass a parameter of `{skill}` for `{name}`, with this as a pre-condition"
+    says = "pass a parameter of `{skill}` for `{name}`, and add this as a pre-condition"
     skill: str
     name: str
 
 
 class SayInPreConditions(Remark):
-    """A pre-condition is missing that has no words of its own."""
+    """A missing pre-condition that cannot be written out."""
 
-    says = "say so in the pre-conditions of `{skill}`"
+    says = "add this to the pre-conditions of `{skill}`"
     skill: str
 
 
 class OneAfterTheOther(Remark):
-    """Two children are in the way of each other."""
+    """Two children interfere with each other."""
 
     says = "run them one after the other: `self.serialstar(...)`"
 
@@ -146,26 +146,26 @@ class OneAfterTheOther(Remark):
 class Insert(Remark):
     """A child is missing."""
 
-    says = "insert `{child}` before"
+    says = "insert `{child}` before this child"
     child: str
 
 
 class MoveIfNeeded(Remark):
     """A child may come too late."""
 
-    says = "move it before `{child}`, if it has to hold then"
+    says = "move this before `{child}`, if the condition must hold then"
     child: str
 
 
 class Move(Remark):
     """A child comes too late."""
 
-    says = "move it before `{child}`"
+    says = "move this before `{child}`"
     child: str
 
 
 class PassParameter(Remark):
-    """A child changes something that nobody else knows."""
+    """A child changes a thing that no other child has."""
 
     says = "pass `{child}` a parameter of `{skill}` for `{name}`"
     child: str
@@ -176,29 +176,29 @@ class PassParameter(Remark):
 class StillStands(Remark):
     """A parameter of the compound has another name in the child."""
 
-    says = "write `{call}`: {names} still stands for what an earlier child has found"
+    says = "write `{call}`: {names} still has the value from an earlier child"
     call: str
     names: str
 
 
 class Restore(Remark):
-    """A condition is ended by something that has to be."""
+    """A required child ends a condition."""
 
-    says = "restore it before `{child}`"
+    says = "restore the condition before `{child}`"
     child: str
 
 
 class Append(Remark):
     """A child at the end is missing."""
 
-    says = "append `{child}`, or leave the condition out"
+    says = "append `{child}`, or delete the condition"
     child: str
 
 
 class LetAChild(Remark):
-    """No child sees to a post-condition."""
+    """No child ensures a post-condition."""
 
-    says = "let a child see to it, or leave the condition out"
+    says = "add a child that ensures it, or delete the condition"
 
 
 class OneOf(Remark):

@@ -56,7 +56,7 @@ class Repairs:
     ambiguous: frozenset[str]
 
     def of_unknown(self, said: Statement) -> Remark:
-        """For a condition of which nothing is known, and which nothing has ended."""
+        """The repair of a condition of unknown truth value, which no child has ended."""
         text = self.pre_condition(said)
         inserted = self._giving(said)
         if text is not None:

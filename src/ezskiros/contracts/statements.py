@@ -1,4 +1,4 @@
-"""Conditions of a child, said of the names of the tree that it is in."""
+"""Conditions of a child, in the names of its tree."""
 
 from __future__ import annotations
 

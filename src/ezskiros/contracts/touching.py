@@ -1,7 +1,7 @@
 """The facts that a change may undo.
 
-Names that may stand for one thing are taken for one: what is forgotten too much is asked for, what
-is forgotten too little would be relied on.
+Names that may stand for one thing are treated as one thing. Forgetting a fact too many only causes
+a warning; forgetting one too few would be unsafe.
 """
 
 from __future__ import annotations
@@ -30,8 +30,8 @@ Classes = Callable[[str], frozenset[str]]
 
 
 class Touching:
-    """By an ontology; `may_be_same` says which names may stand for one thing, `classes` of which
-    classes that may be.
+    """The effect of changes by an ontology. `may_be_same` tests whether two names may stand for one
+    thing, `classes` gives the classes of each name.
     """
 
     def __init__(self, model: Model, may_be_same: MayBeSame, classes: Classes) -> None:

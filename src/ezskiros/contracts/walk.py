@@ -1,4 +1,4 @@
-"""The walk through a behavior tree: what is known before and after each node."""
+"""The walk through a behavior tree: the known conditions before and after each node."""
 
 from __future__ import annotations
 
@@ -17,7 +17,9 @@ from ezskiros.skills.nodes import Decoration, Decorator, Flow, Node, Processor, 
 from ezskiros.skills.values import Symbol
 
 MOST_TRIES = 5
-"""Of a retry that are looked at, until no further one has less to rely on."""
+"""The maximum number of tries of a retry that are examined, until no further try has fewer known
+conditions.
+"""
 MOST_TICKS = 10
 """In which a child goes on, until no further one leaves less to rely on; else nothing is known."""
 
@@ -33,11 +35,12 @@ class NodeOutcome:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a node is: whether the compound fails with it, and whether findings are reported.
+    """The position of a node: whether its failure fails the compound skill, and whether to report
+    findings.
 
-    `tick` is what becomes of what is known when a tick begins while a child runs there: what comes
-    before it in a serial or a selector is started again, what is beside it goes on; findings of
-    that are reported, or not. `again` says why the node is started again, if it is.
+    `tick` transforms the known conditions at the start of a tick while a child runs there: earlier
+    children of a serial or a selector restart, parallel children continue. Findings of these
+    children are reported or not. `again` gives the reason if the node restarts.
     """
 
     is_fatal: bool = True
@@ -52,19 +55,21 @@ class Place:
 
 @dataclass
 class Walk:
-    """Through one tree. `held` is what the compound holds while it runs."""
+    """The walk through one tree. `held` are the hold-conditions of the compound skill."""
 
     judge: Judge
     findings: Findings
     children: Children
     held: Sequence[Asked]
     _started: dict[int, list[Asked]] = field(default_factory=dict)
-    """By calls: what was known to hold when they started first."""
+    """The conditions that were known at the first start of each call."""
     _steps: dict[tuple[object, ...], NodeOutcome] = field(default_factory=dict)
-    """By calls and what is known, what becomes of it: most later ticks find what others did."""
+    """The results by calls and known conditions. Most later ticks repeat the results of earlier
+    ones.
+    """
 
     def through(self, node: Node, known: Known, place: Place = Place()) -> NodeOutcome:
-        """Follow what is known through a node."""
+        """Compute the known conditions after a node."""
         match node:
             case SkillCall():
                 return self._skill(node, known, place)
@@ -194,8 +199,8 @@ class Walk:
         return NodeOutcome(known, endings, tuple(failures))
 
     def _with_serial(self, before: Sequence[Node], place: Place) -> Place:
-        """Where each tick starts children of a serial again that are before."""
-        why = "a serial starts it again in each tick"
+        """Add a serial, whose earlier children restart at each tick."""
+        why = "a serial restarts it in each tick"
 
         def tick(known: Known, is_reported: bool) -> Known:
             known = place.at_next_tick(known, is_reported=is_reported)
@@ -223,10 +228,10 @@ class Walk:
         return NodeOutcome(join(endings, self.judge), tuple(endings), failures)
 
     def _with_selector(self, before: Sequence[Node], place: Place, stopped: list[Known]) -> Place:
-        """Where each tick tries children of a selector again that are before; what is known when
-        one of them succeeds is `stopped`.
+        """Add a selector, whose earlier children are retried at each tick. `stopped` gets the known
+        conditions if one of them succeeds.
         """
-        why = "a selector tries it again in each tick"
+        why = "a selector retries it in each tick"
 
         def tick(known: Known, is_reported: bool) -> Known:
             known = place.at_next_tick(known, is_reported=is_reported)
@@ -252,7 +257,7 @@ class Walk:
             # All begin in the tick in which the parallel does: nothing is started again before.
             outcome = self.through(node, beside(known), own_place)
             if len(below) > 1 and not is_race and place.is_reported:
-                again = "SkiROS2 starts it again in each tick until the others are done"
+                again = "SkiROS2 restarts it in each tick until the others are done"
                 self._restart([node], outcome.success, again)
             kept = self._partly(others, outcome.success, place, How.BESIDE)
             outcomes.append(replace(outcome, success=kept))
@@ -277,7 +282,7 @@ class Walk:
         return lambda known: failed(known, changes, self.judge).perhaps_binding(names)
 
     def _with_others(self, beside: Callable[[Known], Known], place: Place) -> Place:
-        """Where others run at the same time."""
+        """Add children that run at the same time."""
 
         def tick(known: Known, is_reported: bool) -> Known:
             return beside(place.at_next_tick(known, is_reported=is_reported))
@@ -330,7 +335,7 @@ class Walk:
             return NodeOutcome(join(failures, self.judge), failures, (inner.success,))
         outcome = self.through(child, known, place)
         if decoration is Decoration.TIMEOUT:
-            late = self._partly([child], known, place).by("the time was over")
+            late = self._partly([child], known, place).by("the time limit was reached")
             return replace(outcome, failures=(*outcome.failures, late))
         return self._retried(child, tries, outcome, place)
 
@@ -339,7 +344,7 @@ class Walk:
         endings, failures = outcome.endings, outcome.failures
         if tries > 1 and place.is_reported:
             for each in failures:
-                self._restart([child], each, "the retry starts it again", is_certain=True)
+                self._restart([child], each, "the retry restarts it", is_certain=True)
         for _ in range(min(tries - 1, MOST_TRIES) if failures else 0):
             before = self._running(join(failures, self.judge), place)
             again = self.through(child, before, replace(place, is_reported=False, is_fatal=False))

@@ -1,1 +1,1 @@
-"""Behavior trees for other eyes: on a terminal, as a picture, and for BehaviorTree.CPP."""
+"""Behavior trees as drawings: on a terminal, as a picture, and for BehaviorTree.CPP."""

@@ -1,10 +1,10 @@
 """Behavior trees as XML for BehaviorTree.CPP, version 4, and its editor Groot2.
 
-Each processor of SkiROS2 is what has the same results there tick by tick (see `_CONTROLS`). A skill
-is an action, a nested compound skill a subtree. Parameters are ports: one that is passed is an
-entry of the blackboard, `{GraspPose}`, a value stands there as it is. Subtrees have a blackboard
-of their own, while SkiROS2 has one set of names for all: so all names that are shared are passed.
-Conditions have no counterpart: they are notes in the model of each node.
+Each SkiROS2 processor becomes the node that has the same results tick by tick (see `_CONTROLS`). A
+skill is an action, a nested compound skill a subtree. Parameters are ports: a passed parameter is a
+blackboard entry, `{GraspPose}`, and a constant is written directly. Subtrees have their own
+blackboards, while SkiROS2 has one set of names for all. So all shared names are passed. Conditions
+have no counterpart: they are notes in the model of each node.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ class _Writer:
     """Compound skills that are written as subtrees, by their names there."""
     models: dict[str, ET.Element] = field(default_factory=dict)
     names: set[str] = field(default_factory=set)
-    """Of trees: no action can have one of them."""
+    """The names of trees, which no action may have."""
     found: Collector = field(default_factory=Collector)
 
     def choose(self, trees: Sequence[Tree], depth: int) -> None:

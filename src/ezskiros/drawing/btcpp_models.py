@@ -1,4 +1,4 @@
-"""The models of nodes for BehaviorTree.CPP: their ports, the types of these, their conditions."""
+"""The models of nodes for BehaviorTree.CPP: their ports with types, and their conditions."""
 
 from __future__ import annotations
 
@@ -76,18 +76,18 @@ def literal(given: object, parameter: Parameter, *, is_inside: bool) -> tuple[st
     if parameter.type is float and isinstance(value, (int, float)):
         return str(float(value)), None
     if isinstance(value, int) and not -(2**31) <= value < 2**31:
-        return str(value), "it has 32 bits for whole numbers"
+        return str(value), "BehaviorTree.CPP stores integers in 32 bits"
     return str(value), _why_not(value, is_inside=is_inside) if isinstance(value, str) else None
 
 
 def _why_not(text: str, *, is_inside: bool) -> str | None:
-    """Why a text cannot stand for itself."""
+    """The reason why BehaviorTree.CPP cannot read a text literally; None if it can."""
     if text.startswith("{") and text.endswith("}"):
-        return "there a text in braces names an entry of the blackboard"
+        return "in XML, a text in braces names an entry of the blackboard"
     if any(ord(each) < 32 and each not in "\t\n\r" for each in text):
-        return "XML has no such characters"
+        return "XML does not allow these characters"
     if is_inside and _is_number(text):
-        return "there a text that looks like a number is one, if a subtree gets it"
+        return "a subtree reads a text that looks like a number as a number"
     return None
 
 

@@ -1,4 +1,4 @@
-"""EZS83x: what BehaviorTree.CPP cannot say."""
+"""EZS83x: skills that BehaviorTree.CPP cannot express."""
 
 from __future__ import annotations
 
@@ -6,35 +6,35 @@ from dslkit.diagnostics import Error, Template, Warning
 
 
 class ComputedArgument(Error, code="EZS830", name="computed-port"):
-    """A value that Python computes when the skill is started."""
+    """A value that Python computes when the skill starts."""
 
-    title = "BehaviorTree.CPP cannot compute what `{parameter}` gets"
-    note = "its blackboard passes values on as they are"
-    help = "pass a parameter of the skill as it is, or a value: `{parameter}=params.{parameter}`"
+    title = "BehaviorTree.CPP cannot compute the value of `{parameter}`"
+    note = "the blackboard of BehaviorTree.CPP only passes values unchanged"
+    help = "pass a constant or an unchanged parameter: `{parameter}=params.{parameter}`"
     parameter: str
 
 
 class NoPort(Error, code="EZS831", name="no-port"):
-    """A parameter whose name no port can have."""
+    """A parameter whose name is not a valid port name."""
 
-    title = "no port of BehaviorTree.CPP can be called `{spelled}`"
-    note = "a port begins with a letter from a to z, and is neither `name` nor `ID`"
+    title = "`{spelled}` is not a valid port name in BehaviorTree.CPP"
+    note = "a port name begins with a letter from a to z, and is neither `name` nor `ID`"
     help = "rename the parameter"
     spelled: str
 
 
 class TakenName(Error, code="EZS832", name="taken-name"):
-    """A skill that is called like a node that BehaviorTree.CPP has."""
+    """A skill with the name of a built-in node of BehaviorTree.CPP."""
 
-    title = "BehaviorTree.CPP has a node `{spelled}` of its own"
+    title = "BehaviorTree.CPP has a built-in node `{spelled}`"
     help = "rename the skill or its implementation"
     spelled: str
 
 
 class NoLiteral(Error, code="EZS833", name="no-literal"):
-    """A value that means something else, or nothing, as the text of a port."""
+    """A value that BehaviorTree.CPP reads differently, or not at all, from the text of a port."""
 
-    title = "BehaviorTree.CPP does not take {text} for what it is"
+    title = "BehaviorTree.CPP does not read {text} as this value"
     note = "{why}"
     help = "pass a parameter of the skill instead"
     text: str
@@ -42,35 +42,35 @@ class NoLiteral(Error, code="EZS833", name="no-literal"):
 
 
 class LimitTooLarge(Error, code="EZS834", name="limit-too-large"):
-    """A count, or a time, beyond what BehaviorTree.CPP can count."""
+    """A number of tries or a time beyond the range of BehaviorTree.CPP."""
 
-    title = "BehaviorTree.CPP cannot count to the limit of this {decorator}"
-    note = "it has 31 bits for tries, and 32 for milliseconds"
-    help = "name a smaller limit"
+    title = "the limit of this {decorator} is too large for BehaviorTree.CPP"
+    note = "BehaviorTree.CPP stores tries in 31 bits and milliseconds in 32 bits"
+    help = "use a smaller limit"
     decorator: str
 
 
 class CallsItself(Error, code="EZS835", name="calls-itself"):
-    """A compound skill that is a part of itself."""
+    """A recursive compound skill."""
 
-    title = "`{skill}` is a part of itself, which BehaviorTree.CPP cannot load"
-    help = "write a loop as `self.retry(...)`, or a smaller `--depth`"
+    title = "`{skill}` contains itself, and BehaviorTree.CPP cannot load recursive trees"
+    help = "write the loop as `self.retry(...)`, or give a smaller `--depth`"
     skill: str
 
 
 class SeveralTrees(Warning, code="EZS836", name="several-trees"):
-    """A compound skill inside another that has more than one tree."""
+    """A nested compound skill with more than one tree."""
 
-    title = "`{skill}` has several trees: it stays one action"
-    note = "which of them runs is decided when it is started; XML for BehaviorTree.CPP names one"
+    title = "`{skill}` has several trees and is exported as one action"
+    note = "the tree is chosen when the skill starts; XML for BehaviorTree.CPP can only contain one"
     skill: str
 
 
 class ComputedLimit(Error, code="EZS837", name="computed-limit"):
-    """A limit that Python computes, or converts, when the skill is started."""
+    """A limit that Python computes or converts when the skill starts."""
 
     title = "BehaviorTree.CPP cannot compute the limit of this {decorator}"
-    note = "its blackboard passes values on as they are, and its `Timeout` counts milliseconds"
+    note = "the blackboard only passes values unchanged, and `Timeout` counts milliseconds"
     help = "write a number; `self.retry(child, params.Count)` can be exported as well"
     decorator: str
 

@@ -1,4 +1,4 @@
-"""The trees that a child of a tree stands for, if it is a compound skill itself."""
+"""The trees of a child that is a compound skill itself."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ class Nested:
     library: Library
 
     def trees_of(self, call: SkillCall) -> Sequence[Tree]:
-        """The trees of what will run. None if that is a primitive, is not among the files, or if
-        several implementations would do.
+        """The trees of the implementation that will run. None if it is a primitive, is not among
+        the files, or if several implementations are possible.
         """
         name = self.implementation(call)
         skill = self.library.skill(call.skill)
         return [tree for tree in self.trees if tree.implementation == name and tree.skill is skill]
 
     def implementation(self, call: SkillCall) -> str | None:
-        """The implementation that will run: the one that is named, or the only one there is."""
+        """The implementation that will run: the named one, or the only one."""
         if call.implementation is not None:
             return call.implementation
         known = list(self.library.implementations(call.skill))

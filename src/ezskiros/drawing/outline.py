@@ -41,7 +41,7 @@ class Role(enum.Enum):
 
     @property
     def is_condition(self) -> bool:
-        """Say whether the line says what holds before, during or after a skill."""
+        """Say whether the line contains a pre-, hold- or post-condition."""
         return self in (Role.PRE, Role.HOLD, Role.POST)
 
 

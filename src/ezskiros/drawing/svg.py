@@ -1,10 +1,9 @@
-"""A behavior tree as a picture: SVG that needs no other file, laid out from left to right.
+"""A behavior tree as a self-contained SVG picture, laid out from left to right.
 
-The layout is that of tidy trees in its simplest form: leaves stand below each other in the order in
-which they are ticked, a node stands in the middle of its children, and these begin where it ends.
+The layout is a simple tidy tree: leaves are below each other in the order in which they are ticked,
+and a node is at the middle of its children, which begin where the node ends. The font has a fixed
+width, so that text sizes are known without a browser.
 `assets/fold.js` has the same layout, for trees with folded boxes.
-
-Text is in a font of equal widths, so that its size is known without a browser.
 """
 
 from __future__ import annotations
@@ -21,7 +20,7 @@ CHARACTER = 0.62 * FONT
 """At most, in the fonts of equal widths that browsers have."""
 BESIDE, BELOW, MARGIN = 44, 14, 24
 MOST_CHARACTERS = 64
-"""Of a line; more are in its tooltip."""
+"""The maximum number of characters per line. The tooltip has the full text."""
 
 _STYLE = """
 text { font: 13px ui-monospace, 'DejaVu Sans Mono', Menlo, Consolas, monospace; fill: #1c2733; }

@@ -1,4 +1,4 @@
-"""A behavior tree for a terminal. What prints it is `cli`."""
+"""A behavior tree for a terminal. `cli` prints it."""
 
 from __future__ import annotations
 

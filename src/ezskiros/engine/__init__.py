@@ -1,1 +1,1 @@
-"""Runs skills without ROS, in a world model of their own."""
+"""Execution of skills without ROS, in their own world model."""

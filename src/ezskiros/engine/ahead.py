@@ -1,8 +1,8 @@
-"""The skills that can start next, in the tree of a task.
+"""The skills that can start next in the tree of a task.
 
-A leaf that runs will succeed or fail; what starts then is ahead: the next child of a sequence, the
-other child of a selector, the same one of a retry. With a compound, those of its children are ahead
-with which it begins, if its tree is known before it starts.
+A running leaf will succeed or fail. The nodes that start then are ahead: the next child of a
+sequence, the other child of a selector, the same child of a retry. For a compound skill, its first
+children are ahead if its tree is known before it starts.
 """
 
 from __future__ import annotations

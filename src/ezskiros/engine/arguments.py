@@ -1,4 +1,4 @@
-"""Texts from the command line in, values of the parameters of a skill out: `Object=starter`."""
+"""Conversion of command-line texts such as `Object=starter` to values of a skill's parameters."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _TRUTHS = {"true": True, "false": False}
 
 
 class WrongArgumentError(ValueError):
-    """A value that was given is none, or one is missing; the text says what would do."""
+    """A given value is invalid, or a value is missing. The text lists valid values."""
 
 
 def read_arguments(skill: SkillInterface, texts: Iterable[str], world: World) -> dict[str, object]:

@@ -1,4 +1,4 @@
-"""The values of a task where SkiROS2 has them: on one blackboard for the skills of all levels.
+"""The values of a task as in SkiROS2: on one blackboard for the skills of all levels.
 
 Each parameter has a key there. A value that is passed to a child renames a key of the child, and of
 all below it; SkiROS2 drops some of these renamings. A parameter that has a default, or is given a
@@ -27,7 +27,7 @@ without a name there, which counts as a value.
 
 
 class Remaps:
-    """The keys of a skill while they are renamed, in SkiROS2's order and with what it drops."""
+    """The keys of a skill during renaming, in SkiROS2's order and with the keys that it drops."""
 
     def __init__(self, keys: Iterable[str]) -> None:
         self._own = {key: key for key in (*keys, ROBOT)}
@@ -45,12 +45,14 @@ class Remaps:
         self._known[key] = other
 
     def add_all(self, above: Remaps) -> None:
-        """Rename what the skill above has renamed, as when SkiROS2 adds a child."""
+        """Rename the keys that the parent skill has renamed, as SkiROS2 does when it adds a
+        child.
+        """
         for key, other in above._known.items():
             self.add(key, other)
 
     def by_own(self) -> dict[str, str]:
-        """The keys on the blackboard by those that the skill has."""
+        """The blackboard keys by the skill's own keys."""
         return {own: key for key, own in self._own.items()}
 
 
@@ -107,7 +109,7 @@ class Cells:
         return self.read()
 
     def read(self) -> dict[str, Any]:
-        """The values with those that the blackboard has now; what is gone from the world is none.
+        """The values, updated from the blackboard. A thing that no longer exists becomes None.
 
         A parameter that has lost its key keeps its value.
         """
@@ -124,13 +126,15 @@ class Cells:
         return {name: cell[0] if cell else None for name, cell in self._cells.items()}
 
     def replace(self, values: Mapping[str, Any]) -> None:
-        """Make cells of what has been inferred."""
+        """Replace values by cells for inferred things."""
         for name, cell in self._cells.items():
             if values[name] is not None and cell != [values[name]]:
                 self._cells[name] = [values[name]]
 
     def fill(self, values: Mapping[str, Any]) -> None:
-        """Write what the skill has set into the cells that it has; what it has emptied is gone."""
+        """Write the values that the skill has set into their cells, and remove the values that it
+        has cleared.
+        """
         for name, value in values.items():
             cell = self._cells[name]
             if value is None:

@@ -1,4 +1,4 @@
-"""Nodes of a tree in, behaviors of py_trees out."""
+"""Conversion of tree nodes to behaviors of py_trees."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A skill that runs with the values that it has in SkiROS2, for `--compatible`."""
+"""A running skill with the same values as in SkiROS2, for `--compatible`."""
 
 from __future__ import annotations
 

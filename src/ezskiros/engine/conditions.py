@@ -1,5 +1,5 @@
-"""Conditions of skills in a world: whether they hold, what it takes to make them hold, and why they
-do not.
+"""Conditions of skills in a world model: their truth values, the changes that make them true, and
+the reasons why they are false.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The depth of trees: they may be deeper than Python goes by itself."""
+"""The depth of trees, which may exceed Python's default recursion limit."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from contextlib import contextmanager
 MOST_DEPTH = 2000
 """Levels of a tree, with those of the compounds in it."""
 _FRAMES = 4
-"""Of Python for each level, at most."""
+"""The maximum number of Python frames per level."""
 
 
 class TooDeepError(Exception):

@@ -1,4 +1,4 @@
-"""The events of skills while they run, and the reasons for them."""
+"""The events of running skills, and their reasons."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Happened(enum.Enum):
 
     STARTED = "started"
     CHOSEN = "chosen"
-    """Of several things one was inferred."""
+    """One of several things was inferred."""
     RUNNING = "running"
     """A skill says something new of its progress."""
     SUCCEEDED = "succeeded"
@@ -35,7 +35,7 @@ class Code(enum.IntEnum):
 
 @dataclass(frozen=True)
 class Reason:
-    """Why a skill has failed."""
+    """The reason why a skill has failed."""
 
     code: int
     text: str

@@ -1,4 +1,4 @@
-"""The context that all skills of a task share while they run."""
+"""The context that all running skills of a task share."""
 
 from __future__ import annotations
 
@@ -35,15 +35,15 @@ class ExecutionContext:
     world: World
     tell: Callable[[Event], None] = lambda _: None
     simulate: bool = False
-    """True if primitives do nothing but what their post-conditions say."""
+    """True if primitives only apply their post-conditions."""
     compatible: bool = False
-    """True if all is as in SkiROS2, even what is a defect there."""
+    """True if the engine behaves like SkiROS2, including its defects."""
     choose: Choose = _first
     clock: Callable[[], float] = time.monotonic
     """In seconds."""
     expansions: Expansions = field(default_factory=Expansions)
     last_failure: Reason | None = None
-    """Of the skill that failed last: what is above it fails because of that."""
+    """The reason of the last failure, which makes the parents fail."""
     guard: Guard | None = None
     """It stands in front of each primitive."""
 

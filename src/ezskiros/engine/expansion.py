@@ -1,4 +1,4 @@
-"""The tree of a compound skill, for the values that its parameters have.
+"""The tree of a compound skill for the current values of its parameters.
 
 `expandBT` is run when a compound starts, so that its branches go the way of the real values, but
 not again for values that it has been run with; and only once if nothing in its tree depends on
@@ -29,7 +29,7 @@ _Implementation = type[SkillImplementation]
 
 
 class Expansions:
-    """The trees that are known: those that a check has found, by what builds them, and others."""
+    """The known trees: those that a check has found, by their implementations, and others."""
 
     def __init__(self, trees: Iterable[Tree] = ()) -> None:
         self._trees: dict[Span, list[Tree]] = {}

@@ -1,4 +1,4 @@
-"""Grounding: what the parameters of a skill stand for when it starts, and its pre-conditions."""
+"""Grounding: the values of a skill's parameters at its start, and its pre-conditions."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Names:
 
 
 def missing(plan: ChildStart, values: Mapping[str, Any]) -> Reason | None:
-    """Why a skill cannot start with these values."""
+    """The reason why a skill cannot start with these values; None if it can."""
     for parameter in plan.needed:
         if values[parameter.name] is None:
             text = f"`{parameter.name}`, {wanted(parameter)}, has no value ({parameter.span})"
@@ -60,10 +60,10 @@ class Grounding:
         """The solution that was taken, if there was a choice, and all that there were."""
 
     def ground(self) -> Reason | None:
-        """Why the skill cannot start, None if it can.
+        """Infer missing parameters. Return the reason why the skill cannot start, None if it can.
 
-        What another child has inferred is kept as long as the pre-conditions hold with it; in
-        SkiROS2 it is always kept.
+        A thing that another child inferred is kept while the pre-conditions hold with it. SkiROS2
+        always keeps it.
         """
         plan, values = self._plan, self._values
         free = [each for each in plan.inferred if values[each.name] is None]

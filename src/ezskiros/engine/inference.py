@@ -1,4 +1,4 @@
-"""Things for the parameters of a skill that are not given: what its pre-conditions allow.
+"""Inference of things for parameters that are not given, from the pre-conditions.
 
 A search through the things of the right classes. Of several solutions the first is taken, by the
 names of the things in the order of the parameters; the others are reported, unlike in SkiROS2,

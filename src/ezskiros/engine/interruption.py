@@ -1,4 +1,4 @@
-"""A task that a behavior tree interrupts, to recover from what a rule found (thesis, section 5.2).
+"""A task that a recovery tree interrupts, after a finding of a rule (thesis, section 5.2).
 
 Whoever watches the robot asks for a tree, from any thread. At the next tick the primitives that run
 are preempted, and the tree is ticked in their place. When it has succeeded, the task goes on as it
@@ -34,10 +34,10 @@ from ezskiros.skills.calls import SkillCall
 
 
 class Afterwards(enum.Enum):
-    """The way in which a task goes on."""
+    """The continuation of a task after a tree."""
 
     RESUME = "resume"
-    """The primitives that were preempted start again; what has been done stays done."""
+    """The preempted primitives restart; finished work stays done."""
     RETRY = "retry"
     """The task starts again."""
     REPLAN = "replan"
@@ -57,14 +57,14 @@ class Recovery:
     _released: threading.Event = field(default_factory=threading.Event, init=False)
 
     def release(self) -> None:
-        """Ask for the end of this tree, and of no other, from any thread: the task goes on where it
-        was. A tree that has not begun never does.
+        """Request the end of this tree only, from any thread. The task continues where it was. A
+        tree that has not started never does.
         """
         self._released.set()
 
     @property
     def is_released(self) -> bool:
-        """True if nobody wants this tree any more."""
+        """True if no rule requests this tree any more."""
         return self._released.is_set()
 
 
@@ -111,8 +111,8 @@ class InterruptibleTask(Task):
 
     @property
     def running(self) -> Iterable[Running]:
-        """The skills of the task that run. While a tree runs in their place, and until they run
-        again, they are those that ran when it began.
+        """The running skills of the task. While a tree runs instead, and until they run again,
+        these are the skills that were running when the tree started.
         """
         return self.execution.running if self._interrupted is None else self._interrupted
 
@@ -123,9 +123,9 @@ class InterruptibleTask(Task):
 
     @property
     def ahead(self) -> list[Ahead] | None:
-        """The skills that can start next; after a tree, those of the task. None if nobody knows
-        them: before another way is found, and with values from a blackboard, as SkiROS2 has them.
-        Only the thread that ticks may ask.
+        """The skills that can start next; after a tree, those of the task. None if they are
+        unknown: before a new plan is found, and with values from a SkiROS2 blackboard. Only the
+        ticking thread may call this.
         """
         replans = self._recovery is not None and self._recovery.afterwards is Afterwards.REPLAN
         if self.execution.compatible or replans:
@@ -134,8 +134,8 @@ class InterruptibleTask(Task):
         return own if self._tree is None else [*skills_ahead(self._tree), *own]
 
     def go_by(self, way: Way) -> None:
-        """Take a way to the goal that was planned before the first tick, in the place of its own
-        tree. It has one skill at least.
+        """Follow a plan to the goal that was made before the first tick, instead of the task's own
+        tree. The plan has at least one skill.
         """
         self._left = deque(way)
         self._start(self._left.popleft())

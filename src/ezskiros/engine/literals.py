@@ -1,4 +1,4 @@
-"""Literals of RDF as values of Python."""
+"""Conversion of RDF literals to Python values."""
 
 from __future__ import annotations
 

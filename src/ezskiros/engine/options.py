@@ -1,4 +1,4 @@
-"""The meaning of `CONSUME`, `UNSPECIFY`, `LOCK` and `RESPECT_TYPE` while a skill runs."""
+"""The effect of `CONSUME`, `UNSPECIFY`, `LOCK` and `RESPECT_TYPE` on a running skill."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ def _with(skill: SkillInterface, option: Option) -> Iterator[Parameter]:
 
 
 class Owner(Protocol):
-    """A skill that runs, as far as locks know it: what is above it, and how it is called there."""
+    """A running skill, as the owner of locks: its parents, and its name there."""
 
     @property
     def above(self) -> Owner | None:
@@ -69,7 +69,7 @@ class Locks:
     def lock(
         self, skill: Owner, names: tuple[str, ...], values: Mapping[str, Any]
     ) -> Reason | None:
-        """Lock what some parameters stand for; None if that could be done."""
+        """Lock the things of some parameters. Return None on success, the reason otherwise."""
         things = {name: values[name] for name in names if values[name] is not None}
         for name, thing in things.items():
             owners = self._owners.get(thing.iri)
@@ -81,7 +81,7 @@ class Locks:
         return None
 
     def release(self, skill: Owner) -> None:
-        """Give back what a skill has locked."""
+        """Release the locks of a skill."""
         for owners in self._owners.values():
             owners[:] = [each for each in owners if each is not skill]
 

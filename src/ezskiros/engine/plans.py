@@ -1,4 +1,4 @@
-"""The plan of a child of a tree before it starts, found out once for each child."""
+"""The start plan of a child, computed once for each child."""
 
 from __future__ import annotations
 
@@ -44,8 +44,8 @@ class ChildStart(NamedTuple):
     locked: tuple[str, ...]
 
     def started_with(self, shared: Mapping[str, Any]) -> dict[str, Any]:
-        """The values of the parameters, by default, from the call, or from siblings, who share
-        some; None for those that are not known before its start.
+        """The values of the parameters, from defaults, from the call, or shared with siblings; None
+        for those that are unknown before the start.
         """
         values = dict(self.fixed)
         for own, name in self.received:
@@ -66,7 +66,7 @@ class _Known:
     parameters: Mapping[str, Parameter]
     defaults: Mapping[str, object]
     shared: tuple[tuple[str, str], ...]
-    """Of those that a call says nothing of."""
+    """The shared parameters that a call does not set."""
     found_out: Mapping[type[SkillImplementation] | None, tuple[tuple[str, str], ...]]
     """The same, by implementations."""
     as_they_are: frozenset[type]

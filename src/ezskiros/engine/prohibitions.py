@@ -1,5 +1,5 @@
-"""Skills that rules always stop, so that no other way is made of them: `Drive`, or
-`Drive(Target=hall.SchoolCorridor)` if only things of a class are meant.
+"""Skills that rules always stop, so that no plan uses them: `Drive`, or
+`Drive(Target=hall.SchoolCorridor)` for things of one class only.
 """
 
 from __future__ import annotations
@@ -15,7 +15,9 @@ _FORM = re.compile(r"(?P<skill>[A-Za-z_]\w*)(?:\((?P<things>[^()]+)\))?", re.ASC
 
 
 class UnknownProhibitionError(ValueError):
-    """A text that is no prohibition, or names something that nobody knows; it says what."""
+    """A text that is not a prohibition, or contains an unknown name. The message gives the
+    reason.
+    """
 
 
 @dataclass(frozen=True)

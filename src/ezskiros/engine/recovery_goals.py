@@ -1,4 +1,4 @@
-"""Goals of rules for a task: which tree, with which values, and how the task goes on.
+"""Goals that rules send to a task: the tree, its values, and the continuation of the task.
 
 A goal is a `skill_context_msgs/Recover`. It names the export that the rules were checked with, so
 that no tree is run that they do not know.
@@ -48,7 +48,9 @@ class Host(Protocol):
 
     @property
     def running(self) -> Iterable[Running]:
-        """The skills of the task that run; while a tree does, those that ran when it began."""
+        """The running skills of the task; while a tree runs, those that were running when it
+        started.
+        """
         ...
 
     def recover(self, recovery: Recovery) -> None:
@@ -73,7 +75,7 @@ class TaskHost:
 
 
 class RecoveryGoals:
-    """Hands goals to a host. `digest` is that of the export of its skills."""
+    """Passes goals to a host. `digest` is the digest of the export of its skills."""
 
     def __init__(self, digest: str, host: Host) -> None:
         self._digest, self._host = digest, host
@@ -87,7 +89,7 @@ class RecoveryGoals:
         without: Sequence[str],
         done: Callable[[bool, str], None],
     ) -> Recovery:
-        """Run a tree at the next tick; `done` is told how it ends. `without` are the skills that
+        """Run a tree at the next tick, and pass its result to `done`. `without` are the skills that
         rules always stop. Raises `RefusedError`.
         """
         if digest != self._digest:

@@ -1,4 +1,4 @@
-"""The skills that run: a compound, and the children of it that have started and not ended."""
+"""The running skills: a compound skill, and its children that have started and not ended."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from ezskiros.skills.interface import SkillInterface
 
 @dataclass(frozen=True, eq=False)
 class Running:
-    """A skill that runs. `goal` tells this run of it from all others, `since` is the time of its
-    start by the clock of the engine, `values` are those that its parameters have now.
+    """A running skill. `goal` identifies this run, `since` is its start time by the engine's clock
+    (s), `values` are the current values of its parameters.
     """
 
     skill: SkillInterface
@@ -48,7 +48,9 @@ class RunningSkills:
         since: float,
         values: Callable[[], Mapping[str, Any]],
     ) -> None:
-        """A skill starts: nothing of it has moved yet. `owner` is what runs it."""
+        """Record the start of a skill, before any motion. `owner` is the engine object that runs
+        it.
+        """
         goal = f"{self._own}-{next(self._numbers)}"
         self._running[owner] = Running(skill, goal, since, values)
         self.changed()

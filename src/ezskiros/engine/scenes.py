@@ -1,4 +1,4 @@
-"""Scenes in, a world out."""
+"""Conversion of scenes to a world model."""
 
 from __future__ import annotations
 

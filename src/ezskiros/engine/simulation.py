@@ -1,5 +1,5 @@
-"""The simulation of a primitive: its post-conditions come true, and what it gives its values are
-made up.
+"""The simulation of a primitive: its post-conditions become true, and its outputs get invented
+values.
 """
 
 from __future__ import annotations

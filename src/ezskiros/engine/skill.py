@@ -1,4 +1,4 @@
-"""A skill that runs, from its start to its result.
+"""A running skill, from its start to its result.
 
 When it starts, its parameters get their values, those that are inferred from the world; then its
 pre-conditions have to hold, its hold-conditions at every tick, its post-conditions at the end. A
@@ -38,8 +38,8 @@ Build = Callable[[Node, Names, ExecutionContext, "RunningSkill"], Behaviour]
 
 
 class RunningSkill(Behaviour):
-    """A child that is a skill. `names` are the values that it shares with its siblings, `build`
-    makes of a compound's tree what ticks it.
+    """A child that is a skill. `names` are the values that it shares with its siblings; `build`
+    turns a compound skill's tree into behaviors.
     """
 
     def __init__(
@@ -194,7 +194,7 @@ class RunningSkill(Behaviour):
         return self.is_waiting
 
     def _start(self) -> Reason | None:
-        """Why it cannot start, None if it has started."""
+        """Start the skill. Return the reason why it cannot start, None if it has started."""
         problem = self._choose()
         if problem is not None:
             return problem

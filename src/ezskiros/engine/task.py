@@ -1,4 +1,4 @@
-"""A task: one skill that is ticked until it has a result, or is stopped."""
+"""A task: one skill that is ticked until it has a result or is stopped."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class Task:
         return self.root.status
 
     def preempt(self) -> None:
-        """Stop what runs: children first, then `onPreempt` and `onEnd`."""
+        """Stop the running skills: children first, then `onPreempt` and `onEnd`."""
         with deep():
             self.root.stop(Status.INVALID)
 

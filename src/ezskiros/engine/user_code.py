@@ -1,4 +1,4 @@
-"""Calls of the methods that users wrote: what is wrong with them becomes a reason to fail."""
+"""Calls of user methods. An error in such a method becomes the reason of a failure."""
 
 from __future__ import annotations
 
@@ -125,7 +125,7 @@ def _spelled(found: object) -> str:
 
 
 def _place(instance: SkillImplementation, method: str) -> str:
-    """Where a method is written."""
+    """The file and line of a method."""
     function = getattr(type(instance), method, None)
     if not isinstance(function, FunctionType):
         return type(instance).__name__

@@ -1,4 +1,4 @@
-"""Guards in front of primitives: a skill that would only be stopped waits before it starts."""
+"""Guards in front of primitives: a skill that a rule would stop waits before it starts."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The world model: which things there are, and what holds of them.
+"""The world model: the things that exist, and the facts about them.
 
 Facts are triples in a store of pyoxigraph, the ontology says what follows from them: classes from
 their subclasses, relations from special cases, inverses, symmetry and transitivity. Everything is
@@ -39,7 +39,7 @@ class World:
                 self._add(iri, _TYPE, pyoxigraph.NamedNode(owl_class))
 
     def load(self, scene: Document) -> None:
-        """Take what a scene says."""
+        """Add the facts of a scene."""
         self._store.extend(scene.triples)
 
     def copy(self) -> World:
@@ -99,7 +99,7 @@ class World:
         return sorted(found, key=_by_name)
 
     def are_related(self, subject: str, relation: str, other: str) -> bool:
-        """Say whether a relation holds, by itself or because of what else is said."""
+        """Say whether a relation holds, directly or as a consequence of other facts."""
         if self._is_transitive(relation):
             return other in self.related(subject, relation)
         return any(
@@ -135,7 +135,7 @@ class World:
         return thing
 
     def remove(self, thing: str) -> None:
-        """Forget a thing, and all that is said of it."""
+        """Remove a thing and all facts about it."""
         node = pyoxigraph.NamedNode(thing)
         for quad in [
             *self._store.quads_for_pattern(node, None, None),

@@ -1,4 +1,4 @@
-"""The world model as primitive skills see it: `self.world.relate(gripper, skiros.at, pose)`."""
+"""The world model interface of primitive skills: `self.world.relate(gripper, skiros.at, pose)`."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class WorldModel:
         return self._world.is_a(thing.iri, self._class(owl_class))
 
     def are_related(self, subject: WorldThing, relation: OwlProperty, other: WorldThing) -> bool:
-        """Say whether a relation holds, by itself or because of what else is said."""
+        """Say whether a relation holds, directly or as a consequence of other facts."""
         return self._world.are_related(subject.iri, self._relation(relation), other.iri)
 
     def related(self, subject: WorldThing, relation: OwlProperty) -> list[WorldThing]:
@@ -86,7 +86,7 @@ class WorldModel:
         return WorldThing(self._world.new(self._class(owl_class)), self._world)
 
     def remove(self, thing: WorldThing) -> None:
-        """Forget a thing, and all that is said of it."""
+        """Remove a thing and all facts about it."""
         self._world.remove(thing.iri)
 
     # --- names ------------------------------------------------------------------------------------

@@ -1,4 +1,4 @@
-"""Skills as a file for other languages: `skills.json` (docs/reference/skills-file.md)."""
+"""Export of skills to a file for other tools: `skills.json` (docs/reference/skills-file.md)."""
 
 from ezskiros.export.read import Export, changed_sources, not_exported, read_export
 from ezskiros.export.write import export_skills

@@ -1,4 +1,4 @@
-"""EZS86x: the file of skills that other languages read."""
+"""EZS86x: the exported skills file, which other tools read."""
 
 from __future__ import annotations
 
@@ -6,39 +6,39 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class NoExport(Error, code="EZS860", name="no-export"):
-    """A file that is no export of skills, or one of another version."""
+    """A file that is not an export of skills, or has another version."""
 
-    title = "`{path}` is no export of skills"
+    title = "`{path}` is not an export of skills"
     label = "{reason}"
-    help = "write it with `ezskiros export`"
+    help = "create the file with `ezskiros export`"
     path: str
     reason: str
 
 
 class StaleExport(Error, code="EZS861", name="stale-export"):
-    """An export whose sources are not what they were."""
+    """An export whose sources have changed."""
 
     title = "`{path}` is stale: `{source}` {reason}"
-    help = "write it again with `ezskiros export`"
+    help = "create the file again with `ezskiros export`"
     path: str
     source: str
     reason: str
 
 
 class NotExported(Error, code="EZS862", name="not-exported"):
-    """A file of skills that run, or of their ontology, that the export was not made of."""
+    """A source of the running skills or their ontology that is not part of the export."""
 
-    title = "`{path}` was not made of `{source}`"
-    label = "what runs is of this file as well"
-    help = "name all files and the same ontology: `ezskiros export PATHS... -o {path}`"
+    title = "`{path}` does not include `{source}`"
+    label = "running skills or their ontology come from this file"
+    help = "export all files with the same ontology: `ezskiros export PATHS... -o {path}`"
     path: str
     source: str
 
 
 class UnknownPropertyUnit(Error, code="EZS863", name="unknown-property-unit"):
-    """A data property in a unit that nobody can convert."""
+    """A data property with an unknown unit."""
 
-    title = "the unit of `{property}` is `{unit}`, which is no unit that is known"
+    title = "the unit of `{property}` is `{unit}`, which is not a known unit"
     help = "use one of {units}"
     property: str
     unit: str
@@ -46,24 +46,24 @@ class UnknownPropertyUnit(Error, code="EZS863", name="unknown-property-unit"):
 
 
 class SameName(Error, code="EZS864", name="same-exported-name"):
-    """Two things that a file of skills would call the same."""
+    """Two things with the same name in an export."""
 
     title = "there are two {kind} `{spelled}`"
-    note = "rules know them by this name, and could mean either"
-    help = "export them into two files, or give one of them another name"
+    note = "rules use this name, so it must be unique"
+    help = "export them to two files, or rename one of them"
     kind: str
     spelled: str
 
     class Other(Remark):
-        says = "the other one"
+        says = "the other one is here"
 
 
 class DeepTree(Error, code="EZS865", name="deep-exported-tree"):
-    """A behavior tree that readers of a file of skills would not get to the end of."""
+    """A behavior tree that is nested too deeply for JSON readers."""
 
     title = "the behavior tree has more than {most} levels here"
-    note = "not every program reads JSON that lies so deep in itself"
-    help = "make a compound skill of a part of it"
+    note = "some programs cannot read JSON that is nested so deeply"
+    help = "move a part of the tree into a compound skill"
     most: int
 
 

@@ -1,4 +1,6 @@
-"""Spans in, places as the file has them out: paths from its folder, lines and columns from 1."""
+"""Conversion of spans to places in the export: paths relative to its folder, lines and columns from
+1.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,7 @@ class Places:
         self.files: set[Path] = set()
 
     def of(self, span: Span | None) -> dict[str, Any] | None:
-        """The place of a span; None if it is in no file, as what a program has made up."""
+        """The place of a span; None if the span is not in a file, as for generated code."""
         path = self._path(span.file) if span is not None else None
         if span is None or path is None:
             return None

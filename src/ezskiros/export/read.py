@@ -1,4 +1,4 @@
-"""A file of skills, read again: what it was made of, and whether that is as it was."""
+"""Reading of an exported skills file, and the test that its sources have not changed."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Export:
     file: SourceFile
 
     def place_of(self, source: Source) -> Span:
-        """Where the file names a source."""
+        """The place in the export that names a source."""
         named = json.dumps(source.path)
         start = max(self.file.text.find(named), 0)
         return Span(self.file, start, start + len(named))
@@ -68,7 +68,7 @@ def read_json(path: Path) -> tuple[SourceFile, Any]:
         at = Span(file, problem.pos, min(problem.pos + 1, len(file.text)))
         raise NotJsonError(f"it is not JSON: {problem.msg}", at) from problem
     except (ValueError, RecursionError) as problem:
-        why = str(problem) if isinstance(problem, ValueError) else "it is too deep"
+        why = str(problem) if isinstance(problem, ValueError) else "it is nested too deeply"
         raise NotJsonError(why, Span(file, 0, min(1, len(file.text)))) from problem
 
 
@@ -92,7 +92,7 @@ def read_export(path: Path) -> Export | Diagnostic:
 
 
 def _refuse_constant(spelled: str) -> None:
-    raise ValueError(f"`{spelled}` is no number of JSON")
+    raise ValueError(f"`{spelled}` is not a JSON number")
 
 
 def _no_export(place: Span, why: str) -> Diagnostic:
@@ -143,7 +143,7 @@ def changed_sources(export: Export) -> Iterator[Diagnostic]:
 
 def _change(file: Path, source: Source) -> str | None:
     if not is_file(file):
-        return "is not there any more"
+        return "no longer exists"
     try:
         is_same = sha256_of(file) == source.sha256
     except OSError as problem:

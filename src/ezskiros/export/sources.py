@@ -1,4 +1,4 @@
-"""The files that an export is made of, and the digest of them."""
+"""The source files of an export, and their digest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Statements of conditions as the file has them: names of parameters, and IRIs of the ontology."""
+"""Statements of conditions in the format of the export: names of parameters, and IRIs of the
+ontology.
+"""
 
 from __future__ import annotations
 

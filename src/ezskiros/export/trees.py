@@ -1,4 +1,4 @@
-"""Behavior trees as the file has them."""
+"""Behavior trees in the format of the export."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The classes and data properties of ontologies as the file has them.
+"""The classes and data properties of ontologies in the format of the export.
 
 It has the classes that a parameter or a permission can be of: those that they name, with all that
 is below these, and all that is above any of them.
@@ -27,7 +27,7 @@ _SAMPLES = {"float": 0.5, "int": 1, "bool": True, "str": "text"}
 
 
 class Vocabulary:
-    """Some classes of one ontology, with what belongs to them."""
+    """Some classes of one ontology, with their properties and base classes."""
 
     def __init__(self, ontology: Ontology, named: Iterable[str], places: Places) -> None:
         self._ontology, self._model, self._places = ontology, ontology.model, places
@@ -45,9 +45,7 @@ class Vocabulary:
             }
 
     def properties(self) -> Iterator[dict[str, Any]]:
-        """The data properties that things of these classes can have; what is wrong with their units
-        is reported.
-        """
+        """The data properties that things of these classes can have. Unknown units are reported."""
         for iri, found in self._model.values.items():
             owners = self._owners(iri)
             if owners is None:

@@ -1,4 +1,6 @@
-"""Checked skills in, the text of `skills.json` out: the same for the same sources."""
+"""Conversion of checked skills to the text of `skills.json`, which is the same for the same
+sources.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +31,7 @@ from ezskiros.trees.library import Library
 from ezskiros.trees.tree import Tree
 
 TOPIC, PERIOD = "/skill_context", 0.1
-"""Where the message about running skills comes, and how often, in seconds."""
+"""The topic of the message about running skills, and its period in seconds."""
 CONTEXT = {"topic": TOPIC, "type": "skill_context_msgs/SkillContext", "period": PERIOD}
 _KINDS = {Kind.REQUIRED: "given", Kind.INFERRED: "inferred", Kind.OPTIONAL: "optional"}
 

@@ -1,1 +1,1 @@
-"""Where skills run: what EzSkiROS hands over to other systems."""
+"""Host systems that run EzSkiROS skills, such as SkiROS2."""

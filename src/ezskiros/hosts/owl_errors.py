@@ -1,4 +1,4 @@
-"""EZS88x: ontologies that SkiROS2 cannot load, or does not understand as the checks do."""
+"""EZS88x: ontologies that SkiROS2 cannot load, or reads differently from the checks."""
 
 from __future__ import annotations
 
@@ -6,48 +6,48 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class NoPrefix(Error, code="EZS884", name="no-prefix"):
-    """A namespace that SkiROS2 has no prefix for."""
+    """A namespace for which SkiROS2 has no prefix."""
 
     title = "SkiROS2 has no prefix for the namespace {namespace}"
     label = "declared here"
-    note = "SkiROS2 makes the prefix `hall` of http://example.org/hall.owl#, and of no other form"
-    help = "let the namespace end with a name and `#`"
+    note = "SkiROS2 derives the prefix `hall` from http://example.org/hall.owl#; use this form"
+    help = "end the namespace with a name and `#`"
     namespace: str
 
 
 class PrefixTaken(Error, code="EZS885", name="prefix-taken"):
-    """Two namespaces that SkiROS2 calls the same."""
+    """Two namespaces with the same SkiROS2 prefix."""
 
-    title = "SkiROS2 calls two namespaces `{prefix}`: {namespace} and {other}"
+    title = "SkiROS2 uses the prefix `{prefix}` for two namespaces: {namespace} and {other}"
     label = "declared here"
-    note = "SkiROS2 keeps one of them, and does not find the names of the other"
-    help = "rename a namespace; its prefix is the last part before `#`"
+    note = "SkiROS2 keeps one of them and cannot find names of the other"
+    help = "rename a namespace; the prefix is the last part before `#`"
     prefix: str
     namespace: str
     other: str
 
     class Other(Remark):
-        says = "the other one"
+        says = "the other namespace"
 
 
 class FileNameTaken(Error, code="EZS886", name="file-name-taken"):
-    """Two files of an ontology that would be one."""
+    """Two ontology files with the same generated name."""
 
-    title = "two files of the ontology become {file}"
-    label = "the other is {other}"
-    note = "SkiROS2 keeps what it has loaded by the names of files, in lower case"
-    help = "rename a file"
+    title = "two files of the ontology would be written to {file}"
+    label = "the other file is {other}"
+    note = "SkiROS2 identifies loaded files by their lower-case names"
+    help = "rename one of the files"
     file: str
     other: str
 
 
 class NotInXml(Error, code="EZS887", name="not-in-xml"):
-    """A statement that RDF/XML, the form that SkiROS2 reads, cannot hold."""
+    """A statement that cannot be written in RDF/XML, the format that SkiROS2 reads."""
 
-    title = "RDF/XML cannot hold {statement}"
-    label = "said of this"
-    note = "SkiROS2 reads RDF/XML"
-    help = "leave out control characters, and let names of properties be words"
+    title = "RDF/XML cannot contain {statement}"
+    label = "the statement is about this"
+    note = "SkiROS2 only reads RDF/XML"
+    help = "remove control characters, and use valid XML names for properties"
     statement: str
 
 

@@ -1,4 +1,4 @@
-"""An ontology as the files that SkiROS2 loads: RDF/XML, in which it finds its prefixes.
+"""An ontology as RDF/XML files for SkiROS2, in which it finds its prefixes.
 
 SkiROS2 makes the prefix of a namespace of the IRI of the ontology that a file declares. What it has
 loaded from a file is replaced by the next file of that name, so that none may be called like its

@@ -1,11 +1,4 @@
-"""Skills in a library of SkiROS2: checked when SkiROS2 loads the library, and run by it.
-
-At the end of the `__init__.py` of the library:
-
-    from ezskiros.hosts.skiros2 import host
-
-    host(__name__)
-"""
+"""Skills in a SkiROS2 library: checked when SkiROS2 loads the library, and run by SkiROS2."""
 
 from __future__ import annotations
 

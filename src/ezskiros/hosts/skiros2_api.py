@@ -1,4 +1,4 @@
-"""The parts of SkiROS2's Python packages that are used here, found when SkiROS2 runs.
+"""The used parts of SkiROS2's Python packages, located when SkiROS2 runs.
 
 The branches for ROS 1 and ROS 2 have the same names for it. Nothing of it is imported before, so
 that skills are checked where there is no SkiROS2.

@@ -1,4 +1,4 @@
-"""A child of a compound skill: SkiROS2's `SkillWrapper`, with keys that may be any.
+"""A child of a compound skill: SkiROS2's `SkillWrapper` with arbitrary keys.
 
 SkiROS2 renames keys one after the other, and drops a new name that is the old one of another
 parameter, or follows it; so it cannot swap two, nor give one thing to two parameters. Here the keys
@@ -82,7 +82,7 @@ class Child:
 
     @property
     def label(self) -> str:
-        """The implementation that the child has; none as long as another may be taken."""
+        """The implementation of the child; empty if any implementation may be chosen."""
         is_idle = self._state in (api().State.Uninitialized, api().State.Idle)
         return "" if self._call.is_choice and is_idle else super().label  # type: ignore[misc]
 
@@ -100,7 +100,7 @@ class Child:
         return super().onStart()  # type: ignore[misc]
 
     def specifyParams(self, *arguments: Any, **options: Any) -> None:  # noqa: N802
-        """Take values from the blackboard; what has none there has its default."""
+        """Take values from the blackboard. A parameter without a value there gets its default."""
         super().specifyParams(*arguments, **options)  # type: ignore[misc]
         named = self._params.getParamMap()
         for key, default in self._defaults.items():
@@ -109,7 +109,9 @@ class Child:
                 parameter.setValues(default)
 
     def checkPostCond(self, verbose: bool = False) -> Any:  # noqa: N802
-        """Asked when the child has succeeded: without a finding others get what it found out."""
+        """Called when the child has succeeded. Without a finding, other children get its
+        outputs.
+        """
         broken = super().checkPostCond(verbose)  # type: ignore[misc]
         if not broken:
             named = self._params.getParamMap()

@@ -1,4 +1,4 @@
-"""The context of the skills that SkiROS2's skill manager runs, for rules that watch the robot.
+"""The context of skills in SkiROS2's skill manager, for rules that monitor the robot.
 
 It is published by a thread of the process of the skill manager: it ends when that dies, is stopped
 or is started anew. As long as skills run, each of them has to give a sign of life; one that nobody
@@ -54,7 +54,7 @@ class HostedContext:
         self.running.end(owner)
 
     def live(self, owner: object) -> None:
-        """A skill is ticked. Once a period it is looked at what its things are like."""
+        """Note that a skill was ticked. Once per period, update the facts about its things."""
         if owner not in self._seen:
             return
         self._seen[owner] = now = self._clock()
@@ -88,7 +88,7 @@ class HostedContext:
 _contexts: list[HostedContext] = []
 """The one of this process, if a library names an export."""
 _refused: list[str] = []
-"""Why there is none, and will be none."""
+"""The reasons why no context is or will be published."""
 
 
 def current() -> HostedContext | None:

@@ -1,4 +1,4 @@
-"""A skill in SkiROS2's own form: what its `addParam` and its conditions store, as plain data.
+"""A skill in SkiROS2's form: the data that its `addParam` and its conditions store.
 
 Labels of conditions are left out: they are for people. Names of the ontology are written as SkiROS2
 writes them, `skiros:at`.
@@ -44,8 +44,8 @@ IMPLICIT_ROBOT = FormParameter(ROBOT, Kind.INFERRED.value, "sumo:Agent")
 
 @dataclass(frozen=True)
 class FormCondition:
-    """A condition: the method of SkiROS2's `SkillDescription` that makes it, and what it is given
-    behind the label; `parts` are added to an `or`.
+    """A condition: the method of SkiROS2's `SkillDescription` that makes it, and its arguments
+    after the label; `parts` are added to an `or`.
     """
 
     maker: str

@@ -1,4 +1,4 @@
-"""The skills of a library, checked: which of them SkiROS2 may load.
+"""The checked skills of a library, and the selection that SkiROS2 may load.
 
 A finding refuses the skill that it is in; outside of skills, all of the file. What calls a refused
 skill is refused as well: it could only fail.
@@ -32,7 +32,7 @@ _accepted: set[type] = set()
 
 
 class AcceptedLibrary(Library):
-    """A library with nothing but what SkiROS2 may load."""
+    """A library that only contains skills that SkiROS2 may load."""
 
     def implementations(self, description: SkillClass) -> Implementations:
         """The implementations of a skill, by name."""

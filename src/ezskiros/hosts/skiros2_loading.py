@@ -1,4 +1,4 @@
-"""A library that SkiROS2 imports: its skills are checked, and become classes of SkiROS2."""
+"""A library that SkiROS2 imports: its skills are checked and become SkiROS2 classes."""
 
 from __future__ import annotations
 

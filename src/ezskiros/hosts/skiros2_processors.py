@@ -1,4 +1,5 @@
-"""Processors of nodes in SkiROS2, which tick their children: its own, and those that it has not.
+"""Processors of nodes in SkiROS2, which tick their children: its own, and those that SkiROS2 does
+not have.
 
 A processor is any object with these three methods; its children say how they are by SkiROS2's
 `State`.

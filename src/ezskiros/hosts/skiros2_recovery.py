@@ -1,4 +1,4 @@
-"""Behavior trees that rules run in SkiROS2, in the place of the tasks of its skill manager.
+"""Behavior trees that rules run in SkiROS2, instead of the tasks of its skill manager.
 
 SkiROS2 ticks all its tasks one after the other (`BtTicker._tick`). While a tree runs, only that is
 ticked; the primitives of the tasks have been preempted, and start again afterwards.
@@ -69,8 +69,8 @@ class HostedRecoveries:
 
     @property
     def running(self) -> Iterable[Running]:
-        """The skills of the tasks that run. While a tree runs in their place, and until they run
-        again, they are those that ran when it began.
+        """The running skills of the tasks. While a tree runs instead, and until they run again,
+        these are the skills that were running when the tree started.
         """
         return self._context.running if self._interrupted is None else self._interrupted
 
@@ -83,7 +83,7 @@ class HostedRecoveries:
     # --- for the ticker ---------------------------------------------------------------------------
 
     def install(self) -> None:
-        """From now on the ticker of SkiROS2 asks here at each tick."""
+        """Make the ticker of SkiROS2 query this object at each tick."""
         kind = ticker()
         usual: Callable[[Any], None] = kind._tick  # noqa: SLF001
 

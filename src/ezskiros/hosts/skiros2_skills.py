@@ -1,4 +1,4 @@
-"""The classes that SkiROS2 loads: each is made of a class here and one of SkiROS2's.
+"""The classes that SkiROS2 loads: each combines a class from here with a SkiROS2 class.
 
 SkiROS2 takes classes without subclasses, and knows them by their bare names; descriptions have no
 subclasses, implementations refer to them.
@@ -95,7 +95,7 @@ def refused_class(found: type, text: str) -> Any:
 
 
 class Description:
-    """Our part of a `SkillDescription`: it says what a form says."""
+    """Our part of a `SkillDescription`, filled from a form."""
 
     form: ClassVar[Form]
     docs: ClassVar[Mapping[str, str]]
@@ -209,7 +209,7 @@ class Hosted:
 
 
 class Compound(Hosted):
-    """Our part of a `SkillBase`: its tree is that of `expandBT`."""
+    """Our part of a `SkillBase`, with the tree of `expandBT`."""
 
     params: Any
     _instanciator: Any
@@ -299,7 +299,7 @@ class Running:
                 setattr(user, name, getattr(implementation, name))
 
     def values(self) -> dict[str, Any]:
-        """The values of the parameters, None of what SkiROS2 has no right value of."""
+        """The values of the parameters; None where SkiROS2 has no valid value."""
         return {each.name: self._value(each) for each in self._skill.parameters}
 
     def _value(self, parameter: Parameter) -> Any:

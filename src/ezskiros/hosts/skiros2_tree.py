@@ -1,5 +1,5 @@
-"""A behavior tree in SkiROS2's terms, as plain data: which skills its nodes are, which keys of the
-blackboard their parameters share, and which values they are given.
+"""A behavior tree in SkiROS2's terms, as plain data: the skills of its nodes, the blackboard keys
+that their parameters share, and the given values.
 
 A task of SkiROS2 has one blackboard, flat, that all of its skills write to. Only parameters that
 the tree says are the same share a key of it: all others get keys of their own, so that a value that
@@ -34,15 +34,15 @@ class HostedCall:
 
     type: str
     module: str
-    """Where it is described."""
+    """The module with the description."""
     label: str | None
     known: tuple[str, ...]
-    """Implementations, of which any will do; with a choice, the one that can start."""
+    """The possible implementations; SkiROS2 chooses one that can start."""
     is_choice: bool
     """Pre-conditions of their own decide which implementation it is."""
     keys: Mapping[str, str]
     values: Mapping[str, Value]
-    """By the keys of the child."""
+    """The values by the keys of the child."""
     passed: frozenset[str]
     """Keys of the child whose values come from the blackboard, whichever default they have."""
     found_out: Mapping[str, str]

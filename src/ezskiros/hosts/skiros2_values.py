@@ -1,5 +1,5 @@
-"""The values of parameters in SkiROS2, with their types: as in our engine, and things are elements
-of SkiROS2 as well.
+"""The values of parameters in SkiROS2, with their types, as in our engine. Things are also SkiROS2
+elements.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ class HostedThing(WorldThing):
 
     @property
     def is_changed(self) -> bool:
-        """Say whether something else is said of the element than when the skill got it."""
+        """Say whether the element has changed since the skill got it."""
         return bool(self._before != _said(self.element))
 
 

@@ -9,7 +9,9 @@ _FIRST, _BEYOND = (6, 2), (7, 0)
 
 
 def unfit() -> str | None:
-    """Why SkiROS2 does not work with the rdflib of this Python; None if it does, or has none."""
+    """The reason why SkiROS2 does not work with the installed rdflib; None if it works or rdflib is
+    not installed.
+    """
     try:
         found = metadata.version("rdflib")
     except metadata.PackageNotFoundError:

@@ -1,4 +1,4 @@
-"""SkiROS2's world model with the methods of ours: what primitive skills ask and change."""
+"""SkiROS2's world model with the methods of ours, for primitive skills."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class HostedWorld(World):
         # The store that others have is not made.
         self.ontology = ontology
         self.changed: set[str] = set()
-        """Things of which something else is said than before."""
+        """Things whose facts have changed."""
         self._wmi, self._model = wmi, ontology.model
 
     # --- queries --------------------------------------------------------------------------------
@@ -71,7 +71,7 @@ class HostedWorld(World):
         return self.iri(self._wmi.add_element(api().Element(self._model.short(owl_class))).id)
 
     def remove(self, thing: str) -> None:
-        """Forget a thing, and all that is said of it."""
+        """Remove a thing and all facts about it."""
         self._wmi.remove_element(self.element(thing), recursive=False)
         self._forget_them([thing])
 
@@ -116,7 +116,7 @@ class HostedWorld(World):
         return self._model.short(iri)
 
     def iri(self, spelled: str) -> str:
-        """The IRI of what SkiROS2 calls `skiros:Location-3`."""
+        """The IRI of a thing with a SkiROS2 name such as `skiros:Location-3`."""
         prefix, _, name = spelled.partition(":")
         return self._model.names[prefix] + name if prefix in self._model.names else spelled
 
@@ -133,7 +133,7 @@ class HostedWorld(World):
     # --- the world model --------------------------------------------------------------------------
 
     def element(self, thing: str) -> Any:
-        """The element by which SkiROS2 knows a thing."""
+        """The SkiROS2 element of a thing."""
         return self._wmi.get_element(self._model.short(thing))
 
     def written(self, element: Any) -> Any:

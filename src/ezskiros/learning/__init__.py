@@ -1,1 +1,1 @@
-"""Lessons of runs: what rules did while skills ran, for the next plan and the next check."""
+"""Lessons from runs: effects of rules on running skills, for the next plan and the next check."""

@@ -1,4 +1,4 @@
-"""EZS866 to EZS871: records of runs, and what was learnt from them."""
+"""EZS866 to EZS871: records of runs, and findings learnt from them."""
 
 from __future__ import annotations
 
@@ -6,27 +6,27 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoRecord(Error, code="EZS866", name="no-record"):
-    """A file that is neither verdicts nor a trace, or not a whole one."""
+    """A file that is neither verdicts nor a trace, or is incomplete."""
 
-    title = "`{path}` cannot be learnt from: {reason}"
-    help = "name whole files, as `rossmarie replay` and `ezskiros run --trace` write them"
+    title = "cannot learn from `{path}`: {reason}"
+    help = "give complete files from `rossmarie replay` and `ezskiros run --trace`"
     path: str
     reason: str
 
     class WithoutStamp(Remark):
-        says = "run it again: traces had no stamps in earlier versions, and verdicts need them"
+        says = "run it again: traces of earlier versions have no time stamps, which verdicts need"
 
     class JumpsBack(Remark):
-        says = "replay the recording in parts, each without a jump"
+        says = "replay the recording in parts without a jump in time"
 
 
 class RunAlone(Error, code="EZS867", name="run-alone"):
-    """A trace that no verdicts are of the same time, or verdicts without a trace."""
+    """A trace without verdicts of the same time, or verdicts without a trace."""
 
-    title = "no {others} are of the time of `{path}`"
-    label = "it goes from {start} to {end}"
-    note = "what is learnt counts runs, so each needs its trace and its verdicts"
-    help = "name the {others} of this run, or leave it out"
+    title = "no {others} cover the time of `{path}`"
+    label = "`{path}` covers {start} to {end}"
+    note = "learning counts runs, and each run needs its trace and its verdicts"
+    help = "add the {others} of this run, or leave out `{path}`"
     path: str
     others: str
     start: str
@@ -34,8 +34,8 @@ class RunAlone(Error, code="EZS867", name="run-alone"):
 
     class OtherClock(Remark):
         says = (
-            "the nearest {others} go from {start} to {end}: if they are of this run, they were "
-            "stamped by another clock"
+            "the nearest {others} cover {start} to {end}: if they belong to this run, another "
+            "clock stamped them"
         )
         others: str
         start: str
@@ -43,22 +43,22 @@ class RunAlone(Error, code="EZS867", name="run-alone"):
 
 
 class RunTwice(Error, code="EZS868", name="run-twice"):
-    """Two files of the same kind that are of the same time."""
+    """Two files of the same kind that cover the same time."""
 
     title = "`{path}` and `{other}` are {kind} of the same time"
-    note = "a run that is counted twice makes what is learnt wrong"
-    help = "name one of them"
+    note = "counting a run twice would make the results wrong"
+    help = "give only one of them"
     path: str
     other: str
     kind: str
 
 
 class NoKnowledge(Error, code="EZS869", name="no-knowledge"):
-    """A file that is no knowledge of runs, or of another version."""
+    """A file that is not learnt knowledge, or has another version."""
 
-    title = "`{path}` is no knowledge of runs"
+    title = "`{path}` is not knowledge learnt from runs"
     label = "{reason}"
-    help = "write it with `ezskiros learn`"
+    help = "create the file with `ezskiros learn`"
     path: str
     reason: str
 
@@ -67,8 +67,8 @@ class RuleTripped(Warning, code="EZS870", name="rule-tripped"):
     """A skill during which a rule became active."""
 
     title = "`{skill}` tripped `{rule}` in {share}"
-    note = "the rule found this, first: {evidence}"
-    help = "let a condition of `{skill}` say what has to be so, or let a rule act earlier"
+    note = "the first evidence of the rule: {evidence}"
+    help = "add a condition to `{skill}` that prevents this, or make a rule act earlier"
     skill: str
     rule: str
     share: str
@@ -83,15 +83,15 @@ class RuleTripped(Warning, code="EZS870", name="rule-tripped"):
         says = "its description has no hold-condition"
 
     class WithHold(Remark):
-        says = "its hold-conditions did not end it before"
+        says = "its hold-conditions did not end the skill before"
 
 
 class SkillFailed(Warning, code="EZS871", name="skill-failed"):
     """A skill that failed in some runs."""
 
     title = "`{skill}` failed in {share}"
-    note = "most often because of this: {reason}"
-    help = "let a pre-condition say what it needs, so that it is planned and started only then"
+    note = "the most frequent reason: {reason}"
+    help = "add a pre-condition, so that `{skill}` is planned and started only when it can succeed"
     skill: str
     share: str
     reason: str

@@ -1,4 +1,4 @@
-"""Findings of `check`: what runs say of the skills in the files."""
+"""Findings of `check` about the skills in the files, from recorded runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Knowledge of runs as a file: lessons, and a digest of the records that they were learnt from.
+"""Knowledge of runs as a file: lessons, and a digest of the records behind them.
 
 Its schema is `knowledge.schema.json` beside this module, docs/reference/knowledge-file.md.
 """
@@ -28,7 +28,7 @@ _HEXADECIMAL = re.compile(r"[0-9a-f]{64}")
 
 @dataclass(frozen=True)
 class Knowledge:
-    """Lessons, and what they were learnt from."""
+    """Lessons, and the records that they were learnt from."""
 
     lessons: Lessons
     sources: Sequence[Source]
@@ -121,7 +121,7 @@ def read_knowledge(path: Path) -> Knowledge | Diagnostic:
             at = Span(file, problem.pos, min(problem.pos + 1, len(file.text)))
             return NoKnowledge(path=file.path, reason=why).at(at)
         except (ValueError, RecursionError) as problem:
-            why = str(problem) if isinstance(problem, ValueError) else "it is too deep"
+            why = str(problem) if isinstance(problem, ValueError) else "it is nested too deeply"
             return NoKnowledge(path=file.path, reason=why).at(Span(file, 0, 0))
         if not isinstance(found, dict):
             found = {}

@@ -1,4 +1,4 @@
-"""Runs become lessons: counts of what was seen, and no guesses."""
+"""Computation of lessons from runs, by counting observations only."""
 
 from __future__ import annotations
 

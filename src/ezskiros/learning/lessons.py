@@ -1,4 +1,4 @@
-"""Lessons as data: what skills cost at places, which rules they tripped, and what failed."""
+"""Lessons as data: costs of skills at places, rules that they tripped, and their failures."""
 
 from __future__ import annotations
 

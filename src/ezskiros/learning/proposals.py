@@ -1,4 +1,4 @@
-"""Proposals that people may take up, each with its evidence: rules that look ahead, pre-conditions.
+"""Proposals for users, each with its evidence: rules that look ahead, and pre-conditions.
 
 There is one only where places make a difference: a rule became active with some things, in several
 runs, and never with others.
@@ -21,8 +21,8 @@ _LEAST_RUNS = 2
 
 @dataclass(frozen=True)
 class Difference:
-    """A parameter by which runs differ: with all of `tripped` a rule became active, with none of
-    `free`. Both are IRIs of locations.
+    """A parameter by which runs differ: with all things of `tripped` a rule became active, with
+    none of `free`. Both are IRIs of locations.
     """
 
     trip: Trip

@@ -1,4 +1,4 @@
-"""Files of JSON lines from outside: what is read of a line, and errors that say where it is wrong.
+"""Reading of JSON lines from external files, with errors that name the place.
 
 Sizes are limited, and nothing is taken for what it is not: a number for a text, or NaN for a
 number.
@@ -84,7 +84,7 @@ class Line:
         """A stamp in nanoseconds."""
         found = self.get(key, int)
         if not 0 <= found <= LATEST_NS:
-            self.fail(f"`{key}` is no stamp in nanoseconds", key)
+            self.fail(f"`{key}` is not a time stamp in nanoseconds", key)
         return found
 
     def count(self, key: str) -> int:
@@ -99,7 +99,7 @@ class Line:
         found = self.values.get(key)
         is_number = type(found) in (int, float)
         if not is_number or not 0 <= found <= LATEST_NS / 1e9:  # type: ignore[operator]
-            self.fail(f"`{key}` is no duration in seconds", key)
+            self.fail(f"`{key}` is not a duration in seconds", key)
         return float(found)  # type: ignore[arg-type]
 
     def objects(self, key: str) -> Iterator[Line]:
@@ -116,7 +116,7 @@ class Line:
         """A list of texts."""
         found = self.get(key, list)
         if not all(isinstance(each, str) for each in found):
-            self.fail(f"`{key}` is not a list of texts", key)
+            self.fail(f"`{key}` is not a list of strings", key)
         return tuple(found)
 
 
@@ -150,7 +150,7 @@ def parsed(text: str) -> Any:
 
 
 def _refuse_constant(spelled: str) -> None:
-    raise ValueError(f"`{spelled}` is no number of JSON")
+    raise ValueError(f"`{spelled}` is not a JSON number")
 
 
 def _object(span: Span) -> dict[str, Any]:
@@ -161,7 +161,9 @@ def _object(span: Span) -> dict[str, Any]:
         where = Span(span.file, at, min(at + 1, span.end))
         Line(where, {}).fail(f"this is not JSON ({problem.msg})")
     except (ValueError, RecursionError) as problem:
-        Line(span, {}).fail(str(problem) if isinstance(problem, ValueError) else "it is too deep")
+        Line(span, {}).fail(
+            str(problem) if isinstance(problem, ValueError) else "its nesting is too deep"
+        )
     if not isinstance(found, dict):
-        Line(span, {}).fail("this is no object of JSON")
+        Line(span, {}).fail("this is not a JSON object")
     return found

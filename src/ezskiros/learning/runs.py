@@ -1,4 +1,4 @@
-"""Runs: each trace with the verdicts of the same time. Stamps join them, not names of files."""
+"""Runs: each trace with the verdicts of the same time. Time stamps pair them, not file names."""
 
 from __future__ import annotations
 
@@ -22,7 +22,9 @@ _Record = TypeVar("_Record", Trace, Verdicts)
 
 @dataclass(frozen=True)
 class Run:
-    """One task, and what rules found in the recording that it is in. A recording may have more."""
+    """One task, and the activations of rules in its recording. A recording may have several
+    tasks.
+    """
 
     trace: Trace
     verdicts: Verdicts

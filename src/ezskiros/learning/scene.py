@@ -34,7 +34,9 @@ class Map:
         return name_in(self.ontology, owl_class) if self.ontology is not None else owl_class
 
     def classes(self, iri: str) -> Sequence[str]:
-        """The classes of a location, as the scene names them; none of what is no location."""
+        """The classes of a location, as the scene names them; empty if the thing is not a
+        location.
+        """
         return self.locations[iri].types if iri in self.locations else ()
 
     def is_placed(self, iri: str) -> bool:

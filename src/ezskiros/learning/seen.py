@@ -1,4 +1,4 @@
-"""Laying a trace and its verdicts side by side: which skills ran when a rule became active."""
+"""Alignment of a trace with its verdicts: the skills that ran when a rule became active."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from ezskiros.learning.verdicts import Activation
 
 @dataclass(frozen=True, eq=False)
 class Hit:
-    """An activation with the executions that ran: the `innermost` ones, and all on the way to them.
-    `lost_s` is for how many seconds it stayed active within the run; where several rules hold, the
-    time is that of the first.
+    """An activation with the executions that ran: the `innermost` ones, and all their parents.
+    `lost_s` is the time for which it stayed active within the run (s). If several rules are active,
+    the time counts for the first.
     """
 
     activation: Activation

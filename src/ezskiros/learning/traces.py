@@ -67,9 +67,9 @@ class _Reader:
     def trace(self) -> Trace:
         if self._running:
             path = " > ".join(next(iter(self._running)))
-            self._last_line.fail(f"it breaks off here, while `{path}` runs")
+            self._last_line.fail(f"it ends here while `{path}` runs")
         if not self._found:
-            self._first.fail("no skill runs in it")
+            self._first.fail("it contains no skill")
         return Trace(self._first.span.file, self._start, self._last, self._found)
 
     def take(self, line: Line) -> None:
@@ -108,7 +108,7 @@ class _Reader:
 
 def _stamp(line: Line) -> int:
     if "at_ns" not in line.values:
-        line.fail("`at_ns` is not there", "time", help=NoRecord.WithoutStamp())
+        line.fail("`at_ns` is missing", "time", help=NoRecord.WithoutStamp())
     return line.stamp("at_ns")
 
 

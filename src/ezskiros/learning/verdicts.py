@@ -16,8 +16,9 @@ _LONGEST_REASON = 300
 
 @dataclass(frozen=True)
 class Activation:
-    """A rule that became active, and when it cleared: at the latest with the recording. Stamps in
-    nanoseconds. `is_stale` if it was for lack of an input, not for what it looks for.
+    """A rule that became active, and the time at which it cleared, at the latest at the end of the
+    recording. Time stamps are in nanoseconds. `is_stale` is True if the cause was a stale input and
+    not its condition.
     """
 
     rule: str
@@ -65,7 +66,7 @@ def _activations(
     for line in rest:
         kind = line.get("type", str)
         if kind == "time_jump":
-            line.fail("its stamps jump back here", "from_ns", help=NoRecord.JumpsBack())
+            line.fail("its time stamps jump back here", "from_ns", help=NoRecord.JumpsBack())
         if kind != "verdict":
             continue
         rule, at, is_active = _change(line, rules)

@@ -1,4 +1,4 @@
-"""The locations of a scene: where its things are in the plane, for rules that look ahead."""
+"""The locations of a scene: the positions of its things in the plane, for rules that look ahead."""
 
 from ezskiros.locations.find import Found, find_locations
 from ezskiros.locations.location import Location, Point

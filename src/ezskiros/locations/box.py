@@ -1,4 +1,4 @@
-"""Boxes of scenes: position, orientation and size in, the corners on the floor out."""
+"""Conversion of boxes in scenes, with position, orientation and size, to corners on the floor."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""EZS61x: where the things of a scene are."""
+"""EZS61x: positions and sizes of the things in a scene."""
 
 from __future__ import annotations
 
@@ -6,21 +6,19 @@ from dslkit.diagnostics import Error, Template, Warning
 
 
 class WrongPolygon(Error, code="EZS610", name="wrong-polygon"):
-    """A polygon that encloses nothing, or nobody knows what."""
+    """A polygon that encloses no area, or is ambiguous."""
 
     title = "the polygon of {thing} {reason}"
-    help = (
-        'write the corners in m, the first one again at the end: "POLYGON ((0 0, 4 0, 4 2, 0 0))"'
-    )
+    help = 'write the corners in m and repeat the first corner: "POLYGON ((0 0, 4 0, 4 2, 0 0))"'
     thing: str
     reason: str
 
 
 class HalfKnown(Warning, code="EZS611", name="half-known-location"):
-    """A thing whose place or size has a part that is missing."""
+    """A thing with an incomplete position or size."""
 
-    title = "{thing} has {found}, and no {missing}"
-    label = "rules cannot know where {thing} is"
+    title = "{thing} has {found} but no {missing}"
+    label = "rules cannot locate {thing}"
     help = "add {missing}, or remove {found}"
     thing: str
     found: str
@@ -28,7 +26,7 @@ class HalfKnown(Warning, code="EZS611", name="half-known-location"):
 
 
 class WrongPlace(Error, code="EZS612", name="wrong-place-of-location"):
-    """A coordinate, a size or an orientation that no thing has."""
+    """An invalid coordinate, size or orientation."""
 
     title = "{property} of {thing} {reason}"
     thing: str

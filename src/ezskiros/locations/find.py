@@ -1,4 +1,4 @@
-"""The places of the things of a scene, in the terms of SkiROS2 and of GeoSPARQL.
+"""The positions of the things of a scene, in the terms of SkiROS2 and of GeoSPARQL.
 
 A polygon is the value of `geo:asWKT`. A box has the position, the orientation and the size that
 SkiROS2's ontology has for things, and a thing with a position alone is a point. Frames are those of
@@ -38,15 +38,15 @@ _Values = Mapping[str, Sequence[str]]
 
 @dataclass(frozen=True)
 class Found:
-    """The locations of a scene in the order of the file, and what is wrong with it."""
+    """The locations of a scene in the order of the file, and the findings."""
 
     locations: Sequence[Location]
     diagnostics: Sequence[Diagnostic]
 
 
 def find_locations(document: Document, model: Model) -> Found:
-    """The things of a scene that are somewhere, and those that should be: the ones of the class
-    `skiros:Location`, and those of which a part of the place is missing. These have no corners.
+    """The things of a scene that have a position, and those that should have one: things of the
+    class `skiros:Location`, and things with an incomplete position. The latter have no corners.
     """
     finder = _Finder(document, model)
     return Found([*finder.find()], finder.wrong)
@@ -127,7 +127,7 @@ class _Finder:
         found = self._numbers(thing, _ORIENTATION) or _UPRIGHT
         x, y, z, w = found
         if not math.hypot(x, y, z, w) > 0.5:
-            raise self._odd(thing, _ORIENTATION[3], "belongs to no quaternion of length 1")
+            raise self._odd(thing, _ORIENTATION[3], "does not belong to a quaternion of length 1")
         try:
             return footprint(position, (x, y, z, w), edges)
         except NoPolygonError as problem:
@@ -156,7 +156,7 @@ class _Finder:
         except ValueError:
             number = math.nan
         if not abs(number) <= FARTHEST:
-            raise self._odd(thing, iri, f"is {text}, and no number up to {FARTHEST:.0f}")
+            raise self._odd(thing, iri, f"is {text}, not a number up to {FARTHEST:.0f}")
         return number
 
     def _one(self, thing: _Thing, iri: str) -> str | None:

@@ -1,4 +1,4 @@
-"""A location: a thing of a scene that has a place in the plane of a frame."""
+"""A location: a thing of a scene with a position in the plane of a frame."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ FARTHEST = 1e6
 
 
 class NoPolygonError(ValueError):
-    """A polygon that no location has; the message goes on behind `the polygon of X`."""
+    """An invalid polygon. The message continues the text `the polygon of X`."""
 
 
 @dataclass(frozen=True)

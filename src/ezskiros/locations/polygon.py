@@ -1,4 +1,4 @@
-"""Polygons of scenes: well-known text in, corners out.
+"""Conversion of polygons in scenes from well-known text to corners.
 
 The text is that of GeoSPARQL's `geo:asWKT` (OGC 22-047r1). Shapely reads it and finds edges that
 cross each other.
@@ -22,7 +22,7 @@ _CROSSING = re.compile(r"(?:Ring )?Self-intersection\[(\S+) (\S+)\]")
 def corners_of(text: str) -> tuple[Point, ...]:
     """The corners of a polygon, anticlockwise. Raises `NoPolygonError`."""
     if text.lstrip().startswith("<"):
-        raise NoPolygonError("names a coordinate system; it has to be in the frame of the thing")
+        raise NoPolygonError("names a coordinate system; use the frame of the thing")
     kind = _KIND.match(text)
     if (
         kind is None or kind[1].upper() != "POLYGON"
@@ -32,14 +32,14 @@ def corners_of(text: str) -> tuple[Point, ...]:
         with np.errstate(all="ignore"):  # NaN is refused below
             found = shapely.from_wkt(text)
     except shapely.errors.ShapelyError as problem:
-        raise NoPolygonError(f"is no well-known text: {_said(problem)}") from None
+        raise NoPolygonError(f"is not well-known text: {_said(problem)}") from None
     assert isinstance(found, shapely.Polygon), "so its text begins"
     if found.is_empty:
         raise NoPolygonError("is empty")
     if found.has_z:
-        raise NoPolygonError("has heights; it has to lie in the plane")
+        raise NoPolygonError("has heights; use two coordinates per corner")
     if len(found.interiors) > 0:
-        raise NoPolygonError("has a hole; make two polygons of it, each a thing of its own")
+        raise NoPolygonError("has a hole; split it into two polygons, each of its own thing")
     return around(found)
 
 
@@ -49,7 +49,7 @@ def around(found: shapely.Polygon) -> tuple[Point, ...]:
     if len(corners) > MOST_CORNERS:
         raise NoPolygonError(f"has {len(corners)} corners; at most {MOST_CORNERS} are allowed")
     if not all(abs(number) <= FARTHEST for corner in corners for number in corner):
-        raise NoPolygonError(f"has a coordinate that is no number up to {FARTHEST:.0f} m")
+        raise NoPolygonError(f"has a coordinate that is not a number up to {FARTHEST:.0f} m")
     if not found.is_valid:
         raise NoPolygonError(_fault(found))
     ordered = shapely.geometry.polygon.orient(found).exterior.coords[:-1]

@@ -1,1 +1,1 @@
-"""From SkiROS2's descriptions of skills to those of EzSkiROS: Python in, Python out."""
+"""Translation of SkiROS2 skills to EzSkiROS, from Python source to Python source."""

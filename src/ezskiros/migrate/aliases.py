@@ -1,5 +1,5 @@
 """Variables of a method that stand for a parameter: `speed = self.params["Speed"]`, then
-`speed.value`. They become what they stand for.
+`speed.value`. The translation replaces them by the parameter.
 """
 
 from __future__ import annotations

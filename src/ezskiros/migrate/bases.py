@@ -1,4 +1,4 @@
-"""Classes that skills are built on, in all files: which become mixins, and which have to stay.
+"""Base classes of skills in all files: those that become mixins, and those that stay unchanged.
 
 A base class of SkiROS2's primitives that describes nothing becomes a class without SkiROS2's own
 base. What is derived from the same class is translated together or not at all.
@@ -18,7 +18,7 @@ ClassId = tuple[str, str]
 
 @dataclass(frozen=True)
 class BuiltClass:
-    """A class of a file, and what it is built on.
+    """A class of a file, and its base classes.
 
     `bases` are called as where they are from. One that `is_native` has a base of SkiROS2's own;
     one that `is_described` has a description, or `implements` one: it has the name of the skill,
@@ -61,7 +61,7 @@ class Cause:
 
 
 class Bases:
-    """The classes of some files. `left` are those that stay, each with the cause of that."""
+    """The classes of some files. `left` are those that stay unchanged, each with its cause."""
 
     def __init__(
         self,
@@ -115,7 +115,7 @@ class Bases:
         return Bases(self._classes, left)
 
     def changed(self, before: Bases) -> set[ClassId]:
-        """The classes of which it is not known before what becomes of them."""
+        """The classes whose result is unknown before the migration."""
         both = {*self.left, *before.left}
         return {each for each in both if self.left.get(each) != before.left.get(each)}
 

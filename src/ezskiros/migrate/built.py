@@ -1,4 +1,4 @@
-"""The classes of a file, as those that skills are built on: what others have to know of them."""
+"""The classes of a file as base classes of skills, for the migration of other files."""
 
 from __future__ import annotations
 

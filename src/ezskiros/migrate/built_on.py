@@ -1,4 +1,4 @@
-"""The classes that an implementation is derived from, where that is not SkiROS2's own base."""
+"""The base classes of an implementation other than SkiROS2's own."""
 
 from __future__ import annotations
 
@@ -17,22 +17,24 @@ SKIROS2_BASES = frozenset({"SkillBase", "PrimitiveBase"})
 
 
 def other_base(node: cst.ClassDef, context: Context, names: Mapping[str, str]) -> OtherBase | None:
-    """Why the skill's own `SkillBase` cannot be added to the bases of a class; None if it can."""
+    """The finding if the skill's `SkillBase` cannot be added to the bases of a class; None if it
+    can.
+    """
     called = [last_name(each.value) or "" for each in node.bases]
     bases = [names.get(each, each) for each in called]
     below = [(base, *context.skills.bases.below(base, context.path)) for base in bases]
     base, root, end = min(below, key=lambda each: each[1].value, default=("", Root.PLAIN, ""))
     name = node.name.value
     if root is Root.DESCRIBED or not {*bases} - {"object"}:
-        said = f"is derived from {listed(bases) or 'nothing'}"
+        said = f"inherits from {listed(bases) or 'nothing'}"
         return OtherBase(implementation=name, found=said)
     if root is not Root.UNKNOWN:
         return None
-    way = f" by way of `{base}`" if base != end else ""
+    way = f" through `{base}`" if base != end else ""
     return OtherBase(
         implementation=name,
-        found=f"is derived from `{end}`{way}, which is in none of these files",
-        advice=f"name the library that has `{end}` as well, if there is one",
+        found=f"inherits from `{end}`{way}, which none of these files defines",
+        advice=f"if a library defines `{end}`, give its file as well",
         base=end,
     )
 
@@ -45,5 +47,5 @@ def left_with(node: cst.ClassDef, context: Context) -> OtherBase | None:
         return None
     path, other = cause.id
     codes = " and ".join(cause.codes)
-    found = f"belongs together with `{other}`, which is left as it is, for {codes}"
+    found = f"depends on `{other}`, which is not translated because of {codes}"
     return OtherBase(implementation=node.name.value, found=found, base=other, path=path)

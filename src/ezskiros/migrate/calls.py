@@ -1,4 +1,4 @@
-"""Calls of SkiROS2's methods of descriptions: which method, and its arguments by their names."""
+"""Calls of SkiROS2's description methods: the method, and its arguments by name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The lines of the body of a class that implements a skill: its comments, and marks above them."""
+"""The lines in the body of an implementation class: its comments, and marks above them."""
 
 from __future__ import annotations
 

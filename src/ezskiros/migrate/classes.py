@@ -1,4 +1,4 @@
-"""The classes of a module, and new ones in their places."""
+"""The classes of a module, and their replacements."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import libcst as cst
 from ezskiros.migrate.calls import method
 
 OLD_DESCRIPTION = "createDescription"
-"""The method by which SkiROS2's classes describe skills, and say what they implement."""
+"""The method in which SkiROS2 classes describe a skill or name the skill that they implement."""
 
 
 def describing_method(node: cst.ClassDef) -> cst.FunctionDef | None:

@@ -1,4 +1,4 @@
-"""Comments: those of old code that stay, and the marks that a migration leaves."""
+"""Comments: kept comments of old code, and marks that a migration adds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`getRelationCond` and its like in, an expression of EzSkiROS out."""
+"""Translation of `getRelationCond` and the like to EzSkiROS expressions."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _OPERATORS = {"=": "==", "<": "<", ">": ">", "<=": "<=", ">=": ">="}
 
 @dataclass(frozen=True)
 class Expression:
-    """A condition as it is written. `labels` are those that say more than it does."""
+    """A condition in source form. `labels` are the labels that add information to the condition."""
 
     text: str
     labels: tuple[str, ...] = ()
@@ -64,7 +64,9 @@ class ConditionReader:
     mentioned: set[str] = field(default_factory=set)
 
     def read(self, node: cst.BaseExpression) -> Expression:
-        """Read what is added to the conditions: a call, or a variable. Raises `LeftError`."""
+        """Read an argument of the methods that add conditions: a call, or a variable. Raises
+        `LeftError`.
+        """
         if isinstance(node, cst.Name) and node.value in self.variables:
             found = self.variables[node.value]
             if isinstance(found, OrBuilder):
@@ -78,7 +80,7 @@ class ConditionReader:
         return maker(self, Arguments(node, name))
 
     def part(self, node: cst.BaseExpression) -> Expression:
-        """Read what is added to an `or`, which may be used after a variable is changed."""
+        """Read a part of an `or`, which may be used after a variable is changed."""
         if isinstance(node, cst.Name):
             found = self.variables.get(node.value)
             if isinstance(found, Expression):
@@ -179,7 +181,7 @@ class ConditionReader:
         if name := self.things.get(wanted):
             self.mentioned.add(name)
             return name
-        found = "stands for no thing" if wanted in self.others else "is no parameter"
+        found = "does not stand for a thing" if wanted in self.others else "is no parameter"
         raise LeftError(errors.NotAThing(key=wanted, found=found), given[key])
 
     def _labels(self, given: Arguments, said: tuple[str, ...], *, is_true: bool) -> tuple[str, ...]:

@@ -1,5 +1,5 @@
-"""Implementations that cannot be translated since a skill is not: each skill is reported once, with
-all that follows.
+"""Implementations that cannot be translated because a skill cannot. Each skill is reported once,
+with all consequences.
 """
 
 from __future__ import annotations

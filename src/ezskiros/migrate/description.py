@@ -1,4 +1,4 @@
-"""The method `createDescription` in, the method `description` out."""
+"""Translation of the method `createDescription` to the method `description`."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _CONDITIONS = {
 
 @dataclass(frozen=True)
 class Finding:
-    """The rest of a statement, and the reason. `statement` is the one that gets the mark."""
+    """The untranslated part of a statement, and the reason. `statement` gets the mark."""
 
     template: Template
     node: cst.CSTNode
@@ -297,7 +297,7 @@ def _single_blanks(lines: Sequence[str]) -> list[str]:
 
 
 def _unused(name: str, builder: OrBuilder) -> LeftError:
-    template = errors.UnusableOr(found=f"is added to no condition, as `{name}`")
+    template = errors.UnusableOr(found=f"is not added to a condition, as `{name}`")
     return LeftError(template, builder.node)
 
 

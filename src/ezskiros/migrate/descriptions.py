@@ -1,4 +1,4 @@
-"""The classes of a file that describe skills: which they are, and the new ones for them."""
+"""The description classes of a file, and their replacements."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ class Description:
 
     @property
     def findings(self) -> list[Finding]:
-        """Why it is left, if it is."""
+        """The findings that prevent the translation; empty if there are none."""
         return self.translation.findings
 
     def skill(self, path: str) -> Skill:
@@ -85,16 +85,16 @@ class Descriptions:
     # --- those that are built on others -----------------------------------------------------------
 
     def leave_related(self, found: Sequence[Description]) -> None:
-        """Descriptions that are built on others are left, and those that they are built on."""
+        """Leave descriptions that inherit from others, and their base descriptions."""
         by_name = {each.name: each for each in found}
         for each in found:
             for base, node in self._bases(each):
-                _derived(each, f"is built on `{base}`", node)
+                _derived(each, f"inherits from `{base}`", node)
                 if base in by_name:
                     below = by_name[base]
-                    _derived(below, f"is what `{each.name}` is built on", below.node.name)
+                    _derived(below, f"is the base of `{each.name}`", below.node.name)
             if each.name in self._inherited:
-                _derived(each, "is what a description elsewhere is built on", each.node.name)
+                _derived(each, "is the base of a description elsewhere", each.node.name)
 
     def _bases(self, each: Description) -> Iterator[tuple[str, cst.BaseExpression]]:
         """The classes that a description is built on, besides SkiROS2's own."""

@@ -1,4 +1,4 @@
-"""Docstrings with a section `Args:`, where EzSkiROS looks for what parameters are."""
+"""Docstrings with a section `Args:`, from which EzSkiROS reads the documentation of parameters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""EZS701 to EZS720: descriptions of SkiROS2 that cannot be translated, and are left as they are."""
+"""EZS701 to EZS720: SkiROS2 descriptions that cannot be translated and stay unchanged."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:  # the catalog of all diagnostics does without it
 
 
 class LeftError(Exception):
-    """Part of a skill has no translation: `template` says why, `node` is the part."""
+    """Part of a skill has no translation: `template` gives the reason, `node` is the part."""
 
     def __init__(self, template: Template, node: libcst.CSTNode) -> None:
         super().__init__(template.code)
@@ -21,58 +21,59 @@ class LeftError(Exception):
 class UnreadableSource(Error, code="EZS701", name="unreadable-source"):
     """A file that is not Python 3."""
 
-    title = "this is not Python 3: {said}"
-    note = "the file is left as it is"
-    help = "files for Python 2 can be turned into Python 3 by `2to3` first"
+    title = "this is not valid Python 3: {said}"
+    note = "the file stays unchanged"
+    help = "convert Python 2 files with `2to3` first"
     said: str
 
 
 class ComputedArgument(Error, code="EZS702", name="computed-argument"):
-    """A key, a relation or a truth value that is no literal."""
+    """A key, a relation or a Boolean that is not a literal."""
 
     title = "`{argument}` of `{call}` is computed"
-    label = "what it is cannot be read here"
-    help = "write {wanted} itself"
+    label = "its value is not visible here"
+    help = "write {wanted} as a literal"
     argument: str
     call: str
     wanted: str
 
 
 class UntypedParameter(Error, code="EZS704", name="untyped-parameter"):
-    """A value whose type parameters of EzSkiROS cannot have."""
+    """A parameter with a type that EzSkiROS does not have."""
 
-    title = "the parameter `{key}` is {found}, which EzSkiROS has no type for"
+    title = "the parameter `{key}` is {found}, and EzSkiROS has no type for it"
     note = (
-        "parameters are things of the ontology, str, int, float, bool or enumerations; lists and "
-        "dictionaries would hide from every check what is in them (thesis, Paper IV, section 6)"
+        "the type of a parameter is a class of the ontology, str, int, float, bool or an "
+        "enumeration; the checks cannot see the elements of a list or dictionary (thesis, "
+        "Paper IV, section 6)"
     )
-    help = "use one parameter for each value, an enumeration, or a class of the ontology"
+    help = "use one parameter per value, an enumeration, or a class of the ontology"
     key: str
     found: str
 
 
 class NoKind(Error, code="EZS705", name="no-parameter-kind"):
-    """A type of parameter that SkiROS2 does not have, or that is computed."""
+    """A parameter kind that SkiROS2 does not have, or that is computed."""
 
-    title = "`{found}` is no type of parameter that SkiROS2 has"
+    title = "SkiROS2 has no parameter kind `{found}`"
     help = "write ParamTypes.Required, ParamTypes.Optional or ParamTypes.Inferred"
     found: str
 
 
 class InferredBasic(Error, code="EZS706", name="inferred-basic"):
-    """An inferred parameter that is no thing."""
+    """An inferred parameter with a basic type."""
 
-    title = "`{key}` is inferred, but SkiROS2 infers only things of the world"
-    help = "make it ParamTypes.Required, with its default, or ParamTypes.Optional"
+    title = "`{key}` is inferred, but SkiROS2 only infers things of the world model"
+    help = "use ParamTypes.Required with the default, or ParamTypes.Optional"
     key: str
 
 
 class ParticularElement(Error, code="EZS707", name="particular-element"):
-    """An element that is more than a class, or less."""
+    """An element with a label or identifier, or without a class."""
 
     title = "the parameter `{key}` stands for {found}"
-    label = "EzSkiROS knows parameters by their class alone"
-    help = "write `Element(CLASS)`, and give the label or identifier where the skill is used"
+    label = "a parameter of EzSkiROS only has a class"
+    help = "write `Element(CLASS)`, and pass the label or identifier when calling the skill"
     key: str
     found: str
 
@@ -80,8 +81,8 @@ class ParticularElement(Error, code="EZS707", name="particular-element"):
 class NoOption(Error, code="EZS708", name="no-parameter-option"):
     """An option that SkiROS2 does not have, or that is computed."""
 
-    title = "`{found}` is no option of parameters that SkiROS2 has"
-    help = "options are Consume, Output, Unspecify, Lock and RespectType, in a list"
+    title = "SkiROS2 has no parameter option `{found}`"
+    help = "write a list of Consume, Output, Unspecify, Lock and RespectType"
     found: str
 
 
@@ -89,26 +90,26 @@ class RepeatedParameter(Error, code="EZS709", name="repeated-parameter"):
     """A parameter that is declared twice."""
 
     title = "the parameter `{key}` is declared twice"
-    note = "SkiROS2 silently takes the last declaration"
-    help = "leave one of them"
+    note = "SkiROS2 silently uses the last declaration"
+    help = "keep only one declaration"
     key: str
 
 
 class UnknownStatement(Error, code="EZS710", name="unknown-statement"):
-    """Something that is neither a parameter nor a condition."""
+    """A statement that is neither a parameter nor a condition."""
 
     title = "{found} cannot be part of a translated description"
     label = "only parameters and conditions are translated"
-    help = "write it with addParam, addPreCondition, addHoldCondition and addPostCondition"
+    help = "use only addParam, addPreCondition, addHoldCondition and addPostCondition"
     found: str
 
 
 class NotAThing(Error, code="EZS711", name="not-a-thing"):
     """A condition about a parameter that does not stand for a thing."""
 
-    title = "a condition is about `{key}`, which {found}"
+    title = "a condition uses `{key}`, which {found}"
     note = "SkiROS2 would fail when the skill starts"
-    help = "declare it as `Element(...)`, or name another parameter"
+    help = "declare `{key}` as `Element(...)`, or use another parameter"
     key: str
     found: str
 
@@ -116,31 +117,31 @@ class NotAThing(Error, code="EZS711", name="not-a-thing"):
 class NoOperator(Error, code="EZS712", name="no-operator"):
     """A comparison that SkiROS2 does not know."""
 
-    title = "`{found}` is no operator that SkiROS2 has"
+    title = "SkiROS2 has no operator `{found}`"
     note = "SkiROS2 would fail when the skill starts"
-    help = "operators are =, <, >, <= and >=; for an opposite the last argument is False"
+    help = "the operators are =, <, >, <= and >=; negate with False as the last argument"
     found: str
 
 
 class NoNamespace(Error, code="EZS713", name="no-namespace"):
-    """A name that is in no namespace of an ontology for robots."""
+    """A name that is in no namespace of a loaded ontology."""
 
-    title = "`{found}` is no class or property of a loaded ontology"
+    title = "`{found}` is not a class or property of a loaded ontology"
     label = "EzSkiROS has no Python name for it"
     help = "use a name such as `skiros:Product`"
     found: str
 
 
 class UntypedValue(Error, code="EZS714", name="untyped-value"):
-    """A property that is compared with something that is no value."""
+    """A property that is compared with an object that is not a value."""
 
-    title = "{found} is no value that a property is known to have"
-    help = "compare with a text, a number or a truth value"
+    title = "a property cannot have the value {found}"
+    help = "compare with a string, a number or a Boolean"
     found: str
 
 
 class UnusableOr(Error, code="EZS715", name="unusable-or"):
-    """An `or` that `|` cannot say."""
+    """An `or` that `|` cannot express."""
 
     title = "this `or` {found}"
     help = "build it from two or more conditions, then add it to the description"
@@ -148,45 +149,45 @@ class UnusableOr(Error, code="EZS715", name="unusable-or"):
 
 
 class DerivedDescription(Error, code="EZS716", name="derived-description"):
-    """A description that is built on another one, or the one that it is built on."""
+    """A description that inherits from another one, or is inherited."""
 
     title = "`{skill}` {found}"
-    label = "the two can only be translated together, by hand"
+    label = "translate both classes by hand"
     help = "write all parameters and conditions into each description"
     skill: str
     found: str
 
 
 class IgnoredOptions(Warning, code="EZS717", name="ignored-options"):
-    """Options of a parameter that is no thing."""
+    """Options of a parameter that does not stand for a thing."""
 
-    title = "the options of `{key}` are left out: SkiROS2 ignores them"
+    title = "the options of `{key}` are dropped: SkiROS2 ignores them"
     label = "options are for parameters that stand for things"
     key: str
 
 
 class WrongArguments(Error, code="EZS718", name="wrong-arguments"):
-    """A call that SkiROS2 would refuse, or whose arguments are packed."""
+    """A call with arguments that SkiROS2 would refuse, or with packed arguments."""
 
-    title = "`{call}` is called with other arguments than it has"
+    title = "`{call}` is called with wrong arguments"
     help = "write {call}({wanted})"
     call: str
     wanted: str
 
 
 class EmptyKey(Error, code="EZS719", name="empty-key"):
-    """A parameter whose key is an empty text."""
+    """A parameter whose key is an empty string."""
 
     title = "the key of a parameter is empty"
-    help = "give it a key that says what it is, here and in each skill that uses it"
+    help = "give the parameter a key, here and in each skill that uses it"
 
 
 class LeftOutput(Warning, code="EZS720", name="left-output"):
-    """The option Output of a parameter that cannot be one."""
+    """The option Output on a parameter that cannot be an output."""
 
-    title = "the option Output of `{key}` is left out: SkiROS2 ignores it"
-    note = "an output of EzSkiROS is optional, and has no default and no other option"
-    help = "make it ParamTypes.Optional, without a default, if the skill gives it its value"
+    title = "the option Output of `{key}` is dropped: SkiROS2 ignores it"
+    note = "an output of EzSkiROS is optional and has no default and no other option"
+    help = "use ParamTypes.Optional without a default if the skill sets the value"
     key: str
 
 

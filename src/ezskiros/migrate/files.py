@@ -1,4 +1,4 @@
-"""Files and folders in, their migrations out; written only when somebody asks for that."""
+"""Migration of files and folders. Files are only written on request."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _UNREAD = {NoFile.code, errors.UnreadableSource.code}
 
 @dataclass(frozen=True)
 class MigratedFile:
-    """A file, and what becomes of it; `encoding` is what it is written in."""
+    """A file, and its migrated text; `encoding` is the encoding of the file."""
 
     path: Path
     encoding: str
@@ -68,7 +68,7 @@ class Migration:
     diagnostics: Sequence[Diagnostic]
 
     def summary(self, *, is_written: bool) -> str:
-        """Tell how many skills there are, and what has become of them."""
+        """Count the skills: translated, and not translated."""
         described = [(each.migrated.translated, each.migrated.left) for each in self.files]
         implementing = [
             (each.migrated.implemented, each.migrated.unimplemented) for each in self.files

@@ -1,4 +1,4 @@
-"""The names of the skills of trees in a file, and the imports of those of other files."""
+"""The names of the skills that trees in a file call, and the imports from other files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""EZS721 to EZS738: implementations of SkiROS2 that cannot be translated, and what follows."""
+"""EZS721 to EZS738: SkiROS2 implementations that cannot be translated, and the consequences."""
 
 from __future__ import annotations
 
@@ -6,40 +6,40 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class LeftToo(Remark):
-    """The note that tells what else is left as it is."""
+    """The note with other classes that stay unchanged."""
 
-    says = "for the same reason {names} {are} left"
+    says = "for the same reason {names} {are} not translated"
     names: str
     are: str
 
 
 class UnusableSkill(Error, code="EZS721", name="unusable-skill"):
-    """An implementation of a skill whose description is not translated, or not there."""
+    """An implementation of a skill whose description is missing or not translated."""
 
-    title = "`{skill}`, which this implements, is {found}"
-    label = "implementations are derived from a description of EzSkiROS"
-    help = "name the file of its description, too"
+    title = "`{skill}`, which this class implements, is {found}"
+    label = "an implementation derives from an EzSkiROS description"
+    help = "give the file of its description as well"
     skill: str
     found: str
 
 
 class UnusableChild(Error, code="EZS722", name="unusable-child"):
-    """A child of which no description is translated, or more than one."""
+    """A child with no translated description, or with more than one."""
 
     title = "the child `{skill}` is {found}"
-    label = "trees of EzSkiROS name skills by their Python classes"
-    help = "name the files that it takes, and only these"
+    label = "EzSkiROS trees refer to skills by their Python classes"
+    help = "give exactly the files that define these skills"
     skill: str
     found: str
 
 
 class SharedName(Error, code="EZS723", name="shared-name"):
-    """A child whose parameter is renamed to something that cannot become one of the compound."""
+    """A child parameter that is remapped to a key that cannot become a compound parameter."""
 
-    title = "`{child}` shares `{key}`, which is no parameter of `{skill}`"
+    title = "`{child}` shares `{key}`, which is not a parameter of `{skill}`"
     label = "{why}"
-    note = "SkiROS2 makes a new name for any text that it is given, also for a misspelt one"
-    help = 'declare it: self.addParam("{key}", ..., ParamTypes.Optional) in `{skill}`'
+    note = "SkiROS2 creates a new parameter for any name, also for a misspelt one"
+    help = 'declare the parameter: self.addParam("{key}", ..., ParamTypes.Optional) in `{skill}`'
     skill: str
     key: str
     child: str
@@ -47,29 +47,29 @@ class SharedName(Error, code="EZS723", name="shared-name"):
 
 
 class UnknownKey(Error, code="EZS724", name="unknown-key"):
-    """A parameter that is used, and that the description does not have."""
+    """A parameter that the description does not have."""
 
     title = "`{skill}` has no parameter `{key}`"
-    note = "SkiROS2 fails, or goes on without a value, when the skill gets there"
+    note = "SkiROS2 fails here, or continues without a value"
     help = "{advice}"
     skill: str
     key: str
-    advice: str = "name one that it has, or declare this one in its description"
+    advice: str = "use a declared parameter, or declare `{key}` in the description"
 
 
 class TwiceGiven(Error, code="EZS725", name="twice-given"):
-    """A parameter of a child that is renamed and gets a value."""
+    """A child parameter that is both remapped and given a value."""
 
     title = "`{key}` is both renamed and given a value"
-    note = "SkiROS2 renames first: a value for the old name is lost"
-    help = "write it in `remap` or in `specify`"
+    note = "SkiROS2 renames first and drops a value for the old name"
+    help = "use either `remap` or `specify`"
     key: str
 
 
 class NoProcessor(Error, code="EZS726", name="no-processor"):
     """A processor that EzSkiROS does not have, or that is computed."""
 
-    title = "`{found}` is no processor that EzSkiROS has"
+    title = "EzSkiROS has no processor `{found}`"
     help = (
         "processors are Serial, SerialStar, Selector, SelectorStar, ParallelFf, ParallelFs, "
         "NoFail(...) and RetryOnFail(NUMBER)"
@@ -78,73 +78,73 @@ class NoProcessor(Error, code="EZS726", name="no-processor"):
 
 
 class OwnProcessor(Error, code="EZS727", name="own-processor"):
-    """A compound that chooses its own processor while it is expanded."""
+    """A compound skill that sets its own processor in `expand`."""
 
-    title = "`self.setProcessor` does not choose {found} for this tree"
-    note = "SkiROS2 has taken the processor before: this one is for the next task, if any"
+    title = "`self.setProcessor` does not set {found} for this tree"
+    note = "SkiROS2 reads the processor earlier; this one only applies to the next task"
     help = "write `skill.setProcessor(...)`"
     found: str
 
 
 class SeveralTrees(Error, code="EZS728", name="several-old-trees"):
-    """A compound that adds children in several steps."""
+    """A compound skill that adds children in several steps."""
 
-    title = "children are added once more"
-    label = "a tree of EzSkiROS is written in one step"
+    title = "children are added a second time"
+    label = "an EzSkiROS tree is written in one call"
     help = "write all children in one call"
 
 
 class AskedThing(Error, code="EZS729", name="asked-thing"):
     """A tree that depends on the world."""
 
-    title = "{found} asks a thing of the world"
-    label = "a tree of EzSkiROS is known, and checked, before there is a world"
-    help = "let a child ask, under a selector, or say it in a condition of the description"
+    title = "{found} queries the world model"
+    label = "an EzSkiROS tree is built and checked without a world model"
+    help = "use a child skill under a selector for this query, or a condition in the description"
     found: str
 
 
 class NoTree(Error, code="EZS730", name="no-tree"):
-    """Something in `expand` that is known only while the robot runs, or that nobody knows."""
+    """Code in `expand` whose effect is only known while the robot runs."""
 
     title = "{found} cannot be part of a translated tree"
     help = (
-        "write it with self.skill(...), skill.setProcessor(...) and skill(...), and move what "
+        "use only self.skill(...), skill.setProcessor(...) and skill(...), and move code that "
         "needs the robot to a primitive skill"
     )
     found: str
 
 
 class NoName(Error, code="EZS731", name="no-implementation-name"):
-    """A label that is no name of a class."""
+    """A label that is not a valid class name."""
 
-    title = "no implementation can be called `{found}`"
-    note = "in SkiROS2 the task hangs when the tree gets there, and every later one with it"
-    help = "name the class that implements it, or leave the label empty"
+    title = "`{found}` cannot be the name of an implementation"
+    note = "in SkiROS2 the task hangs at this child, and so does every later task"
+    help = "use the name of the implementing class, or leave the label empty"
     found: str
 
 
 class ParameterUse(Error, code="EZS732", name="parameter-use"):
-    """A parameter that is used otherwise than by its value."""
+    """A use of a parameter beyond its value."""
 
     title = "{found} uses more of a parameter than its value"
-    label = "EzSkiROS has the values alone: `self.params.Speed`"
-    help = 'write self.params["KEY"].value, also to set it'
+    label = "EzSkiROS only gives the values: `self.params.Speed`"
+    help = 'write self.params["KEY"].value to read and set the value'
     found: str
 
 
 class OtherBase(Error, code="EZS733", name="other-base"):
-    """An implementation that is built on another class than SkiROS2's own, or below one.
+    """An implementation that does not inherit from SkiROS2's own classes, or is inherited.
 
-    What follows from a class `base` of the file `path` is reported there; without a file it is
-    nowhere.
+    Findings that follow from the class `base` are reported in its file `path`; without a file
+    they are not reported.
     """
 
     title = "`{implementation}` {found}"
-    label = "only what is derived from SkillBase or PrimitiveBase in the end is translated"
+    label = "only classes that inherit from SkillBase or PrimitiveBase are translated"
     help = "{advice}"
     implementation: str
     found: str
-    advice: str = "derive it from `Skill.SkillBase` by hand, with the classes around it"
+    advice: str = "derive it and the related classes from `Skill.SkillBase` by hand"
     base: str = ""
     path: str = ""
 
@@ -152,28 +152,28 @@ class OtherBase(Error, code="EZS733", name="other-base"):
 class OtherDescription(Error, code="EZS734", name="other-description"):
     """An implementation that changes its description."""
 
-    title = "{found} changes what an implementation says of its skill"
-    label = "in EzSkiROS an implementation adds pre-conditions, and nothing else"
-    help = "write it into the description; leave `self.setDescription(Skill(), ...)` alone here"
+    title = "{found} changes the description in an implementation"
+    label = "in EzSkiROS an implementation can only add pre-conditions"
+    help = "move it to the description, and keep only `self.setDescription(Skill(), ...)` here"
     found: str
 
 
 class OfSkiros2(Warning, code="EZS735", name="of-skiros2"):
-    """Something that only SkiROS2's own base classes have."""
+    """An attribute that only SkiROS2's own base classes have."""
 
-    title = "`{found}` is of SkiROS2, and skills of EzSkiROS do not have it"
-    label = "it stays, and fails when `ezskiros run` gets there"
-    help = "use parameters and conditions for what the skill knows of the world"
+    title = "`{found}` belongs to SkiROS2; EzSkiROS skills do not have it"
+    label = "it is kept, and fails here in `ezskiros run`"
+    help = "use parameters and conditions to access the world model"
     found: str
 
 
 class AddedParameter(Warning, code="EZS736", name="added-parameter"):
-    """A key that children share, which a description gets as a parameter."""
+    """A key that children share and that becomes a parameter of the description."""
 
-    title = "`{skill}` gets the parameter `{key}`, since it does not declare what children share"
+    title = "children of `{skill}` share `{key}`, so `{skill}` gets it as a parameter"
     label = "for {sharing}"
-    note = "in EzSkiROS children share parameters of the compound"
-    help = 'declare it, if it is meant: self.addParam("{key}", {value}, ParamTypes.Optional)'
+    note = "in EzSkiROS, children share the parameters of the compound skill"
+    help = 'if this is intended, declare it: self.addParam("{key}", {value}, ParamTypes.Optional)'
     skill: str
     key: str
     value: str
@@ -181,12 +181,12 @@ class AddedParameter(Warning, code="EZS736", name="added-parameter"):
 
 
 class LeftWith(Warning, code="EZS737", name="left-with"):
-    """Implementations that are left since a description is."""
+    """Implementations that stay unchanged because their description does."""
 
-    title = "{followers} {are} left with `{skill}`"
-    label = "this description is left for {codes}"
-    note = "they implement it, or have it as a child"
-    help = "change what {codes} tells, and migrate again: nothing else is needed for this skill"
+    title = "{followers} {are} not translated because `{skill}` is not"
+    label = "this description is not translated because of {codes}"
+    note = "they implement `{skill}` or call it as a child"
+    help = "correct {codes} and migrate again; this skill needs no other change"
     skill: str
     followers: str
     are: str
@@ -194,12 +194,12 @@ class LeftWith(Warning, code="EZS737", name="left-with"):
 
 
 class LeftTogether(Warning, code="EZS738", name="left-together"):
-    """Classes that are left since another one is that is built on the same base."""
+    """Classes that stay unchanged because a class with the same base does."""
 
-    title = "{followers} {are} left with `{other}`"
-    label = "this class is left for {codes}"
-    note = "they are built on the same base, which cannot be of SkiROS2 and of EzSkiROS"
-    help = "change what {codes} tells, and migrate again: nothing else is needed for the others"
+    title = "{followers} {are} not translated because `{other}` is not"
+    label = "this class is not translated because of {codes}"
+    note = "they share a base class, which cannot belong to both SkiROS2 and EzSkiROS"
+    help = "correct {codes} and migrate again; the other classes need no other change"
     followers: str
     are: str
     other: str

@@ -1,4 +1,4 @@
-"""A class that implements a skill of SkiROS2 in, one derived from `Pick.SkillBase` out."""
+"""Translation of a SkiROS2 implementation class to a class derived from `Pick.SkillBase`."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ PLANNED = "available_for_planning"
 
 @dataclass
 class Implementation:
-    """A class that implements a skill, what becomes of it, and why it is left."""
+    """A class that implements a skill, its translation, and the reason if it is left."""
 
     node: cst.ClassDef
     new: cst.ClassDef
@@ -183,7 +183,7 @@ class _Class:
         name = self._names.get(name, name)
         found = self._context.skills.called(name, self._context.path)
         if len(found) != 1 or found[0].is_left:
-            said = found[0].left_as() if found else "described in none of these files"
+            said = found[0].left_as() if found else "not described in these files"
             raise LeftError(implementation_errors.UnusableSkill(skill=name, found=said), made)
         return found[0], made.func
 

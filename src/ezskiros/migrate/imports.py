@@ -1,4 +1,4 @@
-"""Imports: those of SkiROS2 that nothing needs any more go, those of EzSkiROS come."""
+"""Imports: removal of unused SkiROS2 imports, and addition of EzSkiROS imports."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def used_names(module: cst.CSTNode) -> set[str]:
 
 
 def imported(module: cst.Module, source: str) -> dict[str, str]:
-    """By the names that they have here: what a module imports from `source` or its modules."""
+    """The original names of all imports from `source` or its modules, by their local names."""
     found: dict[str, str] = {}
     for node in _imports(module):
         if isinstance(node, cst.ImportFrom) and not isinstance(node.names, cst.ImportStar):
@@ -77,7 +77,7 @@ def imported(module: cst.Module, source: str) -> dict[str, str]:
 
 
 def imported_names(module: cst.Module) -> dict[str, str]:
-    """By the names that they have here: all that a module imports from others."""
+    """The original names of all imports, by their local names."""
     return {
         _bound(each): each.evaluated_name
         for node in _imports(module)

@@ -1,4 +1,4 @@
-"""Keys of parameters in, which are any texts; the names of Python that they get out."""
+"""Conversion of parameter keys, which are any strings, to Python names."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Labels of conditions: which of them say more than the condition itself."""
+"""Labels of conditions that add information to the condition itself."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The methods of primitives, of classes that they are built on, and of compounds but `expand`."""
+"""The methods of primitives, of their base classes, and of compound skills except `expand`."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ class Methods(ParameterUses):
 def translated_part(
     part: cst.CSTNode, uses_of: Callable[[], ParameterUses]
 ) -> tuple[cst.CSTNode, ParameterUses]:
-    """A new part of a class, and what is said of the old one."""
+    """The new part of a class, and the findings about the old part."""
     uses = uses_of()
     new = part.visit(uses)
     if uses.findings and isinstance(part, cst.FunctionDef):

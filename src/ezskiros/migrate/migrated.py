@@ -16,7 +16,7 @@ from ezskiros.migrate.skills import Skill, SkillId
 
 @dataclass(frozen=True)
 class Migrated:
-    """A file after its migration. `text` is what it was if nothing is changed.
+    """A file after its migration. `text` is the original text if nothing has changed.
 
     `translated` and `left` are the classes that describe skills, `implemented` and `unimplemented`
     those that implement them, `bases` those that any class is built on. `built` are all classes,

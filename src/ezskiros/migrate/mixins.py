@@ -1,4 +1,4 @@
-"""A base class of SkiROS2's primitives in, a class without SkiROS2's own base out."""
+"""Translation of a base class of SkiROS2 primitives to a class without SkiROS2's own base."""
 
 from __future__ import annotations
 

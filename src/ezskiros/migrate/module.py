@@ -1,4 +1,4 @@
-"""One file in, the file with skills of EzSkiROS out, and what is left of the old ones."""
+"""Translation of one file to EzSkiROS, with the parts that stay unchanged."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ from ezskiros.migrate.tree_context import Context
 from ezskiros.migrate.tree_context import Wanted as WantedSkills
 from ezskiros.migrate.values import BASIC, known_of
 
-_TOO_DEEP = errors.UnreadableSource(said="its parts lie too deep in each other")
+_TOO_DEEP = errors.UnreadableSource(said="it is nested too deeply")
 
 
 def migrate_text(
@@ -303,9 +303,9 @@ class _File:
             if any(last_name(base.value) == name for base in node.bases)
         ]
         if below or name in self._inherited:
-            said = f"`{below[0]}` is" if below else "a class elsewhere is"
+            said = f"`{below[0]}`" if below else "a class elsewhere"
             template = implementation_errors.OtherBase(
-                implementation=name, found=f"is what {said} derived from"
+                implementation=name, found=f"is the base of {said}"
             )
             each.findings.append(Finding(template, each.node.name, each.node))
             each.new = with_marks(each.node, each.findings)
@@ -384,7 +384,7 @@ class _File:
 
 
 def _all_findings(found: Sequence[Description]) -> list[Finding]:
-    """Why descriptions are left, and what is to be known of the others."""
+    """The findings that prevent translations, and the warnings about the other descriptions."""
     return [finding for each in found for finding in (each.findings or each.translation.warnings)]
 
 

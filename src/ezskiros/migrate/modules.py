@@ -1,4 +1,4 @@
-"""From where a file imports the skills of another one, and which files import which."""
+"""The imports of skills between files."""
 
 from __future__ import annotations
 

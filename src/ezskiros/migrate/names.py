@@ -14,7 +14,7 @@ from ezskiros.migrate import errors
 from ezskiros.migrate.errors import LeftError
 
 DEFAULT_PREFIX = "skiros"
-"""Of names without one: SkiROS2 looks them up in its own ontology."""
+"""The prefix of names without a prefix: SkiROS2 looks them up in its own ontology."""
 _RESERVED = {"rdf", "rdfs", "owl", "xsd", "xml"}
 _NO_ATTRIBUTES = {"iri", "vocabulary"}
 """The names that the Python classes of things have besides the properties of the ontology."""
@@ -49,7 +49,7 @@ class Names:
         return Names(self.is_qualified, {*self.taken, *names}, self.ambiguous)
 
     def add(self, other: Names) -> None:
-        """Use what others use as well."""
+        """Add the names that other files use."""
         self.ours |= other.ours
         self.typing |= other.typing
         self.clashes |= other.clashes

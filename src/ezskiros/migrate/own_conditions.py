@@ -1,5 +1,5 @@
-"""The method `modifyDescription` in, the method `conditions` out: the pre-conditions that only one
-implementation of a skill has.
+"""Translation of the method `modifyDescription` to the method `conditions`: the pre-conditions of a
+single implementation.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`self.params["Speed"].value` in, `self.params.Speed` out."""
+"""Translation of `self.params["Speed"].value` to `self.params.Speed`."""
 
 from __future__ import annotations
 

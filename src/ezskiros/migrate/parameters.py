@@ -1,4 +1,4 @@
-"""`addParam` in, a parameter of a method out."""
+"""Translation of `addParam` to a method parameter."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ _OPTIONS = {option.value: option for option in Option}
 
 @dataclass(frozen=True)
 class Parameter:
-    """A parameter as it is written, and what is said of it; `key` is what SkiROS2 calls it. One
-    that `is_required` has to be given. `kind` is such as `skiros:Product` or `float`, if known.
+    """A parameter in source form, and its documentation; `key` is its SkiROS2 key. If
+    `is_required`, the caller must set it. `kind` is such as `skiros:Product` or `float`, if known.
     """
 
     key: str

@@ -1,4 +1,4 @@
-"""Where the parts of a module stand in its file."""
+"""The positions of the parts of a module in its file."""
 
 from __future__ import annotations
 
@@ -35,5 +35,5 @@ class Positions:
         return Place(start.column, line[: len(line) - len(line.lstrip())])
 
     def indents(self, function: cst.FunctionDef) -> tuple[str, str]:
-        """The space before a method, and the space by which the file indents."""
+        """The indentation of a method, and the indentation step of the file."""
         return self.place(function.name).indent, self._step

@@ -1,4 +1,4 @@
-"""SkiROS2's processors in, the methods of EzSkiROS that are called like them out."""
+"""Translation of SkiROS2's processors to the EzSkiROS methods of the same name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The robot that SkiROS2 adds to each skill: the skills that have to say it."""
+"""The robot parameter that SkiROS2 adds to each skill, and the skills that must declare it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files are migrated again until what one of them shows changes nothing in the others."""
+"""Repeated migration of files until no file changes the result of another."""
 
 from __future__ import annotations
 

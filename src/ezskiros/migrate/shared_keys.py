@@ -1,5 +1,5 @@
-"""Keys that the children of a compound share and that it does not declare: which parameters its
-description gets for them, and for which it gets none.
+"""Undeclared keys that the children of a compound skill share, and the parameters that its
+description gets for them.
 
 SkiROS2 has one set of keys for all that runs. So a key that a remap says is the one of every child
 with it, and of the children below those, as long as all the descriptions between have it.
@@ -167,7 +167,9 @@ def _article(kind: str) -> str:
 
 
 def _refused(tree: SharingTree, key: str) -> str:
-    """Why a description gets no parameter for a key; an empty text if it may get one."""
+    """The reason why a description gets no parameter for a key; an empty string if it may get
+    one.
+    """
     if tree.skill.is_new:
         return f"`{tree.skill.name}` is a skill of EzSkiROS already"
     uses = [child for child in tree.children if key in child.shared]

@@ -1,4 +1,4 @@
-"""The skills that are described in the files of a migration: what implementations say of them."""
+"""The skills that the migrated files describe, with the facts that implementations add."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ NEW = "description"
 
 @dataclass(frozen=True)
 class Skill:
-    """A skill: the names of its parameters by their keys, and those that stand for things.
+    """A skill: the names of its parameters by their keys, and the parameters that stand for things.
 
     Of one that is left neither is known, but the codes for which it is. One that `needs_robot` has
     to be given one. `kinds` are the classes and types of parameters by their keys, where they are
@@ -50,7 +50,7 @@ class Skill:
 
     def left_as(self) -> str:
         """The words of marks and messages for a skill that is left."""
-        return f"left as it is, for {' and '.join(dict.fromkeys(self.left_for))}"
+        return f"not translated because of {' and '.join(dict.fromkeys(self.left_for))}"
 
     @property
     def id(self) -> SkillId:
@@ -58,7 +58,7 @@ class Skill:
         return self.path, self.name
 
     def with_added(self, kinds: Mapping[str, str]) -> Skill:
-        """The same with more parameters, of which the classes and types are given."""
+        """A copy with more parameters, with the given classes and types."""
         if not kinds:
             return self
         names = {**self.names, **more_names(self.names, kinds)}

@@ -1,4 +1,4 @@
-"""SkiROS2's `State` in, that of EzSkiROS out."""
+"""Translation of SkiROS2's `State` to the EzSkiROS state."""
 
 from __future__ import annotations
 

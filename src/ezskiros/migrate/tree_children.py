@@ -1,4 +1,4 @@
-"""`self.skill("Drive", "drive_fast", ...)` in, `Drive.drive_fast(...)` out."""
+"""Translation of `self.skill("Drive", "drive_fast", ...)` to `Drive.drive_fast(...)`."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ class Children:
         if len(found) != 1 or found[0].is_left:
             said = "described in several of these files"
             if not found:
-                said = "described in none of these files"
+                said = "not described in these files"
             elif len(found) == 1:
                 said = found[0].left_as()
             raise LeftError(implementation_errors.UnusableChild(skill=name, found=said), node)
@@ -112,7 +112,7 @@ class Children:
             return LeftError(template, target)
         unknown = implementation_errors.UnknownKey
         if shared in child.names and text in self.skill.names:
-            advice = f'write {{"{shared}": "{text}"}}: the parameter of the child stands first'
+            advice = f'write {{"{shared}": "{text}"}}: the parameter of the child comes first'
             return LeftError(unknown(skill=child.name, key=text, advice=advice), key)
         return LeftError(unknown(skill=child.name, key=text), key)
 
@@ -167,7 +167,7 @@ def _text(node: cst.BaseExpression, argument: str) -> str:
     """A key that is written out. Raises `LeftError`."""
     found = literal_text(node)
     if found is None:
-        computed = errors.ComputedArgument(argument=argument, call="skill", wanted="the texts")
+        computed = errors.ComputedArgument(argument=argument, call="skill", wanted="the strings")
         raise LeftError(computed, node)
     return found
 

@@ -1,4 +1,4 @@
-"""The context in which a tree is translated: the file, its class, and the skills of all files."""
+"""The context of a tree's translation: the file, its class, and the skills of all files."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from ezskiros.migrate.values import Known
 
 @dataclass(frozen=True)
 class Place:
-    """Where something stands in its file: the column, and the space that its line begins with."""
+    """The position of a part in its file: the column, and the indentation of its line."""
 
     column: int
     indent: str

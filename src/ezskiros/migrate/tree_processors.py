@@ -15,7 +15,8 @@ from ezskiros.migrate.description import Finding
 
 
 class ProcessorChoice:
-    """The processors of the trees in some statements; `argument` is what `expand` calls `skill`.
+    """The processors of the trees in some statements; `argument` is the name of the argument
+    `skill` in `expand`.
 
     `chosen` are the processors by the identity of the call that adds the children, `dropped` the
     statements that choose them, `done` the names that are translated with these; what is wrong is

@@ -1,4 +1,4 @@
-"""Of which type a default or a compared value is, as far as its text tells."""
+"""The type of a default or a compared value, as far as its source text shows it."""
 
 from __future__ import annotations
 

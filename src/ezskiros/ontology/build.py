@@ -126,7 +126,7 @@ class Graph:
 
     @cached_property
     def disjoint_groups(self) -> Mapping[str, Sequence[frozenset[str]]]:
-        """By class the owl:AllDisjointClasses that it is a member of."""
+        """The owl:AllDisjointClasses groups of each class."""
         found: dict[str, list[frozenset[str]]] = defaultdict(list)
         for group in self._typed.get(OWL + "AllDisjointClasses", ()):
             members = frozenset(self.items(self.first(group, OWL + "members")))
@@ -146,7 +146,7 @@ class Graph:
         return tuple(dict.fromkeys(each for each in found if each))
 
     def union(self, node: str) -> Union:
-        """The classes of which a class expression is the union; none for other expressions."""
+        """The classes of a union expression; empty for other expressions."""
         if not node.startswith("_:"):
             return frozenset({node})
         members = list(self.items(self.first(node, OWL + "unionOf")))
@@ -198,7 +198,7 @@ def _all_disjoint(graph: Graph, iri: str) -> frozenset[str]:
 def _restrictions(
     graph: Graph, expressions: Iterable[str], kind: str
 ) -> dict[str, tuple[Union, ...]]:
-    """By property: what its values have to be, in the way of `kind`."""
+    """The required classes of values by property, from restrictions of one `kind`."""
     found: dict[str, list[Union]] = defaultdict(list)
     for each in expressions:
         on, what = graph.first(each, OWL + "onProperty"), graph.first(each, kind)
@@ -212,7 +212,7 @@ _LIMITS_OF_DATA = (OWL + "maxQualifiedCardinality", OWL + "qualifiedCardinality"
 
 
 def _most(graph: Graph, expressions: Iterable[str]) -> dict[str, int]:
-    """By property: how many values it can have. How many things of a class says nothing."""
+    """The maximum number of values by property. A number of things of one class gives no limit."""
     found: dict[str, int] = {}
     for each in expressions:
         on = graph.first(each, OWL + "onProperty")

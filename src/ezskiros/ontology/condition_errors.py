@@ -1,4 +1,4 @@
-"""EZS3xx: what is said about things."""
+"""EZS3xx: conditions about things of the world model."""
 
 from __future__ import annotations
 
@@ -9,48 +9,48 @@ class UnknownProperty(Error, code="EZS301", name="unknown-property"):
     """A relation or data property that the ontology does not have."""
 
     title = "the ontology has no relation or property `{spelled}`"
-    label = "said of `{subject}`, a {subject_class}"
+    label = "used on `{subject}`, a {subject_class}"
     spelled: str
     subject: str
     subject_class: str
 
 
 class AmbiguousProperty(Error, code="EZS302", name="ambiguous-property"):
-    """A name that several namespaces have."""
+    """A name that is defined in several namespaces."""
 
-    title = "`{spelled}` can be {properties}"
-    label = "which one?"
-    help = "say it by its namespace: `{example}`"
+    title = "`{spelled}` is ambiguous: {properties}"
+    label = "several namespaces have this name"
+    help = "add the namespace: `{example}`"
     spelled: str
     properties: str
     example: str
 
 
 class OneObject(Error, code="EZS303", name="one-object"):
-    """A relation that is called with none or several things."""
+    """A relation with no object, or with several."""
 
-    title = "`{relation}` needs one thing in its brackets, and has {count}"
-    help = "write one line for each: `{subject}.{relation}(...)`"
+    title = "`{relation}` takes one thing in brackets, not {count}"
+    help = "write one line per thing: `{subject}.{relation}(...)`"
     relation: str
     subject: str
     count: int
 
 
 class NoThing(Error, code="EZS304", name="no-thing"):
-    """A relation with something that is no thing of the world."""
+    """A relation to a value that is not a thing of the world model."""
 
-    title = "`{relation}` is for things of the world, not for {found}"
-    label = "a parameter is needed whose type is a class of the ontology"
+    title = "`{relation}` relates things of the world model, not {found}"
+    label = "expected a parameter whose type is a class of the ontology"
     relation: str
     found: str
 
 
 class NoValue(Error, code="EZS305", name="no-value"):
-    """A data property that is compared with something that is no value."""
+    """A data property that is compared with an object that is not a value."""
 
     title = "`{property}` is compared with {found}"
-    label = "values are texts, numbers and truth values"
-    note = "SkiROS2 compares with a value that is written down, the same each time the skill runs"
+    label = "a value is a string, a number or a Boolean"
+    note = "SkiROS2 compares with a constant that is the same each time the skill runs"
     property: str
     found: str
 
@@ -58,7 +58,7 @@ class NoValue(Error, code="EZS305", name="no-value"):
 class NotCalled(Error, code="EZS306", name="not-called"):
     """A relation without an object."""
 
-    title = "`{relation}` is a relation: it needs what it relates to"
+    title = "`{relation}` is a relation and needs an object"
     help = "write `{subject}.{relation}(...)`"
     relation: str
     subject: str
@@ -67,18 +67,18 @@ class NotCalled(Error, code="EZS306", name="not-called"):
 class NoTruthValue(Error, code="EZS307", name="no-truth-value"):
     """`and`, `or`, `not`, `if`, or a chained comparison of conditions."""
 
-    title = "a condition is neither true nor false before the robot runs"
-    label = "Python asks here whether it is true"
+    title = "a condition has no truth value before the robot runs"
+    label = "Python needs the truth value here"
     help = (
         "for `and` write two lines, for `or` write `(first) | (second)`, for `not` write `~`, for "
-        "`low < x < high` write two lines; `if` cannot ask for a condition"
+        "`low < x < high` write two lines; `if` cannot test a condition"
     )
 
 
 class NeedsBrackets(Error, code="EZS310", name="needs-brackets"):
     """A condition that is compared, as in `a | b.Weight < 3`."""
 
-    title = "a condition is compared with something"
+    title = "a condition is compared with a value"
     label = "`|` binds tighter than a comparison"
     help = "put brackets around each comparison: `first | (Object.Weight < 3)`"
 
@@ -86,17 +86,17 @@ class NeedsBrackets(Error, code="EZS310", name="needs-brackets"):
 class NoRelation(Error, code="EZS311", name="no-relation-but-value"):
     """A data property that is called like a relation."""
 
-    title = "`{property}` is a data property: it has values, and relates no things"
-    help = "compare it, `{subject}.{property} == value`, or leave the brackets out"
+    title = "`{property}` is a data property: it has values and does not relate things"
+    help = "compare it, `{subject}.{property} == value`, or remove the brackets"
     property: str
     subject: str
 
 
 class ValueRelates(Error, code="EZS312", name="value-relates"):
-    """A relation of a parameter that is no thing."""
+    """A relation of a parameter that does not stand for a thing."""
 
-    title = "`{parameter}` is of type {type}, and has no `{spelled}`"
-    label = "only things of the world are related"
+    title = "`{parameter}` has type {type} and has no `{spelled}`"
+    label = "only things of the world model have relations"
     help = "declare `{parameter}` with a class of the ontology, or use another parameter"
     parameter: str
     type: str
@@ -104,37 +104,37 @@ class ValueRelates(Error, code="EZS312", name="value-relates"):
 
 
 class Assigned(Error, code="EZS314", name="assigned-property"):
-    """`=` where `==` is meant."""
+    """`=` instead of `==`."""
 
-    title = "`{subject}.{spelled}` is assigned {found}, which a description cannot do"
-    help = "say what has to hold: `self.post_conditions += {subject}.{spelled} == ...`"
+    title = "a description cannot assign {found} to `{subject}.{spelled}`"
+    help = "write a condition: `self.post_conditions += {subject}.{spelled} == ...`"
     subject: str
     spelled: str
     found: str
 
 
 class NoOpposite(Error, code="EZS308", name="no-opposite"):
-    """`~` of a condition that has no opposite."""
+    """`~` of a condition that SkiROS2 cannot negate."""
 
     title = "the type of a thing cannot be negated: SkiROS2 has no such condition"
-    help = "ask for the type that is meant"
+    help = "name the required type"
 
 
 class NoCondition(Error, code="EZS309", name="no-condition"):
-    """Something else in the place of a condition."""
+    """An entry that is not a condition."""
 
-    title = "this is no condition, but {found}"
-    label = "expected what a relation or property of a parameter gives"
+    title = "this is {found}, not a condition"
+    label = "expected a relation or property of a parameter"
     help = "write `Subject.relation(Object)` or `Subject.property == value`"
     found: str
 
 
 class ThingAsTruth(Error, code="EZS313", name="thing-as-truth"):
-    """`if Tool:`, or another query whether there is a thing."""
+    """`if Tool:`, or another test whether a thing exists."""
 
-    title = "whether there is a `{parameter}` is not known before the robot runs"
-    label = "Python asks here"
-    help = "as a condition, write `specified({parameter})`; for two ways, write two skills"
+    title = "before the robot runs it is unknown whether `{parameter}` exists"
+    label = "Python needs the truth value here"
+    help = "write the condition `specified({parameter})`, or write two skills for the two cases"
     parameter: str
 
 

@@ -1,4 +1,4 @@
-"""EZS1xx: files of ontologies, and names in them."""
+"""EZS1xx: ontology files and the names in them."""
 
 from __future__ import annotations
 
@@ -6,78 +6,78 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class UnknownFormat(Error, code="EZS101", name="unknown-format"):
-    """A file whose name does not say what it is."""
+    """A file whose name has no known suffix."""
 
-    title = "how this file is written is not known: its name has {suffix}"
-    help = "RDF/XML is .owl, .rdf or .xml, Turtle .ttl or .turtle, JSON-LD .jsonld or .json"
+    title = "the format of this file is unknown: its name has {suffix}"
+    help = "use .owl, .rdf or .xml for RDF/XML, .ttl or .turtle for Turtle, .jsonld for JSON-LD"
     suffix: str
 
 
 class BrokenFile(Error, code="EZS102", name="broken-file"):
-    """A file that does not parse."""
+    """A file with a syntax error."""
 
-    title = "this is not {format}: {said}"
-    note = "nothing of this file is known to the checks that follow"
+    title = "this is not valid {format}: {said}"
+    note = "the remaining checks ignore this file"
     format: str
     said: str
 
 
 class NoSuchFile(Error, code="EZS105", name="no-such-file"):
-    """A path of an ontology that leads nowhere, or cannot be read."""
+    """An ontology path that does not exist or cannot be read."""
 
     title = "the ontology {path} cannot be read: {reason}"
     label = "loaded here"
-    help = "paths are those of the folder that the command runs in; `--ontology DIR` names another"
+    help = "the path is relative to the current folder; `--ontology DIR` gives another folder"
     path: str
     reason: str
 
 
 class NoOntology(Error, code="EZS103", name="no-ontology"):
-    """RDF in which no class and no property is declared."""
+    """RDF that declares neither a class nor a property."""
 
-    title = "no class and no property is declared here"
+    title = "this file declares neither a class nor a property"
     help = "declare them as owl:Class, owl:ObjectProperty or owl:DatatypeProperty"
 
 
 class MissingImport(Warning, code="EZS104", name="missing-import"):
-    """An imported ontology that none of the files is."""
+    """An imported ontology that is not among the loaded files."""
 
-    title = "the import {iri} is none of the files that are loaded"
+    title = "no loaded file contains the imported ontology {iri}"
     label = "imported here"
-    help = "add its file; nothing is fetched from the network"
+    help = "add the file of {iri}; imports are not downloaded"
     iri: str
 
 
 class NothingLoaded(Error, code="EZS106", name="nothing-loaded"):
-    """No file of an ontology: no path, or folders without one."""
+    """No ontology file: no path, or only folders without ontology files."""
 
     title = "no ontology is loaded: {reason}"
     label = "loaded here"
-    help = "name it by `--ontology PATH`, by EZSKIROS_ONTOLOGY, or in the code: `load(PATH)`"
+    help = "give the path by `--ontology PATH`, by EZSKIROS_ONTOLOGY, or in the code: `load(PATH)`"
     reason: str
 
 
 class BeyondLimit(Error, code="EZS107", name="beyond-limit"):
-    """A file that would cost more memory or time than a file of this kind may."""
+    """A file that exceeds a limit on memory or time."""
 
-    title = "this file is beyond a limit: {reason}"
-    note = "nothing of this file is known to the checks that follow"
-    help = "write the file plainly, or split it; docs/reference/limits.md lists the limits"
+    title = "this file exceeds a limit: {reason}"
+    note = "the remaining checks ignore this file"
+    help = "simplify or split the file; docs/reference/limits.md lists the limits"
     reason: str
 
 
 class UnknownNamespace(Error, code="EZS110", name="unknown-namespace"):
     """A namespace that the ontology does not have."""
 
-    title = "there is no namespace `{spelled}`"
-    label = "no file declares anything in it"
+    title = "the ontology has no namespace `{spelled}`"
+    label = "no loaded file declares a name in this namespace"
     spelled: str
 
     class Use(Remark):
         says = "used here"
 
     class Known(Remark):
-        says = "there are {known}"
+        says = "the namespaces are {known}"
         known: str
 
 
@@ -90,7 +90,7 @@ class UnknownName(Error, code="EZS111", name="unknown-name"):
     spelled: str
 
     class OtherNamespace(Remark):
-        says = "it is in another namespace: write `{meant}`"
+        says = "another namespace has this name: write `{meant}`"
         meant: str
 
 

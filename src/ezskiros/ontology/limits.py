@@ -15,7 +15,7 @@ import pyoxigraph
 LARGEST_FILE = 64 << 20
 """Bytes of one file."""
 DEEPEST = 200
-"""The depth to which elements, objects, lists and triple terms may lie in each other."""
+"""The depth to which elements, objects, lists and triple terms may are nested."""
 MOST_NAMESPACES = 200
 """Declarations of namespaces that are in force at one element."""
 MOST_TRIPLES = 1_000_000
@@ -58,7 +58,7 @@ def _check_entities(text: str) -> None:
     for declared in _ENTITY.finditer(text):
         plain = _PLAIN_ENTITY.match(text, declared.start())
         if plain is None:
-            reason = "an entity is more than a plain text in quotation marks"
+            reason = "an entity is not a plain quoted string"
             raise LimitError(reason, declared.start())
         name, *values = plain.groups(default="")
         lengths[name] = max(map(len, values))
@@ -76,7 +76,7 @@ def _check_depth(text: str, bracket: re.Pattern[str], what: str) -> None:
         opening, closing = found.groups()
         depth += bool(opening) - bool(closing)
         if depth > DEEPEST:
-            raise LimitError(f"more than {DEEPEST} {what} lie in each other", found.start())
+            raise LimitError(f"more than {DEEPEST} {what} are nested", found.start())
 
 
 class XmlDepth:
@@ -96,7 +96,7 @@ class XmlDepth:
         before = self._namespaces[-1] if self._namespaces else 0
         self._namespaces.append(before + sum(name.startswith("xmlns") for name in attributes))
         if len(self._namespaces) > DEEPEST:
-            self._refuse(f"more than {DEEPEST} elements lie in each other")
+            self._refuse(f"more than {DEEPEST} elements are nested")
         if self._namespaces[-1] > MOST_NAMESPACES:
             self._refuse(f"an element has more than {MOST_NAMESPACES} namespaces")
 

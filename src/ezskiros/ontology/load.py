@@ -75,11 +75,11 @@ def _read(
         states = tuple((path, path.stat().st_mtime_ns, path.stat().st_size) for path in found)
         ontology, wrong = _loaded(states, relations)
     except OSError as problem:
-        path, reason = str(problem.filename), (problem.strerror or "it is not there").lower()
+        path, reason = str(problem.filename), (problem.strerror or "it does not exist").lower()
         return _NOTHING, [errors.NoSuchFile(path=path, reason=reason).at(here())]
     if not found:
         shown = ", ".join(map(str, named))
-        reason = f"there is no file of one in {shown}" if named else "no path is given"
+        reason = f"no ontology file in {shown}" if named else "no path is given"
         return _NOTHING, [errors.NothingLoaded(reason=reason).at(here())]
     return ontology, wrong
 

@@ -114,7 +114,7 @@ class Model:
 
     @cached_property
     def limited(self) -> frozenset[str]:
-        """The properties of which there cannot be as many as one likes."""
+        """The properties with a limited number of values."""
         found = {iri for each in self.classes.values() for iri in each.most}
         found |= {each.iri for each in self.values.values() if each.is_functional}
         for each in self.relations.values():
@@ -200,8 +200,8 @@ class Model:
         return any(not each.disjoint.isdisjoint(others) for each in known)
 
     def domain(self, iri: str) -> tuple[Union, ...]:
-        """The classes that subjects of a property have to be of: its own domain and those of what
-        is above it.
+        """The required classes of a property's subjects: its own domain and the domains of its
+        superproperties.
         """
         return self._bounds(iri, is_domain=True)
 

@@ -1,4 +1,4 @@
-"""Where the files of an ontology declare a thing: looked for in their texts, when it is asked."""
+"""The places where ontology files declare a thing. The texts are searched on demand."""
 
 from __future__ import annotations
 
@@ -33,16 +33,14 @@ def _spellings(document: Document, iri: str) -> list[str]:
 
 
 class Declarations:
-    """The places of many things: each text is looked through once. They are those that
-    `declaration` gives.
-    """
+    """The declarations of many things, found by `declaration`. Each text is searched once."""
 
     def __init__(self, documents: Sequence[Document]) -> None:
         self._documents = documents
         self._found = [_all_spelled(each.file.text) for each in documents]
 
     def place(self, iri: str) -> Span | None:
-        """The first place where a file says what `iri` is; None if none is found."""
+        """The first place where a file declares `iri`; None if there is none."""
         for document, found in zip(self._documents, self._found, strict=True):
             for spelling in _plain_spellings(document, iri):
                 if spelling in found:
@@ -61,7 +59,7 @@ _WAYS = {
 
 
 def _all_spelled(text: str) -> dict[_Spelling, tuple[int, int]]:
-    """Where each spelling stands first in a text."""
+    """The first place of each spelling in a text."""
     found: dict[_Spelling, tuple[int, int]] = {}
     for way, pattern in _WAYS.items():
         for each in pattern.finditer(text):

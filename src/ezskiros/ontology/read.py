@@ -1,4 +1,4 @@
-"""Files in, triples out: RDF/XML, Turtle, N-Triples and JSON-LD, read by pyoxigraph."""
+"""Reading of files into triples: RDF/XML, Turtle, N-Triples and JSON-LD, with pyoxigraph."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def find(paths: Iterable[Path]) -> list[Path]:
         elif is_file(path):
             found[path] = None
         else:
-            raise FileNotFoundError(errno.ENOENT, "there is no such file", str(path))
+            raise FileNotFoundError(errno.ENOENT, "it does not exist", str(path))
     return list(found)
 
 
@@ -141,7 +141,9 @@ def _syntax_error(
 
 
 def _unknown_prefix(content: bytes) -> tuple[int, int]:
-    """Where XML that is well-formed uses a prefix that it does not declare; else its beginning."""
+    """The place of an undeclared prefix in well-formed XML; the beginning of the file if there is
+    none.
+    """
     parser = expat.ParserCreate(namespace_separator=" ")
     try:
         parser.Parse(content, True)
@@ -151,7 +153,7 @@ def _unknown_prefix(content: bytes) -> tuple[int, int]:
 
 
 def _span(file: SourceFile, line: int, column: int) -> Span:
-    """From a place to the end of its line."""
+    """The span from a place to the end of its line."""
     line = min(line, len(file.line_starts))
     start = min(file.line_starts[line - 1] + column - 1, len(file.text))
     end = file.line_starts[line - 1] + len(file.line_text(line))
@@ -159,6 +161,6 @@ def _span(file: SourceFile, line: int, column: int) -> Span:
 
 
 def _rest_of_line(file: SourceFile, start: int) -> Span:
-    """From an offset to the end of its line."""
+    """The span from an offset to the end of its line."""
     at = file.position(min(start, len(file.text)))
     return _span(file, at.line, at.column)

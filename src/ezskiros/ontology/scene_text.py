@@ -1,4 +1,4 @@
-"""The text of a scene: how it spells things, and where it describes them."""
+"""The text of a scene: the spellings of things, and the places of their descriptions."""
 
 from __future__ import annotations
 

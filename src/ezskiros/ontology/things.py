@@ -1,8 +1,9 @@
-"""Classes of the ontology as Python classes, and symbols: things of which only the class is known.
+"""Classes of the ontology as Python classes, and symbols: things with a known class and unknown
+identity.
 
-A symbol records what is said about it. Its attributes are the relations and data properties of the
-ontology: `Gripper.at(StartPose)`, `Gripper.ContainerState == "Empty"`. What comes of them are
-conditions, which have no value before the robot runs.
+A symbol records the conditions about it. Its attributes are the relations and data properties of
+the ontology: `Gripper.at(StartPose)`, `Gripper.ContainerState == "Empty"`. The results are
+conditions, which have no truth value before the robot runs.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ class Vocabulary(Protocol):
 
 
 class Described(ABC):
-    """Something that says itself what it is, in a message."""
+    """An object that can describe itself in a message."""
 
     @abstractmethod
     def described(self) -> str:
@@ -66,8 +67,8 @@ class ThingClass(type):
 
 
 class SameClass(ThingClass):
-    """The type of classes that mean the same as another, which they inherit: what is one of that is
-    one of them.
+    """The type of a class that is equivalent to its base class: members of the base class are
+    members of it.
     """
 
     def __subclasscheck__(cls, other: type) -> bool:
@@ -118,7 +119,7 @@ def symbol(owl_class: ThingClass, name: str) -> Thing:
 
 
 class Unknown:
-    """A stand-in for something that was wrong and has been reported: all goes on with it."""
+    """A stand-in for a faulty value that has been reported, so that the check can continue."""
 
     def __getattr__(self, name: str) -> Unknown:
         if name.startswith("__"):
@@ -190,7 +191,7 @@ class Condition:
 
 
 _asked: ContextVar[Span | None] = ContextVar("asked", default=None)
-"""Where Python asked a condition last whether it is true."""
+"""The place where Python last evaluated the truth value of a condition."""
 
 
 def is_asked_here() -> bool:
@@ -207,7 +208,7 @@ def _parts(statement: Statement) -> tuple[Statement, ...]:
 
 
 class RelationOf:
-    """A relation of a thing, which is to be called with what it is related to."""
+    """A relation of a thing, to be called with the related thing."""
 
     def __init__(self, subject: Thing, iri: str, name: str) -> None:
         self._subject, self._iri, self._name = subject, iri, name
@@ -301,14 +302,14 @@ SYMBOL_IN_TEXT = "\ufdd0"
 
 
 def depends_on_symbol(value: object) -> bool:
-    """Say whether a value is a text that is not known before the skill runs."""
+    """Say whether a value is a string that is unknown before the skill runs."""
     return isinstance(value, str) and SYMBOL_IN_TEXT in value
 
 
 def described(value: object) -> str:
     """Describe something, for a message."""
     if depends_on_symbol(value):
-        return "a text that is not known before the skill runs"
+        return "a string that is unknown before the skill runs"
     if isinstance(value, Thing):
         return f"the parameter `{value!r}`"
     if isinstance(value, ThingClass):

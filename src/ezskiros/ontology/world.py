@@ -54,7 +54,7 @@ class Ontology:
 
     @cached_property
     def namespaces(self) -> dict[str, Namespace]:
-        """By their names."""
+        """The namespaces by name."""
         inside: dict[str, dict[str, str]] = {start: {} for start in self.model.names.values()}
         for iri in self.model.entities():
             start, name = split(iri)

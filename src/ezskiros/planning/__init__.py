@@ -1,1 +1,1 @@
-"""Plans: which skills lead from a scene to a goal."""
+"""Planning: finding skills that lead from a scene to a goal."""

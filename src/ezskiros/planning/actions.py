@@ -1,7 +1,7 @@
-"""Skills as actions of a planner: what each needs, and what it makes so.
+"""Skills as actions of a planner: the needs and effects of each.
 
 Parameters that stand for things are parameters of the action. `OPTIONAL` ones are left out, unless
-a condition is about them. Hold-conditions are needed at the start.
+a condition uses them. Hold-conditions are needed at the start.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ class Action:
     needs: tuple[Clause, ...]
     effects: tuple[Literal, ...]
     asserted: tuple[Literal, ...]
-    """Of the effects those that the skill says itself: the others follow."""
+    """The effects that the skill itself states. The other effects follow from them."""
     apart: tuple[tuple[str, str], ...]
     """Parameters that stand for different things: each does, unless their classes exclude it."""
 
@@ -79,7 +79,7 @@ def _ways(description: SkillClass, skill: SkillInterface, library: Library) -> l
     known = map(library.as_done_by, available) if implementing else [skill]
     ways = {id(each): each for each in known if each and each.pre and each.post}
     if ways and not implementing:
-        raise NotPlannableError("nothing in these files implements it")
+        raise NotPlannableError("these files have no implementation of it")
     return list(ways.values())
 
 
@@ -87,7 +87,7 @@ def _draft(skill: SkillInterface, description: SkillClass, model: Model) -> Acti
     """An action with what the skill says itself."""
     for parameter in skill.parameters:
         if parameter.is_thing and parameter.is_output:
-            raise NotPlannableError(f"`{parameter.name}` is something that it finds out")
+            raise NotPlannableError(f"`{parameter.name}` is one of its outputs")
     clauses = [*skill.pre, *skill.hold, *skill.post]
     named = {name for each in clauses for name in names(each.statement)}
     things = tuple(
@@ -126,12 +126,12 @@ def _clause(statement: Statement) -> Clause | None:
     """The need of a condition; None if that is always so."""
     if isinstance(statement, AnyOf):
         if not statement.is_true:
-            raise NotPlannableError("it needs that none of several conditions holds")
+            raise NotPlannableError("it requires that none of several conditions holds")
         parts = [_clause(part) for part in statement.parts]
         return None if None in parts else tuple(e for part in parts if part for e in part)
     if isinstance(statement, Specified):
         if not statement.is_true:
-            raise NotPlannableError(f"it needs that `{statement.subject}` is not given")
+            raise NotPlannableError(f"it requires that `{statement.subject}` is not given")
         return None
     return (literal(statement),)
 
@@ -157,13 +157,13 @@ def literal(statement: Statement) -> Literal:
 def _effects(statement: Statement) -> Iterator[Literal]:
     match statement:
         case AnyOf():
-            raise NotPlannableError("which of several post-conditions will hold is not known")
+            raise NotPlannableError("it has an `or` in its post-conditions")
         case OfType():
-            raise NotPlannableError("it changes the class of something")
+            raise NotPlannableError("it changes the class of a thing")
         case Generated(is_true=True):
-            raise NotPlannableError(f"`{statement.subject}` comes into being")
+            raise NotPlannableError(f"`{statement.subject}` is created by it")
         case Comparison(operator=sign) if sign != "=":
-            raise NotPlannableError("which number a property will have is not known")
+            raise NotPlannableError("the number that it gives a property is unknown")
         case Specified():
             return
         case Relation() | Comparison() | HasProperty() | Generated():

@@ -1,4 +1,4 @@
-"""EZS85x and EZS86x: goals, and what stands between a scene and them."""
+"""EZS85x: goals, and the reasons why a plan cannot reach them."""
 
 from __future__ import annotations
 
@@ -6,21 +6,21 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoGoal(Error, code="EZS850", name="no-goal"):
-    """A goal that is not written as one."""
+    """A goal with a syntax error."""
 
-    title = "this is no goal: {why}"
-    help = "write `(skiros:contain skiros:Location-1 skiros:Product-2)`; separate several by commas"
+    title = "this is not a valid goal: {why}"
+    help = "write `(skiros:contain skiros:Location-1 skiros:Product-2)`; separate goals by commas"
     why: str
 
 
 class UnknownThing(Error, code="EZS851", name="unknown-thing-in-goal"):
-    """Something in a goal that the scene does not have."""
+    """A thing in a goal that the scene does not have."""
 
     title = "the scene has no `{spelled}`"
     spelled: str
 
     class Known(Remark):
-        says = "it has {known}"
+        says = "the scene has {known}"
         known: str
 
 
@@ -31,13 +31,13 @@ class UnknownProperty(Error, code="EZS852", name="unknown-property-in-goal"):
     spelled: str
 
     class WithPrefix(Remark):
-        says = "name one with its prefix, such as `skiros:contain`"
+        says = "write the name with its prefix, such as `skiros:contain`"
 
 
 class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
-    """A goal that no sequence of skills leads to, because of one condition."""
+    """A goal that no sequence of skills reaches because of one condition."""
 
-    title = "no skill leads to this: {missing}"
+    title = "no skill achieves {missing}"
     missing: str
 
     class Needs(Remark):
@@ -46,7 +46,7 @@ class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
         needed: str
 
     class NeedsThing(Remark):
-        says = "`{skill}` needs a {owl_class}, and the scene has none"
+        says = "`{skill}` needs a {owl_class}, but the scene has none"
         skill: str
         owl_class: str
 
@@ -56,25 +56,23 @@ class GoalOutOfReach(Error, code="EZS853", name="goal-out-of-reach"):
 
     class Circular(Remark):
         says = (
-            "{missing} is not so in the scene, and what makes it so, {skills}, leads back to "
-            "these needs"
+            "{missing} is false in the scene, and the skills that achieve it ({skills}) have the "
+            "same needs themselves"
         )
         missing: str
         skills: str
 
     class Missing(Remark):
-        says = "{missing} is not so in the scene, and no skill makes it so"
+        says = "{missing} is false in the scene, and no skill achieves it"
         missing: str
 
 
 class GoalsTogether(Error, code="EZS854", name="goals-together"):
-    """Goals that can be reached each for itself."""
+    """Goals that can be reached one by one but not together."""
 
-    title = "no sequence of skills leads to this"
-    note = (
-        "each part of it, and each condition on the way, can be reached alone: one undoes another"
-    )
-    help = "ask for fewer goals at once, or look at what the skills undo: `ezskiros explain`"
+    title = "no sequence of skills reaches all goals together"
+    note = "each goal and each intermediate condition can be reached alone, but one undoes another"
+    help = "give fewer goals at once, or see what the skills undo with `ezskiros explain`"
 
     class Forbidden(Remark):
         says = "the rules forbid {steps}"
@@ -82,45 +80,45 @@ class GoalsTogether(Error, code="EZS854", name="goals-together"):
 
 
 class PlanningTimeOver(Error, code="EZS855", name="planning-time-over"):
-    """A search that took too long."""
+    """A search that reached its time limit."""
 
     title = "no plan was found in {seconds:g} s"
-    note = "whether there is one is not known"
-    help = "give it more time with `--timeout`, or name fewer skills: the paths say which are used"
+    note = "a plan may still exist"
+    help = "increase `--timeout`, or plan with fewer skills by giving fewer paths"
     seconds: float
 
 
 class SkillLeftOut(Warning, code="EZS856", name="skill-left-out"):
-    """A skill that no planner can make use of."""
+    """A skill that the planner cannot use."""
 
-    title = "`{skill}` cannot be planned with: {why}"
+    title = "the planner cannot use `{skill}`: {why}"
     skill: str
     why: str
 
 
 class NoSkillsToPlan(Error, code="EZS857", name="no-skills-to-plan"):
-    """Files in which nothing is that a plan could be made of."""
+    """Files without a skill that the planner can use."""
 
-    title = "there is no skill here that a plan can be made of"
-    help = "name the files of the skills, with their implementations"
+    title = "these files have no skill that the planner can use"
+    help = "give the files of the skills and of their implementations"
 
 
 class PlanNotConfirmed(Error, code="EZS858", name="plan-not-confirmed"):
-    """A plan of the planner that the world model does not agree with."""
+    """A plan that fails when it is replayed on the world model."""
 
-    title = "a plan was found that does not work: step {number}, `{skill}`, needs {missing}"
-    note = "the ontology says more of these relations than the planner was reported"
-    help = "please report it, with the skills and the scene"
+    title = "the planner returned a plan that fails: step {number}, `{skill}`, needs {missing}"
+    note = "the ontology constrains these relations in ways that the planner does not model"
+    help = "please report this defect, with the skills and the scene"
     number: int
     skill: str
     missing: str
 
 
 class GoalIsMet(Warning, code="EZS859", name="goal-is-met"):
-    """A goal that holds already."""
+    """A goal that already holds."""
 
-    title = "this is so already"
-    help = "nothing has to be done"
+    title = "the goal already holds"
+    help = "no plan is needed"
 
 
 ALL: tuple[type[Template], ...] = (

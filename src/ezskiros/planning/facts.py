@@ -1,6 +1,6 @@
-"""Facts that a planner can state about a world: they are true or false of things.
+"""Facts that a planner can state about a world model: they are true or false for things.
 
-A fact about relations and properties of the ontology is asked of a world model, and changed there.
+Facts about relations and properties of the ontology are read from a world model and changed in it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Actions without those steps that rules always stop."""
+"""Removal of the steps that rules always stop."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Goals, as SkiROS2's task manager takes them: `(skiros:at cora:Robot-1 skiros:Location-2)`.
+"""Goals in the syntax of SkiROS2's task manager: `(skiros:at cora:Robot-1 skiros:Location-2)`.
 
-Several are separated by commas; `(not (...))` asks for the opposite. A data property is followed by
-its value: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Things are named by their IRIs, as in a
-scene, or by their labels; relations by their names, with the prefix or without.
+Commas separate several goals; `(not (...))` negates a goal. The value of a data property comes
+last: `(skiros:ContainerState skiros:Gripper-1 Empty)`. Things are named by their IRIs, as in a
+scene, or by their labels; relations by their names, with or without prefix.
 """
 
 from __future__ import annotations
@@ -52,7 +52,7 @@ class _Reader:
 
     def goals(self) -> Iterator[Goal]:
         if all(token == "," for token, _, _ in self._tokens):
-            raise self._wrong("there is nothing in it", 0, 0)
+            raise self._wrong("it is empty", 0, 0)
         while self._at < len(self._tokens):
             if self._peek() == ",":
                 self._at += 1
@@ -76,7 +76,7 @@ class _Reader:
         if len(words) not in (2, 3):
             end = self._tokens[self._at - 1][2]
             start = words[0][1] if words else end - 1
-            raise self._wrong("in brackets stand a relation and two things", start, end)
+            raise self._wrong("brackets contain a relation and two things", start, end)
         return self._fact(*words)
 
     def _fact(self, name: tuple[str, int, int], *rest: tuple[str, int, int]) -> Literal:
@@ -84,7 +84,7 @@ class _Reader:
         subject = self._thing(*rest[0])
         if iri in self._model.relations:
             if len(rest) < 2:
-                raise self._wrong("a relation has two things", name[1], rest[0][2])
+                raise self._wrong("a relation takes two things", name[1], rest[0][2])
             return Literal(Fluent(About.RELATION, iri), (subject, self._thing(*rest[1])))
         if len(rest) < 2:
             return Literal(Fluent(About.PROPERTY, iri), (subject,))

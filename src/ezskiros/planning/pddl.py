@@ -1,9 +1,10 @@
 """A planning problem in PDDL, and the plan that a planner found for it.
 
-All things are of one type, and classes are facts that never change: a class of OWL can have several
-superclasses, a type of PDDL one. What follows from an effect, by inverses, special cases and
-functional relations, is an effect as well. Names are numbers: PDDL does not tell `a` from `A`.
-An action with several prices is written once for each: facts that never change say which is whose.
+All things have one type, and classes are facts that never change: an OWL class can have several
+superclasses, a PDDL type only one. Consequences of an effect, by inverses, special cases and
+functional relations, are effects as well. Names are numbers, because PDDL does not distinguish `a`
+from `A`. An action with several prices is written once for each price, with constant facts that
+select the things.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""From skills, a scene and a goal to a plan that has been tried out."""
+"""Planning: from skills, a scene and a goal to a plan that was replayed on the world model."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Prices of actions: what runs say that a skill loses to rules at some places.
+"""Prices of actions: the time that a skill loses to rules at some places, from recorded runs.
 
-A planner minimizes the sum of whole numbers. Each step costs `STEP`, and what it is expected to
-lose comes on top, in tenths of a second: so a step is worth one second that is lost.
+A planner minimizes a sum of whole numbers. Each step costs `STEP`, plus its expected loss in tenths
+of a second. So a step costs as much as one lost second.
 """
 
 from __future__ import annotations

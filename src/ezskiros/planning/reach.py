@@ -1,8 +1,8 @@
-"""Why a goal cannot be reached: what no skill makes so, and the scene does not say.
+"""Reasons why a goal is unreachable: facts that no skill achieves and the scene does not have.
 
-Delete relaxation: what has been so at some time stays possible, both that something is true and
-that it is not. What is not possible even then is not to be had. One action after the other is
-tried with all things that its needs allow, until nothing new becomes possible.
+The method is delete relaxation: a fact that was once possible stays possible, and so does its
+negation. A fact that is impossible even then is unreachable. Actions are tried with all things that
+their needs allow, until nothing new becomes possible.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ class Missing:
 
     literal: Literal
     chain: tuple[tuple[str, Literal], ...] = ()
-    """The skills that would help, each with what it needs, the last one first."""
+    """The skills that would help, each with its missing need, the last one first."""
     without: str | None = None
-    """The class of which there is nothing: the last skill needs something of it."""
+    """The class without members: the last skill needs a thing of this class."""
     circular: tuple[str, ...] = ()
-    """Skills that make the fact so, and need it, or what it was needed for, before."""
+    """Skills that achieve the fact but need it themselves, or need a fact that depends on it."""
 
 
 class TimeOverError(Exception):
@@ -64,7 +64,7 @@ class Reach:
         return not all(map(self.is_possible, effects))
 
     def missing(self, goal: Literal, seen: frozenset[Literal] = frozenset()) -> Missing:
-        """Find what is missing for something that is not possible."""
+        """Find the missing facts behind an impossible fact."""
         best: Missing | None = None
         circular: list[str] = []
         for action in self.actions:

@@ -1,8 +1,9 @@
-"""Another way to the goal of a task: skills that lead to its post-conditions, from where the world
-is now (thesis, section 5.2).
+"""Replanning: skills that lead to the post-conditions of a task from the current world model
+(thesis, section 5.2).
 
-A tree that found a way blocked says so in the world model, and the search heeds the pre-conditions
-of skills: so the same way is not taken again. Nor is one that rules would stop.
+A tree that found a route blocked records this in the world model, and the search respects the
+pre-conditions of skills, so the same route is not taken again. Steps that rules would stop are not
+taken either.
 """
 
 from __future__ import annotations
@@ -81,13 +82,13 @@ def _reported(found: Diagnostic) -> str:
 def _goals(skill: SkillInterface, values: Mapping[str, object]) -> Iterator[Goal]:
     things = {name: each.iri for name, each in values.items() if isinstance(each, WorldThing)}
     if not skill.post:
-        raise NoWayError(f"`{skill.name}` has no post-condition: nobody knows its goal")
+        raise NoWayError(f"`{skill.name}` has no post-condition, so its goal is unknown")
     for each in skill.post:
         try:
             wanted = literal(each.statement)
         except NotPlannableError:
             raise NoWayError(
-                f"a post-condition of `{skill.name}` is none that a plan can lead to"
+                f"a post-condition of `{skill.name}` cannot be the goal of a plan"
             ) from None
         unknown = [name for name in wanted.arguments if name not in things]
         if unknown:
@@ -121,7 +122,7 @@ def _in_background(search: Callable[[], Way]) -> Future[Way]:
         except NoWayError as problem:
             future.set_exception(problem)
         except Exception as problem:  # the robot stands: the task has to end in order
-            future.set_exception(NoWayError(f"the search has failed: {problem!r}"))
+            future.set_exception(NoWayError(f"the search failed: {problem!r}"))
 
     threading.Thread(target=work, name="replan", daemon=True).start()
     return future

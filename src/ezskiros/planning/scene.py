@@ -1,4 +1,4 @@
-"""The world that a plan starts in: a scene, and the names of what is in it."""
+"""The initial world model of a plan: a scene, and the names of its things."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Scene:
     document: Document
 
     def world(self) -> World:
-        """A fresh world model with what the scene says."""
+        """A new world model with the facts of the scene."""
         found = World(self.ontology)
         found.load(self.document)
         return found

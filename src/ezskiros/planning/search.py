@@ -1,4 +1,4 @@
-"""The search for a plan that leads to goals, and the reasons why there is none."""
+"""The search for a plan, and the reasons if there is none."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ _MOST_STEPS = 3
 
 @dataclass(frozen=True)
 class Search:
-    """The search for a plan. `start` gives a fresh world model with what is so at the start; it may
-    take `seconds` to find what is out of reach, and as long to find a plan.
+    """The search for a plan. `start` returns a new world model with the initial facts. The search
+    may take `seconds` to find unreachable goals, and as long again to find a plan.
     """
 
     start: Callable[[], World]

@@ -1,6 +1,6 @@
-"""The search for a plan: Fast Downward, as a program of its own.
+"""The call of the planner Fast Downward in its own process.
 
-Its files are found, and nothing of it is imported.
+Its files are located, and nothing of it is imported.
 """
 
 from __future__ import annotations
@@ -115,14 +115,16 @@ def _run(command: Sequence[str], folder: Path, seconds: float) -> tuple[int, str
 
 @dataclass(frozen=True)
 class Failed:
-    """A step of a plan that cannot be made, and what it needs. After the last one: the goal."""
+    """A step of a plan that fails, and its missing need. After the last step: the goal."""
 
     number: int
     needed: Literal
 
 
 def tried(steps: Sequence[Step], goals: Sequence[Literal], world: World) -> Failed | None:
-    """Where a plan fails in a world model, which is changed; None if it leads to the goals."""
+    """Replay a plan on a world model and change the model. Return the failing step, None if the
+    plan reaches the goals.
+    """
     for number, step in enumerate(steps, 1):
         lacking = _done(step, world)
         if lacking is not None:

@@ -1,7 +1,7 @@
 """A plan as a skill: the source of a description and of a compound implementation.
 
-Things of the scene become parameters. Its pre-conditions are what the steps need that no step
-before them gives, its post-conditions are the goals.
+Things of the scene become parameters. The pre-conditions are the needs of steps that no earlier
+step provides; the post-conditions are the goals.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from ezskiros.skills.importing import module_name
 from ezskiros.skills.interface import Parameter
 
 MOST_CHARACTERS = 100
-"""Of a line of the source."""
+"""The maximum number of characters per source line."""
 _CONDITIONS = (About.RELATION, About.COMPARISON, About.PROPERTY)
 
 

@@ -1,1 +1,1 @@
-"""Repairs of descriptions, in the files where they are written."""
+"""Repairs of descriptions in their source files."""

@@ -1,4 +1,6 @@
-"""Pre-conditions that a description lacks are added to its source; all else stays as it is."""
+"""Insertion of missing pre-conditions into the source of a description; the rest stays
+unchanged.
+"""
 
 from __future__ import annotations
 

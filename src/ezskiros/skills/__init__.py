@@ -1,4 +1,6 @@
-"""Skills: their parameters, their conditions, and the run of a description that finds them out."""
+"""Skills: their parameters, their conditions, and the execution of descriptions that yields
+them.
+"""
 
 from ezskiros.skills.description import (
     SkillDescription,

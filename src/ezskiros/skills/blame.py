@@ -1,4 +1,4 @@
-"""The place in the user's code that an exception is blamed on, and the text of the exception."""
+"""The place in user code that an exception is attributed to, and the text of the exception."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from ezskiros.ontology.things import SYMBOL_IN_TEXT
 def said(problem: BaseException) -> str:
     """The text of an exception, in one line."""
     if isinstance(problem, RecursionError):
-        return "it calls itself without end"
+        return "it calls itself endlessly"
     if isinstance(problem, KeyError) and problem.args:
         return f"there is no {problem.args[0]!r}"
     text = str(problem).replace(SYMBOL_IN_TEXT, "")
-    return text.partition("\n")[0] or "without a word"
+    return text.partition("\n")[0] or "no message"
 
 
 def user_place(problem: BaseException) -> Span | None:

@@ -1,7 +1,7 @@
 """The name of a skill in a behavior tree, and its attributes.
 
-`Pick(Object=...)` is a child that any implementation of Pick will do for, `Pick.pick_fast(...)` one
-that this implementation has to do. `Pick.SkillBase` is what implementations are derived from.
+`Pick(Object=...)` is a child for any implementation of Pick; `Pick.pick_fast(...)` requires this
+implementation. `Pick.SkillBase` is the base class of implementations.
 """
 
 from __future__ import annotations

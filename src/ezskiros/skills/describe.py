@@ -1,7 +1,8 @@
-"""A class that users wrote in, a `SkillInterface` out.
+"""Conversion of a user's description class to a `SkillInterface`.
 
-The patterns Early Dynamic Checking and Symbolic Tracing (thesis, Paper IV, section 4.2): the method
-`description` is run with symbols in place of its parameters, as often as its branches ask for.
+The module follows the patterns Early Dynamic Checking and Symbolic Tracing (thesis, Paper IV,
+section 4.2): the method `description` runs with symbols in place of its parameters, once per path
+through its branches.
 """
 
 from __future__ import annotations

@@ -50,7 +50,7 @@ class Conditions(Added[Clause]):
         return self
 
     def replaced_by(self, value: object) -> None:
-        """Take what `=` says where `+=` is meant; that it is wrong has been reported."""
+        """Handle `=` like `+=`; the mistake has been reported."""
         self.are_whole = False
         if isinstance(value, Condition):
             self._items.append(Clause(value.statement, value.span))
@@ -79,7 +79,7 @@ class SkillDescription(metaclass=SkillClass):
     uses: Uses
 
     class SkillBase(SkillImplementation):
-        """From this the implementations of the skill are derived; each skill has its own."""
+        """The base class for implementations of the skill. Each skill has its own."""
 
     def __init_subclass__(cls) -> None:
         parts = {"description": cls, "__module__": cls.__module__}

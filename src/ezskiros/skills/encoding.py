@@ -1,6 +1,6 @@
-"""Refuses modules whose bytes are not of their encoding (PEP 263), wherever they are imported.
+"""Refusal of modules whose bytes do not match their encoding (PEP 263), wherever they are imported.
 
-Some versions of Python let any byte pass in a comment, others refuse it: so does a check.
+Some versions of Python accept any byte in a comment, others refuse it. A check always refuses it.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""EZS2xx: descriptions of skills, and their parameters."""
+"""EZS2xx: skill descriptions and their parameters."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class HasKey(Remark):
-    """The note that tells what SkiROS2 calls a parameter."""
+    """The note with a parameter's key in SkiROS2."""
 
     says = "`{parameter}` has the key {key}"
     parameter: str
@@ -14,7 +14,7 @@ class HasKey(Remark):
 
 
 class NoDescription(Error, code="EZS201", name="no-description"):
-    """A skill without the method that describes it."""
+    """A skill without the method `description`."""
 
     title = "the skill `{skill}` has no method `description`"
     help = "write `def description(self, Robot: INFERRED[cora.Robot], ...):`"
@@ -36,10 +36,10 @@ class NoAnnotation(Error, code="EZS202", name="no-annotation"):
 
 
 class TextAnnotation(Error, code="EZS203", name="text-annotation"):
-    """A type in quotes that is not Python."""
+    """A quoted type that is not a Python expression."""
 
-    title = "the type of `{parameter}` is a text: {text}"
-    note = "it is not an expression of Python: {reason}"
+    title = "the type of `{parameter}` is a string: {text}"
+    note = "the string is not a Python expression: {reason}"
     help = "write {example}, without quotes"
     parameter: str
     text: str
@@ -48,75 +48,76 @@ class TextAnnotation(Error, code="EZS203", name="text-annotation"):
 
 
 class NoParameterType(Error, code="EZS204", name="no-parameter-type"):
-    """A type that parameters of skills cannot have."""
+    """A type that a skill parameter cannot have."""
 
-    title = "a parameter cannot be {found}"
+    title = "a skill parameter cannot be {found}"
     label = "the type of `{parameter}`"
     note = (
-        "parameters are things of the ontology, str, int, float, bool or enumerations; lists and "
-        "dictionaries would hide from every check what is in them (thesis, Paper IV, section 6)"
+        "the type of a parameter is a class of the ontology, str, int, float, bool or an "
+        "enumeration; the checks cannot see the elements of a list or dictionary (thesis, "
+        "Paper IV, section 6)"
     )
-    help = "use one parameter for each value, an enumeration, or a class of the ontology"
+    help = "use one parameter per value, an enumeration, or a class of the ontology"
     parameter: str
     found: str
 
 
 class WrongDefault(Error, code="EZS205", name="wrong-default"):
-    """A default that is not of the parameter's type."""
+    """A default value of another type than the parameter."""
 
-    title = "the default of `{parameter}` is {found}, which is no {expected}"
-    help = "give a value of type {expected}, or none"
+    title = "the default of `{parameter}` is {found}, not {expected}"
+    help = "give a value of type {expected}, or no default"
     parameter: str
     found: str
     expected: str
 
 
 class ThingDefault(Error, code="EZS206", name="thing-default"):
-    """A default for a parameter that stands for a thing."""
+    """A default for a parameter that stands for a thing of the world model."""
 
-    title = "`{parameter}` stands for a thing of the world, and cannot have a default"
-    help = "write `INFERRED[...]` if it is found in the world, `OPTIONAL[...]` if it may be none"
+    title = "`{parameter}` stands for a thing of the world model and cannot have a default"
+    help = "write `INFERRED[...]` to find it in the world model, `OPTIONAL[...]` to allow no value"
     parameter: str
 
 
 class MarkedBasic(Error, code="EZS207", name="marked-basic"):
-    """INFERRED or an option around a basic type."""
+    """INFERRED or an option on a basic type."""
 
-    title = "`{marker}` is for things of the world, not for {type}"
+    title = "`{marker}` applies to things of the world model, not to {type}"
     label = "the type of `{parameter}`"
-    help = "give `{parameter}` a default value, or leave `{marker}` out"
+    help = "give `{parameter}` a default value, or remove `{marker}`"
     marker: str
     type: str
     parameter: str
 
 
 class TwoKinds(Error, code="EZS216", name="two-kinds"):
-    """A parameter that is inferred and optional."""
+    """A parameter that is both inferred and optional."""
 
     title = "`{parameter}` cannot be both INFERRED and OPTIONAL"
     label = "the type of `{parameter}`"
-    help = "write `OPTIONAL[...]` if the skill can do without it, `INFERRED[...]` if it cannot"
+    help = "write `OPTIONAL[...]` if the skill works without a value, `INFERRED[...]` if not"
     parameter: str
 
 
 class PackedParameters(Error, code="EZS208", name="packed-parameters"):
     """`*args` or `**kwargs` in a description."""
 
-    title = "a skill has a fixed set of parameters: no `{spelling}`"
-    help = "name each parameter, with its type"
+    title = "a skill has a fixed set of parameters, so `{spelling}` is not allowed"
+    help = "write each parameter with its name and type"
     spelling: str
 
 
 class ReplacedConditions(Error, code="EZS209", name="replaced-conditions"):
-    """`=` where `+=` is meant."""
+    """`=` instead of `+=`."""
 
-    title = "`{conditions}` is replaced, which would lose what it has"
-    help = "add to it: `self.{conditions} += ...`"
+    title = "`=` replaces `{conditions}` and discards the conditions in it"
+    help = "add a condition: `self.{conditions} += ...`"
     conditions: str
 
 
 class NoClass(Error, code="EZS210", name="no-class"):
-    """`of_type` with something that is no class."""
+    """`of_type` without a class."""
 
     title = "`of_type` needs a class of the ontology, not {found}"
     help = "write `of_type(Object, skiros.Product)`"
@@ -124,7 +125,7 @@ class NoClass(Error, code="EZS210", name="no-class"):
 
 
 class NoRelation(Error, code="EZS211", name="no-relation"):
-    """`abstract` of something that is no relation."""
+    """`abstract` without a relation."""
 
     title = "`abstract` needs a relation, not {found}"
     help = "write `abstract(Robot.hasA(Arm))`"
@@ -132,9 +133,9 @@ class NoRelation(Error, code="EZS211", name="no-relation"):
 
 
 class NoConditions(Error, code="EZS212", name="no-conditions"):
-    """Conditions of a kind that there is not."""
+    """An unknown kind of conditions."""
 
-    title = "a skill has no `{spelled}`"
+    title = "a skill has no attribute `{spelled}`"
     help = "did you mean `{meant}`?"
     spelled: str
     meant: str
@@ -143,8 +144,8 @@ class NoConditions(Error, code="EZS212", name="no-conditions"):
 class UnknownParameter(Error, code="EZS213", name="unknown-parameter"):
     """A name that is neither a parameter nor defined in the module."""
 
-    title = "`{spelled}` is no parameter of `{skill}`"
-    label = "nothing of this name is defined"
+    title = "`{spelled}` is not a parameter of `{skill}`"
+    label = "this name is not defined"
     spelled: str
     skill: str
 
@@ -155,23 +156,23 @@ class UnknownParameter(Error, code="EZS213", name="unknown-parameter"):
 
 
 class NoSelf(Error, code="EZS214", name="no-self"):
-    """A description without `self`, or with a parameter in its place."""
+    """A description without `self` as its first parameter."""
 
-    title = "the first parameter of `description` has to be `self`"
+    title = "the first parameter of `description` must be `self`"
     help = "write `def description(self, ...):`"
 
 
 class AddedOtherwise(Error, code="EZS215", name="added-otherwise"):
-    """`append` where `+=` is meant."""
+    """`append` or the like instead of `+=`."""
 
-    title = "`+=` adds to `self.{conditions}`: there is no `{spelled}`"
-    help = "write `self.{conditions} += ...`, a line for each"
+    title = "`self.{conditions}` has no method `{spelled}`"
+    help = "write `self.{conditions} += ...`, one line per item"
     spelled: str
     conditions: str
 
 
 class Raised(Error, code="EZS220", name="description-raised"):
-    """A method that ends with an exception."""
+    """A method that raises an exception."""
 
     title = "{method} raises {exception}"
     label = "{said}"
@@ -185,10 +186,10 @@ class Raised(Error, code="EZS220", name="description-raised"):
 
 
 class SideEffect(Error, code="EZS221", name="side-effect"):
-    """A method that does something to the world while it is checked."""
+    """A method with a side effect during the check."""
 
     title = "{method} {deed}"
-    label = "not done: a check does nothing to the world"
+    label = "skipped: a check has no side effects"
     help = "{advice}"
     method: str
     advice: str
@@ -199,7 +200,7 @@ class NeverEnds(Error, code="EZS222", name="never-ends"):
     """A method that runs for too long."""
 
     title = "{method} does not end within {seconds} s"
-    label = "it was here when its time was over"
+    label = "it was still running here"
     method: str
     seconds: float
 
@@ -208,7 +209,7 @@ class DependsOnValue(Error, code="EZS223", name="depends-on-value"):
     """Conditions that depend on the value of a parameter."""
 
     title = "the conditions of `{skill}` depend on the value of `{parameter}`"
-    label = "decided here"
+    label = "the decision is here"
     note = "SkiROS2 reads a description once, before any parameter has a value"
     help = "write two skills, or conditions that hold for every value"
     skill: str
@@ -216,41 +217,42 @@ class DependsOnValue(Error, code="EZS223", name="depends-on-value"):
 
 
 class TooManyPaths(Warning, code="EZS224", name="too-many-paths"):
-    """More branches than are looked into."""
+    """A method with more paths than the check follows."""
 
-    title = "{method} branches so often that only {count} ways are checked"
-    help = "leave out what does not matter for what comes of it"
+    title = "{method} branches so often that only {count} paths are checked"
+    help = "remove branches that do not change the result"
     method: str
     count: int
 
 
 class DependsOnOutcome(Error, code="EZS225", name="depends-on-outcome"):
-    """Conditions that depend on something that a check does not do."""
+    """Conditions that depend on a call that the check skips."""
 
-    title = "the conditions of `{skill}` depend on what `{call}` gives"
-    label = "decided here"
-    note = "a check does nothing to the world, so that nobody knows before the robot runs"
-    help = "write two skills, a parameter, or conditions that hold in any case"
+    title = "the conditions of `{skill}` depend on the result of `{call}`"
+    label = "the decision is here"
+    note = "a check skips calls with side effects, so the result is unknown before the robot runs"
+    help = "write two skills, add a parameter, or write conditions that always hold"
     skill: str
     call: str
 
 
 class DuplicateSkill(Error, code="EZS230", name="duplicate-skill"):
-    """Two skills or implementations of one name: SkiROS2 takes the one that it loads first, Python
-    the last.
+    """Two skills or implementations with the same name.
+
+    SkiROS2 takes the first that it loads, Python the last.
     """
 
-    title = "there are two `{skill}`"
-    note = "one hides the other: SkiROS2 looks skills and implementations up by their names alone"
-    help = "give one of them another name"
+    title = "`{skill}` is defined twice"
+    note = "one hides the other: SkiROS2 looks up skills and implementations only by name"
+    help = "rename one of them"
     skill: str
 
     class Other(Remark):
-        says = "the other one"
+        says = "the other definition"
 
     class OfLibraries(Remark):
         says = (
-            "give one of them another name: of two libraries SkiROS2 takes that of the first in "
+            "rename one of them: SkiROS2 takes the definition of the library that comes first in "
             "`libraries_list`"
         )
 

@@ -1,8 +1,8 @@
-"""A method that adds conditions in, the conditions out; with them what a skill permits and uses.
+"""Execution of a method that adds conditions. The result is its conditions, permissions and uses.
 
-The method is run with symbols in place of its parameters, as often as its branches ask for (the
+The method runs with symbols in place of its parameters, once per path through its branches (the
 pattern Symbolic Tracing; thesis, Paper IV, section 4.2). Conditions that depend on a value are
-reported: SkiROS2 knows a skill before it knows any value.
+reported: SkiROS2 reads a skill before it knows any value.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""The behavior tree that is being written while `expandBT` runs.
+"""The behavior tree under construction while `expandBT` runs.
 
-The tree keeps nodes without knowing what they are. A node can hold a symbol (`values.py`), and a
-symbol changes the tree as well: `[Step()] * params.Count` may leave children out of it.
+The tree stores nodes without inspecting them. A node can contain a symbol (`values.py`), and a
+symbol can change the tree as well: `[Step()] * params.Count` may leave out children.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Runs code under check so that it does nothing to the world and ends.
+"""Execution of checked code without side effects and with a time limit.
 
-Python tells an audit hook before it opens a file, connects or starts a process (PEP 578).
-Within `guarded` the hook refuses that, wherever it is called from; what our own code and the import
-of libraries do is let through. How code goes on without what is refused: see `intercept.py`.
+Python calls an audit hook before it opens a file, makes a connection or starts a process (PEP 578).
+Within `guarded` the hook refuses such calls from any place; calls of our own code and of library
+imports are allowed. `intercept.py` lets code continue after a refused call.
 """
 
 from __future__ import annotations
@@ -74,7 +74,7 @@ class TimeOverError(Interrupted):
 
 
 class ProcessEndError(Interrupted):
-    """The code under check was about to end its process, which no check goes on after."""
+    """Checked code tried to end its process, and no check can continue after that."""
 
 
 @dataclass(frozen=True)
@@ -96,14 +96,12 @@ class Refusals:
     replaced: dict[Refusal, None] = field(default_factory=dict)
     """The refusals that it went on without."""
     files: dict[str, None] = field(default_factory=dict)
-    """Where the user's code is that led to what was refused."""
+    """The files of user code that led to refused calls."""
     half_done: list[object] = field(default_factory=list)
-    """The objects that one of the refused calls was a method of: nobody knows in what state they
-    would be.
-    """
+    """The objects whose methods were refused, and whose state is therefore unknown."""
 
     def go_on(self, count: int) -> None:
-        """The code under check goes on without what it was refused after the first `count`."""
+        """Let checked code continue without the calls that were refused after the first `count`."""
         self.replaced.update(dict.fromkeys(self.stopped[count:]))
         del self.stopped[count:]
 

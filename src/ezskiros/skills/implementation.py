@@ -1,4 +1,4 @@
-"""The class behind `Pick.SkillBase`, from which implementations of a skill are derived."""
+"""The class behind `Pick.SkillBase`, the base class of implementations."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ class ImplementationClass(type):
 
 
 class SkillImplementation(metaclass=ImplementationClass):
-    """An implementation: the way in which a skill does what its description says.
+    """An implementation of a skill's description.
 
         class pick(Pick.SkillBase):
             def expandBT(self, params):
@@ -111,7 +111,7 @@ class SkillImplementation(metaclass=ImplementationClass):
         return self._reported(State.SUCCESS, self.progress[0] + 1, text)
 
     def step(self, text: str = "") -> State:
-        """Say that it goes on: for `execute` to return, which is called again at the next tick."""
+        """Report progress. `execute` returns this result, and is called again at the next tick."""
         return self._reported(State.RUNNING, self.progress[0] + 1, text)
 
     def fail(self, text: str, code: int = -405) -> State:
@@ -131,7 +131,9 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     @maker
     def serialstar(self, *children: Node) -> Node:
-        """One after the other until one fails; those that succeeded are not ticked again."""
+        """Run children one after the other until one fails; finished children are not
+        ticked again.
+        """
         return _processor(Flow.SERIAL_STAR, children)
 
     @maker
@@ -141,7 +143,9 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     @maker
     def selectorstar(self, *children: Node) -> Node:
-        """One after the other until one succeeds; those that failed are not ticked again."""
+        """Run children one after the other until one succeeds; failed children are not ticked
+        again.
+        """
         return _processor(Flow.SELECTOR_STAR, children)
 
     @maker
@@ -151,7 +155,7 @@ class SkillImplementation(metaclass=ImplementationClass):
 
     @maker
     def parallelfs(self, *children: Node) -> Node:
-        """All at once until the first has a result, which is that of all."""
+        """Run all children at once until the first has a result, which is the result of all."""
         return _processor(Flow.PARALLEL_FS, children)
 
     @maker

@@ -1,5 +1,5 @@
-"""The import of users' modules while they are checked: from their own folders, with stand-ins for
-what is not installed.
+"""The import of user modules during a check: from their own folders, with stand-ins for missing
+packages.
 """
 
 from __future__ import annotations

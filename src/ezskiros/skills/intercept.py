@@ -1,9 +1,8 @@
-"""Lets code under check go on without what it was refused.
+"""Continuation of checked code after a refused call.
 
-The calls in a file are compiled as calls of `called`, which makes them, and gives a mock if
-something was refused on the way. What the thesis's map does for nonlocal names (Paper IV, section
-4.2), this does for all. Only files in which something was refused, or raised, are compiled again:
-the others stay as they are.
+The calls in a file are compiled as calls of `called`, which makes the call and returns a mock if it
+was refused. This extends the map for nonlocal names in the thesis (Paper IV, section 4.2) to all
+names. Only files with a refused or raising call are compiled again; the others stay unchanged.
 """
 
 from __future__ import annotations
@@ -186,7 +185,7 @@ class Finder(importlib.abc.MetaPathFinder):
     def find_spec(
         self, name: str, path: Sequence[str] | None = None, _target: ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        """Where a module is, if it is one of these files."""
+        """Return the spec of a module if it is one of the intercepted files."""
         if not _intercepted:
             return None
         spec = importlib.machinery.PathFinder.find_spec(name, path)

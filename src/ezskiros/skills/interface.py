@@ -1,4 +1,4 @@
-"""A skill as data: what other skills and planners see of it."""
+"""A skill as data, for other skills and for planners."""
 
 from __future__ import annotations
 

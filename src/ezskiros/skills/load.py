@@ -1,7 +1,7 @@
-"""Python files and packages in, the skills that they define and implement out.
+"""Loading of Python files and packages. The result is the skills that they define and implement.
 
-Modules are run, as Python does when it imports them, without ROS: what is not installed is replaced
-by stand-ins. A module that cannot be run does not hide the others.
+Modules are imported as usual, without ROS: stand-ins replace packages that are not installed. A
+module that fails does not hide the others.
 """
 
 from __future__ import annotations
@@ -238,9 +238,9 @@ def _failed(problem: BaseException, file: Path, endless: Mapping[str, str]) -> D
         return errors.EndlessImport(seconds=SECONDS).at(span)
     exception, why = type(problem).__name__, said(problem)
     if isinstance(problem, SideEffectError):
-        exception, why = f"it {problem.deed}", "not done: a check does nothing to the world"
+        exception, why = f"it {problem.deed}", "skipped: a check has no side effects"
     elif isinstance(problem, ProcessEndError):
-        exception, why = "it ends the process", "nothing is imported after this"
+        exception, why = "it ends the process", "the code after this is not imported"
     elif isinstance(problem, ModuleNotFoundError) and problem.name in endless:
         why = f"the import of `{problem.name}` does not end"
     found = errors.ModuleFailed(exception=exception, said=why)

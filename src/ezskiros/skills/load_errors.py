@@ -1,4 +1,4 @@
-"""EZS0xx: files of skills that cannot be loaded; EZS23x: what modules do when they are imported."""
+"""EZS0xx: skill files that cannot be loaded; EZS23x: side effects of imports."""
 
 from __future__ import annotations
 
@@ -6,28 +6,27 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoFile(Error, code="EZS001", name="no-file"):
-    """A path that leads nowhere."""
+    """A path that does not exist."""
 
     title = "there is no file {path}"
     path: str
 
     class NoModule(Remark):
         says = (
-            "no module of this name is found either: install it, or run this in the folder that "
-            "it is in"
+            "no module has this name either: install the module, or run the command in its folder"
         )
 
 
 class NoPython(Error, code="EZS002", name="no-python"):
-    """A file that Python does not understand."""
+    """A file with a Python syntax error or another encoding."""
 
-    title = "this is not Python: {said}"
+    title = "this is not valid Python: {said}"
     note = "the skills of this file are not checked"
     said: str
 
     class Encoding(Remark):
         says = (
-            "save the file in UTF-8, or say what it is in by its first line: `# -*- coding: "
+            "save the file as UTF-8, or declare its encoding in the first line: `# -*- coding: "
             "latin-1 -*-`"
         )
 
@@ -43,38 +42,38 @@ class ModuleFailed(Error, code="EZS003", name="module-failed"):
 
     class Refused(Remark):
         says = (
-            "a check changes no file, starts no process and uses no network: import what does in "
-            "the methods that use it"
+            "a check writes no files, starts no processes and uses no network: move imports "
+            "that do so into the methods that use them"
         )
 
     class Star(Remark):
-        says = "`{module}` is not installed, and gives no names to `import *`: import them by name"
+        says = "`{module}` is not installed, so `import *` defines no names: import them one by one"
         module: str
 
 
 class StandIn(Warning, code="EZS004", name="stand-in"):
-    """An import that is not installed."""
+    """An imported module that is not installed."""
 
-    title = "`{module}` is not installed: a stand-in takes its place"
-    label = "what it does is not checked"
-    help = "skills are checked without ROS and without drivers; install it if the check needs it"
+    title = "`{module}` is not installed and is replaced by a stand-in"
+    label = "calls of this module are not checked"
+    help = "a check needs neither ROS nor drivers; install the module if the check needs it"
     module: str
 
 
 class NoSkills(Warning, code="EZS005", name="no-skills"):
-    """Files without a skill."""
+    """A path without skills."""
 
-    title = "no skill is defined in {path}"
-    help = "a skill is a class that inherits `ezskiros.SkillDescription`"
+    title = "{path} defines no skill"
+    help = "a skill is a class that inherits from `ezskiros.SkillDescription`"
     path: str
 
 
 class ImportSideEffect(Warning, code="EZS231", name="import-side-effect"):
-    """A module that does something when it is imported."""
+    """A module with a side effect when it is imported."""
 
     title = "the module {deed} when it is imported"
-    label = "not done: a check does nothing to the world"
-    help = "let the implementation of the skill do this when it runs"
+    label = "skipped: a check has no side effects"
+    help = "move this call into the implementation of the skill, such as `onStart`"
     deed: str
 
 
@@ -82,18 +81,18 @@ class EndlessImport(Error, code="EZS232", name="endless-import"):
     """A module whose import takes too long."""
 
     title = "the import of the module does not end within {seconds:g} s"
-    label = "it was here when its time was over"
+    label = "the import was still running here"
     note = "the skills of this file are not checked"
-    help = "define classes and functions in a module, and let the implementation do what takes long"
+    help = "move the slow call into the implementation of the skill"
     seconds: float
 
 
 class ClientStandIn(Warning, code="EZS233", name="client-stand-in"):
-    """An import that talks to ROS."""
+    """An imported module that talks to ROS."""
 
-    title = "`{module}` talks to ROS: a stand-in takes its place"
-    label = "what it does is not checked"
-    help = "import it in the implementation, where it is used: skills are checked without ROS"
+    title = "`{module}` talks to ROS and is replaced by a stand-in"
+    label = "calls of this module are not checked"
+    help = "import the module in the implementation that uses it: a check runs without ROS"
     module: str
 
 

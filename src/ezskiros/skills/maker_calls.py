@@ -1,4 +1,4 @@
-"""Calls of `self.timeout(...)` and the like with arguments that these methods do not have."""
+"""Checks of the arguments of `self.timeout(...)` and similar calls."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The marks around the type of a parameter: `Robot: INFERRED[cora.Robot]`."""
+"""The markers of parameter types: `Robot: INFERRED[cora.Robot]`."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ T = TypeVar("T")
 
 
 class Kind(enum.Enum):
-    """Where the value of a parameter comes from."""
+    """The source of a parameter's value."""
 
     REQUIRED = "Required"
     INFERRED = "Inferred"
@@ -18,7 +18,7 @@ class Kind(enum.Enum):
 
 
 class Option(enum.Enum):
-    """The options of a parameter: they tell what a skill does with the thing that it stands for."""
+    """The options of a parameter: the effect of a skill on its thing."""
 
     CONSUME = "Consume"
     OUTPUT = "Output"
@@ -66,7 +66,7 @@ class NoType:
 
 
 class Marker:
-    """A marker while a program runs. It takes anything: what is wrong is reported by its user."""
+    """A marker at run time. It accepts any argument; the user of the marker reports mistakes."""
 
     def __init__(self, mark: Kind | Option, found: str = "") -> None:
         self._mark, self._found = mark, found

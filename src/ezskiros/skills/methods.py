@@ -1,4 +1,4 @@
-"""The methods of implementations, as they are written: what they return, what they compare."""
+"""The source of implementation methods: their return values and comparisons."""
 
 from __future__ import annotations
 

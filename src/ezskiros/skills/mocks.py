@@ -1,9 +1,8 @@
-"""The mock generator of Early Dynamic Checking (thesis, Paper IV, section 4.2): what goes on in
-place of something that a check does not do.
+"""The mock generator of Early Dynamic Checking (thesis, Paper IV, section 4.2): mocks replace the
+results of calls that a check skips.
 
-A mock of an object has the methods and accessors of its class, and no others; none of them does
-anything. What they give is a mock again: of the class that they are declared to return, or of
-nothing that is known.
+A mock of an object has the methods and accessors of its class, and no others; none of them has an
+effect. Their results are mocks again: of the declared return type, or of an unknown type.
 """
 
 from __future__ import annotations
@@ -31,7 +30,7 @@ class Mock(Symbol):
 
     def described(self) -> str:
         """For messages."""
-        return f"what `{self._source}` gives"
+        return f"the result of `{self._source}`"
 
     def __derived__(self) -> Mock:
         """The mock of what depends on it."""
@@ -54,7 +53,7 @@ class Mock(Symbol):
 
 
 class MockInstance(Mock):
-    """An object of a class whose `__init__` was not run: it has what such objects have."""
+    """An object of a class whose `__init__` was not run. It has the attributes of such objects."""
 
     def __init__(self, source: str, kind: type) -> None:
         super().__init__(source, kind)
@@ -71,7 +70,7 @@ class MockInstance(Mock):
 
 
 def mock_of(function: object, source: str) -> object:
-    """Give what goes on in place of what a function gives, or a class."""
+    """The mock for the result of a function, or for a class."""
     if isinstance(function, type):
         return MockInstance(source, function)
     kind = _returned(function)
@@ -90,7 +89,7 @@ def _returned(function: object) -> type | None:
 
 @lru_cache(maxsize=256)
 def members(kind: type) -> frozenset[str] | None:
-    """The names of what objects of a class have; None if some are not known."""
+    """The names of the attributes of a class's objects; None if some are unknown."""
     found = set(dir(kind))
     for each in kind.__mro__[:-1]:
         own = vars(each)

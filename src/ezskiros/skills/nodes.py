@@ -1,6 +1,6 @@
-"""Nodes of behavior trees: calls of skills, and what stands over them.
+"""Nodes of behavior trees: calls of skills, and the processors and decorators above them.
 
-Nodes are made where a tree is written, in `expandBT`; each knows its place there.
+Nodes are created where a tree is written, in `expandBT`. Each node knows its place there.
 """
 
 from __future__ import annotations
@@ -47,9 +47,8 @@ class Processor:
 
 @dataclass(frozen=True, eq=False)
 class Decorator:
-    """A child, and what becomes of its result. `limit` is the number of tries of a retry, or the
-    seconds of a timeout; None of an inverter. It is a symbol until the skill runs if it depends on
-    parameters.
+    """A child with a changed result. `limit` is the number of tries of a retry, or the seconds of a
+    timeout; None for an inverter. It is a symbol until the skill runs if it depends on parameters.
     """
 
     decoration: Decoration

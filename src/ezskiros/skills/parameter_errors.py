@@ -15,49 +15,49 @@ class NoBrackets(Error, code="EZS006", name="no-brackets"):
 
 
 class DuplicateKey(Error, code="EZS007", name="duplicate-key"):
-    """Two parameters that are one for SkiROS2."""
+    """Two parameters with the same SkiROS2 key."""
 
-    title = "`{parameter}` has the key {key}, which another parameter has"
-    note = "SkiROS2 silently takes the last declaration of a key"
-    help = "give one of them another key"
+    title = "`{parameter}` has the key {key} of another parameter"
+    note = "SkiROS2 silently uses the last declaration of a key"
+    help = "give one of the parameters another key"
     parameter: str
     key: str
 
     class First(Remark):
-        says = "so has `{parameter}`"
+        says = "`{parameter}` has the same key"
         parameter: str
 
 
 class WrongKey(Error, code="EZS008", name="wrong-key"):
-    """A key that is no text, is empty, or is not the only one."""
+    """A key that is not a string, is empty, or is one of several."""
 
-    title = "the key of `{parameter}` is not one text"
+    title = "the key of `{parameter}` must be one string that is not empty"
     help = 'write `{parameter}: Annotated[..., Key("Start Pose")]`'
     parameter: str
 
 
 class WrongOutput(Error, code="EZS009", name="wrong-output"):
-    """An output that is asked for before the skill, or gets its value from elsewhere."""
+    """An output that is used before the skill runs, or that has another source."""
 
     title = "`{parameter}` is an output, and {reason}"
-    note = "an output has no value before the skill, which gives it one"
+    note = "an output has no value until the skill sets it"
     help = "write `{parameter}: OUTPUT[{type}]`"
     parameter: str
     reason: str
     type: str
 
     class AskedBefore(Remark):
-        says = "say it as a post-condition, or declare `{parameter}` without OUTPUT"
+        says = "make this a post-condition, or declare `{parameter}` without OUTPUT"
         parameter: str
 
 
 class RobotAsValue(Error, code="EZS217", name="robot-as-value"):
-    """A parameter with the name of the robot that is no thing."""
+    """A parameter named `Robot` that does not stand for a thing."""
 
-    title = "`Robot` is the robot that runs the skill, and this is {found}"
-    label = "a name that SkiROS2 gives the robot"
+    title = "`Robot` stands for the robot that runs the skill, but here it is {found}"
+    label = "SkiROS2 uses this name for the robot"
     note = (
-        "SkiROS2 gives each skill a parameter `Robot`; siblings with that name would get the value"
+        "SkiROS2 gives each skill a parameter `Robot`; other children would get this value for it"
     )
     help = "write `Robot: cora.Robot`, or give the parameter another name"
     found: str

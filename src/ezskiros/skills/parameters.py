@@ -1,4 +1,4 @@
-"""The signature of `description` in, `Parameter`s out."""
+"""Conversion of the signature of `description` to `Parameter`s."""
 
 from __future__ import annotations
 

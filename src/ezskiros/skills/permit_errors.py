@@ -1,4 +1,4 @@
-"""EZS25x: what a skill permits, and what it uses."""
+"""EZS25x: the permissions of a skill, and the topics and servers that it uses."""
 
 from __future__ import annotations
 
@@ -6,28 +6,28 @@ from dslkit.diagnostics import Error, Remark, Template
 
 
 class NoPermission(Error, code="EZS250", name="no-permission"):
-    """Something else in the place of a permission."""
+    """An entry of `permits` that is not a permission."""
 
-    title = "this is no permission, but {found}"
+    title = "this is {found}, not a permission"
     label = "expected `contact`, `closeness`, `speed` or `force`"
-    help = 'write `self.permits += force(Object, "20 N")`, a line for each'
+    help = 'write `self.permits += force(Object, "20 N")`, one line per permission'
     found: str
 
 
 class PermittedNoThing(Error, code="EZS251", name="permitted-no-thing"):
-    """A permission that is about no thing of the world."""
+    """A permission for a value that is not a thing of the world model."""
 
-    title = "`{kind}` is with things of the world, not with {found}"
-    label = "a parameter is needed whose type is a class of the ontology, or such a class"
+    title = "`{kind}` takes a thing of the world model, not {found}"
+    label = "expected a class of the ontology, or a parameter with such a type"
     kind: str
     found: str
 
 
 class NoQuantity(Error, code="EZS252", name="no-quantity"):
-    """A limit that is no number with a unit."""
+    """A limit that is not a number with a unit."""
 
     title = "the limit of `{kind}` is {found}, not a quantity"
-    help = "write a number with its unit, as a text: `{example}`"
+    help = "write the number and its unit as a string: `{example}`"
     kind: str
     found: str
     example: str
@@ -37,23 +37,23 @@ class NoQuantity(Error, code="EZS252", name="no-quantity"):
         units: str
 
     class NotKnownBefore(Remark):
-        says = "write it down: what a skill permits is known before it runs"
+        says = "write a fixed limit: permissions must be known before the skill runs"
 
 
 class UnknownUnit(Error, code="EZS253", name="unknown-unit"):
-    """A unit that is none of the table."""
+    """A unit that is not in the table of units."""
 
-    title = "`{unit}` is no unit that is known"
-    help = "`{kind}` is limited in {units}"
+    title = "`{unit}` is not a known unit"
+    help = "the units of `{kind}` are {units}"
     unit: str
     kind: str
     units: str
 
 
 class WrongDimension(Error, code="EZS254", name="wrong-dimension"):
-    """A limit in a unit of something else."""
+    """A limit in a unit of another dimension."""
 
-    title = "`{kind}` is limited in {units}, not in `{unit}`"
+    title = "the limit of `{kind}` needs {units}, not `{unit}`"
     label = "`{unit}` is a unit of {dimension}"
     kind: str
     units: str
@@ -65,27 +65,27 @@ class PermittedLimit(Error, code="EZS255", name="permitted-limit"):
     """A limit that is negative, infinite or not a number."""
 
     title = "the limit of `{kind}` is {found}, which is {fault}"
-    help = "write a number that is finite and not below 0"
+    help = "write a finite number that is at least 0"
     kind: str
     found: str
     fault: str
 
 
 class NoUse(Error, code="EZS256", name="no-use"):
-    """Something else in the place of a topic or a server."""
+    """An entry of `uses` that is neither a topic nor an action server."""
 
-    title = "this is no topic or action server, but {found}"
+    title = "this is {found}, not a topic or an action server"
     label = "expected `topic` or `server`"
-    help = 'write `self.uses += topic("/cmd_vel", "geometry_msgs/Twist")`, a line for each'
+    help = 'write `self.uses += topic("/cmd_vel", "geometry_msgs/Twist")`, one line per name'
     found: str
 
 
 class WrongRosName(Error, code="EZS257", name="wrong-ros-name"):
-    """A name of a topic or server that ROS does not take, or that depends on a namespace."""
+    """A topic or server name that ROS does not accept, or that depends on a namespace."""
 
-    title = "{found} is no name of {a_kind}"
+    title = "{found} is not a valid name of {a_kind}"
     label = "{reason}"
-    help = "write its whole name, such as `{example}`"
+    help = "write the full name, such as `{example}`"
     found: str
     a_kind: str
     reason: str
@@ -93,10 +93,10 @@ class WrongRosName(Error, code="EZS257", name="wrong-ros-name"):
 
 
 class WrongRosType(Error, code="EZS258", name="wrong-ros-type"):
-    """A type of messages or actions that ROS cannot have."""
+    """A message or action type that ROS cannot have."""
 
-    title = "{found} is no type of {a_kind}"
-    help = "write its package and its name, such as `{example}`"
+    title = "{found} is not a valid type of {a_kind}"
+    help = "write the package and the name of the type, such as `{example}`"
     found: str
     a_kind: str
     example: str

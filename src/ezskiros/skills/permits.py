@@ -1,7 +1,7 @@
-"""The things that a skill permits: `self.permits += force(Object, "20 N")`.
+"""The permissions of a skill: `self.permits += force(Object, "20 N")`.
 
-What is a hazard elsewhere is the purpose of some skills (thesis, section 5.2). Each permission
-stands for itself: what one of them permits is permitted. Rules read them; SkiROS2 does not.
+A hazard elsewhere can be the purpose of a skill (thesis, section 5.2). Permissions are
+alternatives: an action is permitted if one permission allows it. Rules read them; SkiROS2 does not.
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ _DIMENSION_WORDS = {
 
 @dataclass(frozen=True)
 class PermittedThing:
-    """The things that a permission is about: what the parameter stands for, or, without one, all of
-    a class. `owl_class` is that class; of a parameter the class of its type.
+    """The things of a permission: the thing of the parameter, or, without one, all things of a
+    class. `owl_class` is that class, or the class of the parameter's type.
     """
 
     parameter: str | None
@@ -87,7 +87,7 @@ class Permission(Described):
 
     def described(self) -> str:
         """For messages."""
-        return "what a skill permits"
+        return "a permission"
 
 
 class Permits(Added[Permission]):

@@ -1,4 +1,4 @@
-"""Quantities that are written as texts, `30 N`: a closed table of units, and their values in SI.
+"""Quantities written as texts, `30 N`: a closed table of units, and their values in SI units.
 
 A unit is `numerator / denominator * pi**pi_power` times the SI unit of its dimension.
 """
@@ -76,7 +76,7 @@ _QUANTITY = re.compile(
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number with a unit, and what it is in SI."""
+    """A number with a unit, and its value in SI units."""
 
     value: float
     unit: str

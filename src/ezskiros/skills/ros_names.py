@@ -1,4 +1,4 @@
-"""Names of topics and action servers, and of types, as rules write them."""
+"""Names of topics, action servers and types in the form of rules."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ _TYPE = re.compile(r"([A-Za-z][A-Za-z0-9_]*)/(?:(?:msg|action)/)?([A-Z][A-Za-z0-
 
 
 def why_no_name(spelled: str) -> str | None:
-    """Why a text is no absolute name; None if it is one."""
+    """The reason why a text is not an absolute name; None if it is one."""
     if not spelled.startswith("/"):
-        return "it does not begin with `/`: what it means depends on a namespace"
+        return "it does not begin with `/`, so it depends on a namespace"
     if len(spelled) > _LONGEST:
         return f"it is longer than {_LONGEST} characters"
     if not _NAME.fullmatch(spelled):
-        return "between its `/` are words of letters, digits and `_`, the first without a digit"
+        return "between the `/`, use letters, digits and `_`, not beginning with a digit"
     return None
 
 

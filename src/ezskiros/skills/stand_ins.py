@@ -1,5 +1,5 @@
-"""Stand-ins for modules that are not installed, and for those that talk to a robot: whatever is
-asked of them is there and idle.
+"""Stand-ins for modules that are not installed, or that talk to a robot. A stand-in has every name,
+and its functions do nothing.
 
 The mock generator of Early Dynamic Checking (thesis, Paper IV, section 4.2), for modules.
 """

@@ -1,4 +1,6 @@
-"""Where the parts of a function are written: its parameters, their types, defaults and texts."""
+"""The places of the parts of a function in its source: parameters, types, defaults and
+docstrings.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +28,7 @@ class Definition:
     docs: dict[str, str] = field(default_factory=dict)
 
     def name_of(self, parameter: str) -> Span:
-        """Where a parameter is named."""
+        """The place of a parameter's name."""
         return self.names.get(parameter, self.whole)
 
 
@@ -45,7 +47,7 @@ def definition(function: FunctionType) -> Definition:
 
 
 def class_span(found: type) -> Span:
-    """Where a class is named; its module's beginning if that is not found."""
+    """The place of a class name; the beginning of its module if the name is not found."""
     path = file_of(found)
     file = source_file(path)
     if file is None:
@@ -64,7 +66,7 @@ def class_body(found: type) -> Span:
 
 
 def file_of(found: type) -> str:
-    """Where a class is defined. Its module may be another one of that name by now."""
+    """The file that defines a class. Another module may have taken its module's name since."""
     for each in vars(found).values():
         if isinstance(each, FunctionType) and each.__module__ == found.__module__:
             return each.__code__.co_filename
@@ -81,16 +83,16 @@ class _Written:
     """The definitions of a file; the rest of its syntax tree, which is large, is not kept."""
 
     classes: dict[str, Span] = field(default_factory=dict)
-    """Where they are defined first."""
+    """The place of the first definition of each class."""
     outer_classes: list[tuple[str, Span]] = field(default_factory=list)
     attributes: dict[str, frozenset[str]] = field(default_factory=dict)
-    """By the names of classes: all names that stand behind a dot in them."""
+    """All attribute names in each class, by the name of the class."""
     parameters_set: dict[str, frozenset[str]] = field(default_factory=dict)
-    """By the names of classes: which parameters they give a value."""
+    """The parameters that each class sets, by the name of the class."""
     parameters_used: dict[str, list[tuple[str, Span]]] = field(default_factory=dict)
     """The parameters that methods read or give a value, and where; by the names of classes."""
     functions: dict[int, tuple[int, ast.arguments]] = field(default_factory=dict)
-    """By the first line, decorators included: the line of `def`, and the parameters."""
+    """The line of `def` and the parameters, by the first line with decorators."""
 
 
 @lru_cache(maxsize=4096)
@@ -248,7 +250,7 @@ def _expression(span: Span) -> ast.AST:
 
 
 def _inside(span: Span, node: ast.AST) -> Span:
-    """Where a node of `_expression` stands."""
+    """The place of a node of `_expression`."""
     inner = node_span(SourceFile("", f"({span.text})"), node)
     return Span(span.file, span.start + inner.start - 1, span.start + inner.end - 1)
 
@@ -298,7 +300,7 @@ def docs_of(text: str) -> dict[str, str]:
 
 
 def argument_places(call: Span) -> dict[str, tuple[Span, Span]]:
-    """Where the named arguments of a call stand: their names, and their values."""
+    """The places of the names and values of a call's named arguments."""
     found = {}
     expression = _expression(call)
     node = expression.body if isinstance(expression, ast.Expression) else None

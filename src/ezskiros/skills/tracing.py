@@ -1,8 +1,8 @@
-"""Runs methods that users wrote, with symbols for what is not known before the robot runs.
+"""Execution of user methods with symbols for values that are unknown before the robot runs.
 
-The patterns Early Dynamic Checking and Symbolic Tracing (thesis, Paper IV, section 4.2): a method
-is run as often as its branches ask for, side effects are refused, reported and replaced, and what
-does not end is ended.
+The module follows the patterns Early Dynamic Checking and Symbolic Tracing (thesis, Paper IV,
+section 4.2): a method runs once per path through its branches. Side effects are refused, reported
+and replaced, and endless code is stopped.
 """
 
 from __future__ import annotations
@@ -51,8 +51,8 @@ class Method:
 
 @dataclass(frozen=True)
 class Way(Generic[T]):
-    """One way through a method: what it was run on, None if that could not be made; whether it came
-    to its end, and whether nothing was wrong until there.
+    """One path through a method: its inputs, None if they could not be made; whether it was
+    completed, and whether it was free of errors until then.
     """
 
     instance: T | None

@@ -1,4 +1,4 @@
-"""EZS5xx: behavior trees, as they are written."""
+"""EZS5xx: the form of behavior trees."""
 
 from __future__ import annotations
 
@@ -6,33 +6,31 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class Signature(Remark):
-    """The help for the signature of an implementation's own conditions."""
+    """The help for the signature of the method `conditions`."""
 
-    says = (
-        "write `def {method}(self, {parameter}):`: the parameters of the skill have their own names"
-    )
+    says = "write `def {method}(self, {parameter}):`, with the parameter names of the skill"
     method: str
     parameter: str
 
 
 class NoChildren(Error, code="EZS501", name="no-children"):
-    """A processor over nothing."""
+    """A processor without children."""
 
     title = "{processor} has no children"
     note = "in SkiROS2 a skill without children runs forever"
-    help = "name the skills that it consists of: `self.serialstar(Drive(...), Pick(...))`"
+    help = "add the child skills: `self.serialstar(Drive(...), Pick(...))`"
     processor: str
 
 
 class NoNode(Error, code="EZS502", name="no-node"):
-    """A child that is no skill, processor or decorator."""
+    """A child that is neither a skill nor a processor nor a decorator."""
 
-    title = "a behavior tree consists of skills, and this is {found}"
+    title = "a child of a behavior tree must be a skill or a processor, not {found}"
     help = "write `Skill(Parameter=...)`, `Skill.implementation(...)` or `self.serialstar(...)`"
     found: str
 
     class Quoted(Remark):
-        says = "write `{skill}(...)`: skills are named without quotes"
+        says = "write `{skill}(...)`, without quotes"
         skill: str
 
     class SkillClass(Remark):
@@ -40,14 +38,14 @@ class NoNode(Error, code="EZS502", name="no-node"):
         skill: str
 
     class List(Remark):
-        says = "write `*[...]`, with an asterisk: children are given one by one"
+        says = "write `*[...]`, with an asterisk, to pass each element as a child"
 
     class Call(Remark):
-        says = "call it: a tree consists of what the calls give"
+        says = "call it: the children of a tree are the results of calls"
 
 
 class WrongLimit(Error, code="EZS503", name="wrong-limit"):
-    """A number of tries or seconds that is none."""
+    """A wrong number of tries or seconds."""
 
     title = "{decorator} needs a {numbers} above 0, not {found}"
     help = "write `self.retry(child, 3)` or `self.timeout(child, 5.0)`"
@@ -57,34 +55,34 @@ class WrongLimit(Error, code="EZS503", name="wrong-limit"):
 
 
 class NoSkillBase(Error, code="EZS504", name="no-skill-base"):
-    """A class that is derived from something of a skill that is not there."""
+    """A class that is derived from a missing attribute of a skill."""
 
-    title = "`{skill}` has no `{spelled}` that a class can be derived from"
+    title = "`{skill}` has no base class `{spelled}`"
     help = "write `class name({skill}.SkillBase):`"
     skill: str
     spelled: str
 
 
 class NamelessArgument(Error, code="EZS505", name="nameless-argument"):
-    """A value for a parameter that is not named."""
+    """An argument without the name of its parameter."""
 
-    title = "`{skill}` gets a value without the name of its parameter"
+    title = "an argument of `{skill}` does not name its parameter"
     help = "write `{skill}({named})`"
     skill: str
     named: str
 
 
 class LooseSkill(Error, code="EZS506", name="loose-skill"):
-    """A skill, or a part of a tree, that is written down and not part of the tree."""
+    """A skill or subtree that is created in `expandBT` but not part of the tree."""
 
-    title = "this is no part of the behavior tree of `{implementation}`"
-    note = "a skill that stands alone is never run"
-    help = "make it a child of a processor: `self.serialstar(...)`; a tree has one processor on top"
+    title = "this is not part of the behavior tree of `{implementation}`"
+    note = "a skill outside the tree never runs"
+    help = "make it a child of a processor: `self.serialstar(...)`; a tree has one root"
     implementation: str
 
 
 class EmptyTree(Error, code="EZS507", name="empty-tree"):
-    """An `expandBT` that builds nothing."""
+    """An `expandBT` that builds no tree."""
 
     title = "`{implementation}` has no behavior tree"
     note = "in SkiROS2 a skill without children runs forever"
@@ -92,15 +90,15 @@ class EmptyTree(Error, code="EZS507", name="empty-tree"):
     implementation: str
 
     class Branch(Remark):
-        says = "where this is {answer}"
+        says = "on the path where this is {answer}"
         answer: str
 
     class Generator(Remark):
-        says = "leave out `yield`: what `expandBT` calls is the tree"
+        says = "remove `yield`: the calls in `expandBT` build the tree"
 
 
 class NoSuchParameter(Error, code="EZS508", name="no-such-parameter"):
-    """A parameter of an implementation that the description of its skill does not have."""
+    """A parameter in an implementation that the skill's description does not have."""
 
     title = "`{skill}` has no parameter `{spelled}`"
     skill: str
@@ -108,21 +106,21 @@ class NoSuchParameter(Error, code="EZS508", name="no-such-parameter"):
 
 
 class NoSkillImplemented(Error, code="EZS509", name="no-skill-implemented"):
-    """An implementation of which nobody knows the skill."""
+    """An implementation whose skill is unknown."""
 
-    title = "it is not known which skill `{implementation}` implements"
+    title = "the skill that `{implementation}` implements is unknown"
     help = (
-        "derive it from the base of a skill, `class name(Pick.SkillBase):`, "
-        "and call nothing in it `description`"
+        "derive it from the base class of a skill, `class name(Pick.SkillBase):`, "
+        "and name nothing in it `description`"
     )
     implementation: str
 
 
 class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
-    """A name in a behavior tree that is defined nowhere."""
+    """An undefined name in a behavior tree."""
 
     title = "`{spelled}` is not defined"
-    note = "in SkiROS2 a skill that is not there ends the task when it gets to this tree"
+    note = "in SkiROS2 the task ends with an error when it reaches a missing skill"
     spelled: str
 
     class Processor(Remark):
@@ -136,38 +134,36 @@ class UnknownSkill(Error, code="EZS510", name="unknown-skill"):
 
 
 class ImplementationNamed(Error, code="EZS515", name="implementation-named"):
-    """An implementation that is named like a skill."""
+    """An implementation that is called like a skill."""
 
-    title = "`{implementation}` is an implementation: a behavior tree names its skill"
-    help = "write `{skill}(...)`, or `{skill}.{implementation}(...)` if it has to be this one"
+    title = "`{implementation}` is an implementation; a behavior tree calls the skill"
+    help = "write `{skill}(...)`, or `{skill}.{implementation}(...)` to require this implementation"
     implementation: str
     skill: str
 
 
 class ComparedByIdentity(Error, code="EZS516", name="compared-by-identity"):
-    """A parameter of the compound that is compared by `is`."""
+    """A comparison by `is` with a parameter of the compound skill."""
 
-    title = "`{spelled}` is the same whatever the parameter is"
-    note = "`is` asks whether two names are one object, and `params` has what stands for parameters"
-    help = "write `==` for a value, `if params.Name:` for a thing that may be there"
+    title = "`{spelled}` does not depend on the value of the parameter"
+    note = "`is` compares object identity, and `params` contains placeholders"
+    help = "write `==` to compare a value, `if params.Name:` to test for a thing"
     spelled: str
 
 
 class NoParams(Error, code="EZS517", name="no-params"):
-    """An `expandBT` that does not take what it is given."""
+    """An `expandBT` without the argument `params`."""
 
-    title = "`expandBT` of `{implementation}` does not take the parameters of its skill"
+    title = "`expandBT` of `{implementation}` does not accept the argument `params`"
     help = "write `def expandBT(self, params):`"
     implementation: str
 
 
 class DescriptionImplemented(Error, code="EZS518", name="description-implemented"):
-    """A class that is derived from a description, and that has the methods of an implementation."""
+    """A class that is derived from a description but has methods of an implementation."""
 
-    title = (
-        "`{implementation}` is a description, and has the method `{method}` of an implementation"
-    )
-    note = "what is derived from a description is another description: its methods are never run"
+    title = "`{implementation}` is a description but has the implementation method `{method}`"
+    note = "a class derived from a description is a description, and its methods never run"
     help = "write `class {implementation}({skill}.SkillBase):`"
     implementation: str
     method: str
@@ -175,32 +171,32 @@ class DescriptionImplemented(Error, code="EZS518", name="description-implemented
 
 
 class UnknownProcessor(Error, code="EZS519", name="unknown-processor"):
-    """Something of `self` in `expandBT` that is not there."""
+    """An attribute of `self` in `expandBT` that does not exist."""
 
-    title = "`{implementation}` has no `{spelled}` while its behavior tree is built"
+    title = "`{implementation}` has no `{spelled}` in `expandBT`"
     implementation: str
     spelled: str
 
     class Params(Remark):
-        says = "`expandBT` gets the parameters: write `params.Name`"
+        says = "`expandBT` has the parameters in `params`: write `params.Name`"
 
     class Skill(Remark):
-        says = "a child is called by the name of its skill: `Drive(Target=params.Place)`"
+        says = "call a child by the name of its skill: `Drive(Target=params.Place)`"
 
     class OtherName(Remark):
         says = "write `self.{processor}(...)`"
         processor: str
 
     class Known(Remark):
-        says = "there is {known}"
+        says = "`self` has {known}"
         known: str
 
 
 class WrongMakerCall(Error, code="EZS538", name="wrong-processor-call"):
-    """A processor or a decorator that gets arguments that it does not have."""
+    """A processor or a decorator with wrong arguments."""
 
     title = "`self.{maker}` {problem}"
-    note = "a value for a skill stands in the call of the skill: `Push(Force=params.Force)`"
+    note = "pass a value for a skill in the call of the skill: `Push(Force=params.Force)`"
     help = "write `{call}`"
     maker: str
     problem: str
@@ -210,25 +206,25 @@ class WrongMakerCall(Error, code="EZS538", name="wrong-processor-call"):
 class OnlyPreConditions(Error, code="EZS563", name="only-pre-conditions"):
     """A hold- or post-condition that an implementation adds."""
 
-    title = "an implementation adds pre-conditions only, and this is one of `self.{spelled}`"
-    note = "a tree that names the skill counts on what the description says, whoever does it"
-    help = "write it in the description of `{skill}`"
+    title = "an implementation can only add pre-conditions, not `self.{spelled}`"
+    note = "a tree that calls the skill relies on its description for every implementation"
+    help = "move the condition to the description of `{skill}`"
     spelled: str
     skill: str
 
 
 class NoOwnConditions(Warning, code="EZS565", name="no-own-conditions"):
-    """A method `conditions` that adds none."""
+    """A method `conditions` that adds no pre-condition."""
 
     title = "`conditions` of `{implementation}` adds no pre-condition"
-    help = "write `self.pre_conditions += ...`, or leave out the method"
+    help = "write `self.pre_conditions += ...`, or delete the method"
     implementation: str
 
     class Generator(Remark):
-        says = "leave out `yield`: the method is called, and nobody asks for what it yields"
+        says = "remove `yield`: yielded values are ignored"
 
     class Coroutine(Remark):
-        says = "leave out `async`: the method is called, and not awaited"
+        says = "remove `async`: the method is called without `await`"
 
 
 ALL: tuple[type[Template], ...] = (

@@ -15,7 +15,7 @@ from ezskiros.skills.syntax import added_value
 
 
 class Used(enum.Enum):
-    """The kinds of what a skill uses."""
+    """The kinds of resources that a skill uses."""
 
     TOPIC = "topic"
     SERVER = "server"
@@ -77,7 +77,7 @@ def _use(kind: Used, name: object, type: object) -> Use | Unknown:  # noqa: A002
     if isinstance(name, Unknown) or isinstance(type, Unknown):
         return UNKNOWN
     is_text = isinstance(name, str) and not depends_on_symbol(name)
-    reason = why_no_name(str(name)) if is_text else "a text is needed that is written down"
+    reason = why_no_name(str(name)) if is_text else "a string literal is needed"
     if reason is not None:
         wrong = errors.WrongRosName(
             found=described(name), a_kind=_WORDS[kind], reason=reason, example=_NAMES[kind]

@@ -1,8 +1,8 @@
-"""Symbols for what is not known before the skill runs: the values of parameters of basic types, and
-what calls give that a check does not make (see `mocks.py`).
+"""Symbols for values that are unknown before the skill runs: parameters of basic types, and results
+of calls that a check skips (see `mocks.py`).
 
-What is done to them gives more of them. Where Python asks one whether it is true, both answers are
-followed, one after the other.
+Operations on symbols give symbols. Where Python needs the truth value of a symbol, both results are
+followed one after the other.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from ezskiros.skills.guard import TimeOverError
 
 MOST_PATHS = 64
 MOST_DECISIONS = 1000
-"""Of one run: more are those of a loop that does not end."""
+"""The maximum number of decisions in one run. More decisions indicate an endless loop."""
 
 
 @dataclass
@@ -163,7 +163,7 @@ def _names_for_parts(frame: FrameType) -> int | None:
 
 
 class SymbolicValue(Symbol):
-    """The value of a parameter. Of what is computed from it the type is not known either."""
+    """The value of a parameter. The type of values computed from it is unknown as well."""
 
     def __init__(self, name: str, kind: type | None = None) -> None:
         self._name, self._kind = name, kind

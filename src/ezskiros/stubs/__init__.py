@@ -1,4 +1,4 @@
-"""Stubs (PEP 484) for type checkers: they find wrong relations while one writes."""
+"""Stubs (PEP 484) for type checkers, which find wrong relations while the user types."""
 
 from ezskiros.stubs.write import write_stub
 

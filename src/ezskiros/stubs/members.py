@@ -1,7 +1,6 @@
-"""The attributes that the things of each class have, and the meaning of these.
+"""The attributes of the things of each class, and their meaning.
 
-Decided as `Ontology.attribute` does when a description runs, and as the check of relations judges
-what has come of it.
+The rules are those of `Ontology.attribute` when a description runs, and of the check of relations.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ class Meaning:
 
 
 AMBIGUOUS = Meaning("")
-"""Of several namespaces."""
+"""The members whose name exists in several namespaces."""
 
 
 def iri_of(owl_class: ThingClass) -> str:
@@ -34,8 +33,8 @@ def iri_of(owl_class: ThingClass) -> str:
 
 
 class Classes:
-    """All classes of an ontology, one for those that mean the same; `known` has `Thing` first, and
-    each behind its bases.
+    """All classes of an ontology, one per group of equivalent classes; `known` has `Thing` first,
+    and each class after its bases.
     """
 
     def __init__(self, ontology: Ontology) -> None:
@@ -93,7 +92,7 @@ def members(ontology: Ontology, classes: Classes) -> dict[ThingClass, dict[str, 
 
 
 def _eligible(model: Model, iris: Sequence[str]) -> Sequence[str]:
-    """Of properties of one name those that can be distinguished by their domains."""
+    """The properties with one name that their domains can distinguish."""
     return [iri for iri in iris if model.domain(iri)] if len(iris) > 1 else iris
 
 

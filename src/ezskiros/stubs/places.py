@@ -1,4 +1,4 @@
-"""Where each thing of an ontology stands in a stub: in which namespace, by which name."""
+"""The namespace and name of each thing of an ontology in a stub."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ ELSEWHERE = "_elsewhere"
 
 
 def namespaces(ontology: Ontology, known: Iterable[ThingClass]) -> dict[str, dict[str, str]]:
-    """By the names of namespaces in Python: the IRIs of what is in them, by their names in Python.
+    """The IRIs by their Python names, by the Python names of namespaces.
 
-    What the classes `known` inherit from without its being declared is in `ELSEWHERE`.
+    Undeclared bases of the classes `known` are in `ELSEWHERE`.
     """
     model = ontology.model
     inside: dict[str, dict[str, str]] = {start: {} for start in model.names.values()}

@@ -1,4 +1,4 @@
-"""The type of a data property in a stub: what it may be compared with."""
+"""The type of a data property in a stub: the values that it may be compared with."""
 
 from __future__ import annotations
 

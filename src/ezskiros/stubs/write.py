@@ -1,8 +1,9 @@
-"""An ontology in, the text of a stub (`.pyi`) out.
+"""Conversion of an ontology to the text of a stub (`.pyi`).
 
-It stands in for a module that loads the ontology and gives its namespaces names. Type checkers know
-no classes that are made while a program runs, so the stub has a class for each class, and one for
-each namespace around them. Everything else in it begins with `_`: no name of an ontology hides it.
+The stub replaces a module that loads the ontology and names its namespaces. Type checkers do not
+know classes that are created at run time, so the stub has a class for each class, and one for each
+namespace around them. All other names in it begin with `_`, so that no name of an ontology hides
+them.
 """
 
 from __future__ import annotations

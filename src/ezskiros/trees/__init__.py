@@ -1,1 +1,1 @@
-"""Behavior trees: what `expandBT` of an implementation builds."""
+"""Behavior trees, as `expandBT` of an implementation builds them."""

@@ -1,4 +1,4 @@
-"""The tree of a compound skill that starts: `expandBT`, run on the values of its parameters."""
+"""The tree of a starting compound skill: `expandBT`, run on the values of its parameters."""
 
 from __future__ import annotations
 

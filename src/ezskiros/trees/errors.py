@@ -1,4 +1,4 @@
-"""EZS51x: values of parameters that are known at launch."""
+"""EZS51x: parameter values that are given at launch."""
 
 from __future__ import annotations
 
@@ -6,23 +6,23 @@ from dslkit.diagnostics import Error, Template
 
 
 class UnreadableValues(Error, code="EZS511", name="unreadable-values"):
-    """A file of values that cannot be read, or is no YAML."""
+    """A parameter file that cannot be read, or is not YAML."""
 
-    title = "the values of parameters cannot be read: {said}"
-    help = "write YAML: the name of a skill, and below it `Parameter: value`"
+    title = "the parameter file cannot be read: {said}"
+    help = "write YAML: the name of a skill, and below it lines `Parameter: value`"
     said: str
 
 
 class NoMapping(Error, code="EZS512", name="no-mapping"):
-    """Something else where names and values are."""
+    """Another YAML value instead of a mapping."""
 
-    title = "here are the {of}, by their names"
-    help = "write `Name: value`, one on each line"
+    title = "expected the {of} by name"
+    help = "write `Name: value`, one per line"
     of: str
 
 
 class UnknownLaunchName(Error, code="EZS513", name="unknown-launch-name"):
-    """A value for a skill or a parameter that is not there."""
+    """A value for an unknown skill or parameter."""
 
     title = "there is no {kind} `{spelled}`"
     kind: str
@@ -30,10 +30,10 @@ class UnknownLaunchName(Error, code="EZS513", name="unknown-launch-name"):
 
 
 class WrongLaunchValue(Error, code="EZS514", name="wrong-launch-value"):
-    """A value that a parameter cannot have."""
+    """A value of the wrong type."""
 
     title = "`{parameter}` is {wanted}, not {found}"
-    help = "give a value of that type; things of the world are given when the skill runs"
+    help = "give a value of that type; things of the world model are passed when the skill starts"
     parameter: str
     wanted: str
     found: str

@@ -1,7 +1,7 @@
-"""An implementation that users wrote in, its behavior trees out.
+"""Expansion of a user's implementation to its behavior trees.
 
-`expandBT` is run with references in place of parameters, as often as its branches ask for, as
-descriptions are (thesis, Paper IV, sections 4.2 and 7).
+`expandBT` runs with references in place of parameters, once per path through its branches, like
+descriptions (thesis, Paper IV, sections 4.2 and 7).
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ class References:
 
     def __setattr__(self, name: str, _value: object) -> None:
         raise AttributeError(
-            f"`expandBT` cannot set a parameter: give the value to the child, `Skill({name}=...)`"
+            f"`expandBT` cannot set a parameter: pass the value to the child, `Skill({name}=...)`"
         )
 
     def __getitem__(self, name: object) -> None:

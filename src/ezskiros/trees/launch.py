@@ -1,4 +1,4 @@
-"""Values of parameters that are known at launch, from a file in YAML: `Pick: {Speed: 0.3}`."""
+"""Parameter values that are given at launch, from a YAML file: `Pick: {Speed: 0.3}`."""
 
 from __future__ import annotations
 
@@ -26,11 +26,11 @@ LARGEST_FILE = 256 << 10
 """Bytes of a file, which is slow to read."""
 _LINE_END = re.compile("\r\n?|[\n\x85\u2028\u2029]")
 """Lines as YAML counts them, which has more ends than editors."""
-_TOO_DEEP = "its lists and mappings lie too deep in each other"
+_TOO_DEEP = "its lists and mappings are nested too deeply"
 
 
 class _UnreadableError(Exception):
-    """Why a file has no values, and where."""
+    """The reason and the place of an error in a parameter file."""
 
     def __init__(self, said: str, span: Span) -> None:
         self.said, self.span = said, span
@@ -51,7 +51,7 @@ def read_launch_values(path: Path, skills: Iterable[SkillInterface]) -> LaunchVa
 def _file(path: Path) -> SourceFile:
     nowhere = Span(SourceFile(str(path), ""), 0, 0)
     if ending(path) not in _ENDINGS:
-        said = f"the name of the file ends in none of {', '.join(_ENDINGS)}"
+        said = f"the name of the file must end in one of {', '.join(_ENDINGS)}"
         raise _UnreadableError(said, nowhere)
     try:
         with path.open("rb") as opened:
@@ -60,7 +60,7 @@ def _file(path: Path) -> SourceFile:
             raise _UnreadableError(f"it is larger than {LARGEST_FILE >> 10} KiB", nowhere)
         return SourceFile(str(path), text.decode("utf-8"))
     except (OSError, UnicodeDecodeError) as problem:
-        said = getattr(problem, "strerror", None) or "it is no text"
+        said = getattr(problem, "strerror", None) or "it is not text"
         raise _UnreadableError(said.lower(), nowhere) from None
 
 
@@ -76,7 +76,7 @@ def _content(file: SourceFile) -> Any:
         raise _UnreadableError(_TOO_DEEP, Span(file, 0, 0)) from None
     except YAMLError as problem:
         place = problem.problem_mark if isinstance(problem, MarkedYAMLError) else None
-        said = getattr(problem, "problem", None) or "it is no YAML"
+        said = getattr(problem, "problem", None) or "it is not YAML"
         start = min(place.index, len(file.text)) if place else 0
         raise _UnreadableError(said, Span(file, start, start)) from None
 

@@ -1,4 +1,4 @@
-"""All skills that are known, and what implements them."""
+"""All known skills and their implementations."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ LaunchValues = Mapping[str, Mapping[str, object]]
 
 
 class Library:
-    """Skills by their descriptions, and what implements them.
+    """Skills by their descriptions, with their implementations.
 
     `described` are those that are checked. Others, which trees name and which come from libraries,
     are looked at when they are asked for; what is wrong with them is reported where they are
@@ -48,8 +48,8 @@ class Library:
         return found.interface if found else None
 
     def refine(self, implementation: type[SkillImplementation]) -> SkillInterface | None:
-        """The interface of a skill as one implementation does it: with its own pre-conditions, of
-        which the mistakes are reported.
+        """The interface of a skill with one implementation's own pre-conditions. Their mistakes are
+        reported.
         """
         if implementation not in self._refined:
             described = self._known(implementation.description)

@@ -1,8 +1,9 @@
-"""The names that the parameters of a child share with the compound and with its other children.
+"""The names that the parameters of a child share with the compound skill and with its other
+children.
 
-As in SkiROS2 a running tree has one set of names. A parameter of a child that is passed one of the
-compound shares the name of that; one that is given nothing shares its own name, unless it has a
-default: then only what the skill finds out goes there.
+As in SkiROS2, a running tree has one set of names. A child parameter that is set to a compound
+parameter shares the name of that parameter. A child parameter without an argument shares its own
+name, unless it has a default: then only an output of the skill uses the name.
 """
 
 from __future__ import annotations

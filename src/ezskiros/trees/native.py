@@ -1,5 +1,5 @@
-"""Implementations that are written for SkiROS2 itself, of skills that are written for EzSkiROS: a
-migration leaves such.
+"""Implementations for plain SkiROS2 of skills that are described in EzSkiROS, which a migration can
+leave.
 """
 
 from __future__ import annotations

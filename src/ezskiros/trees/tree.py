@@ -51,7 +51,7 @@ class ValueReference(SymbolicValue):
 
 
 class KnownThing(ThingReference):
-    """A parameter of the compound of which it is known whether it stands for a thing."""
+    """A parameter of the compound skill for which it is known whether it stands for a thing."""
 
     def __init__(self, parameter: Parameter, is_there: bool) -> None:
         super().__init__(parameter)
@@ -140,7 +140,7 @@ class Tree:
     skill: SkillInterface
     root: Node
     span: Span
-    """Where the implementation is named."""
+    """The place of the implementation's name."""
     branch: tuple[tuple[Span, bool], ...] = ()
     """The queries on the way to it, in their order, and their answers."""
     given: frozenset[str] = frozenset()

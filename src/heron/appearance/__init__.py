@@ -1,5 +1,5 @@
-"""The look of a scene: shapes, materials and light. The physics never sees any of it: a copy of the
-scene is dressed, and shows the states of the plain one.
+"""The appearance of a scene: shapes, materials and light. The physics is not affected: a dressed
+copy of the scene shows the states of the plain scene.
 """
 
 from heron.appearance.canvas import Camera, CannotDrawError, Canvas, Pixels, Size

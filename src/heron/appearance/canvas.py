@@ -78,5 +78,5 @@ class Canvas:
                 geom.category = mujoco.mjtCatBit.mjCAT_DECOR
 
     def close(self) -> None:
-        """Give back what it draws with."""
+        """Release the renderer."""
         self._renderer.close()

@@ -1,4 +1,4 @@
-"""The looks of the cell with a box, a board, and somebody who reaches over the table."""
+"""The appearance of the cell with a box, a board, and a person who reaches over the table."""
 
 from __future__ import annotations
 

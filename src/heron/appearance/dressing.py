@@ -1,4 +1,4 @@
-"""A scene in its clothes: which of them it gets depends on what is in it."""
+"""The dressing of a scene, chosen by the things in the scene."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The look of the arm that holds the peg. The scene has only its hand, which slides along three
-axes; the links above it are where the hand wants them.
+"""The appearance of the arm that holds the peg. The scene only has its hand, which slides along
+three axes; the links above it follow the hand.
 """
 
 from __future__ import annotations

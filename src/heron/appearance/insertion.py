@@ -1,5 +1,5 @@
-"""The looks of the scene in which a robot learns: a hole, glass beside it, and the volumes that its
-rules speak of.
+"""The appearance of the scene in which a robot learns: a hole, glass beside it, and the volumes of
+the rules.
 """
 
 from __future__ import annotations

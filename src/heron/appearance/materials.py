@@ -1,4 +1,4 @@
-"""Materials and light. Colors are of our own choosing; all textures are computed."""
+"""Materials and light. The colors are our own choice, and all textures are computed."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The look of the robot: a flat base on wheels, with a lamp all around, and an arm of tubes.
+"""The appearance of the robot: a flat base on wheels with a lamp all around, and an arm of tubes.
 
-It is not drawn after any product; only the measures are those of a MiR100 and a UR5e.
+Its design copies no product; only the dimensions are those of a MiR100 and a UR5e.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Shapes that nothing touches, and meshes of our own making."""
+"""Shapes without contact, and generated meshes."""
 
 from __future__ import annotations
 

@@ -19,7 +19,7 @@ _LAMP_AWAY = 5.0  # m
 
 
 class Moment(NamedTuple):
-    """All of a state that can be seen: joints, moved bodies, and what the hand holds."""
+    """The visible part of a state: joints, moved bodies, and the thing in the hand."""
 
     joints: Floats
     places: Floats

@@ -1,4 +1,4 @@
-"""The surroundings of the robot: floors, walls, ramps, tables, and somebody who works there."""
+"""The surroundings of the robot: floors, walls, ramps, tables, and a worker."""
 
 from __future__ import annotations
 

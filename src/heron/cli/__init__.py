@@ -1,1 +1,1 @@
-"""The command `heron`: thin, it prints what the experiments found."""
+"""The command `heron`: a thin layer that prints the results of experiments."""

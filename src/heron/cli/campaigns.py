@@ -1,4 +1,4 @@
-"""Campaigns on the command line: the reasons why one ends early, and the page at its end."""
+"""Campaigns on the command line: the reasons for an early end, and the page at the end."""
 
 from __future__ import annotations
 

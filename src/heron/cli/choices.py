@@ -1,5 +1,5 @@
-"""Checks of arguments and of the installation, before the simulation is imported. Each ends the run
-with one line that says what is missing.
+"""Checks of arguments and of the installation before the simulation is imported. A failed check
+ends the run with one line that names the missing part.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Episodes on the terminal: what the guard said, and the measures."""
+"""Episodes on the terminal: the messages of the guard, and the measures."""
 
 from __future__ import annotations
 

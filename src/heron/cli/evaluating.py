@@ -1,4 +1,4 @@
-"""`heron evaluate`: the campaign and its bar."""
+"""`heron evaluate`: the campaign and its progress bar."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`heron run insertion` and `heron policy`: what was learned, in operation."""
+"""`heron run insertion` and `heron policy`: learned policies in operation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`heron learn`: the campaign of trainings, a table of how far each arm is, and the page."""
+"""`heron learn`: the campaign of trainings, a table with the progress of each arm, and the page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Experiment I with a node of ROS 1 on guard, and new nodes."""
+"""Experiment I with a guard node on ROS 1, and new nodes."""
 
 from __future__ import annotations
 

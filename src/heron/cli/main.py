@@ -1,8 +1,8 @@
 """The `heron` command: one function per subcommand.
 
-Exit codes: 0 what was asked for was run, however it went, 1 an episode was not finished, 2 the
-command itself was called wrongly or MuJoCo is not installed, 70 a defect of this tool, 128 plus the
-number of a signal that ended it (130: Ctrl-C).
+Exit codes: 0 the run finished, with any result; 1 an episode did not finish; 2 the arguments were
+wrong or MuJoCo is not installed; 70 an internal error; 128 plus the number of a signal that ended
+the run (130: Ctrl-C).
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""`heron record`: an episode as a file that is replayed."""
+"""`heron record`: an episode as a file for replay."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Signals over time: all charts of an experiment have one time axis.
+"""Charts of signals over time. All charts of an experiment have the same time axis.
 
-A chart is drawn in a plane that is 1000 wide and 100 high, and stretched to wherever it is shown;
-what is text stands beside it, in percent of its sides.
+A chart is drawn in a plane of width 1000 and height 100, and scaled to its place on the page. Text
+stands beside the chart, in percent of its sides.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The pictures of a film as a page has them."""
+"""The pictures of a film in the form for a page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bars over time, with names before them: active rules, and what skills are at."""
+"""Bars over time with names: active rules, and the states of skills."""
 
 from __future__ import annotations
 

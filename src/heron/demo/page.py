@@ -1,4 +1,4 @@
-"""The page of the demo: one file that needs nothing else."""
+"""The page of the demo: one self-contained file."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""One episode as the demo shows it."""
+"""One episode of the demo."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""All arms of the experiments on many seeds, and what comes of it: rows, statistics, a page."""
+"""The evaluation: all arms of the experiments on many seeds, with rows, statistics and a page."""
 
 from heron.evaluation.episodes import keys_of, row_of, sources
 from heron.evaluation.folder import PAGE, Folder, write_page

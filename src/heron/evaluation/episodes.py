@@ -1,5 +1,5 @@
-"""The episodes of an evaluation, by keys such as `nav/steep/deros/3`. Those of studies have the
-study and its value in front: `operator=10/nav/steep/deros/3`.
+"""The episodes of an evaluation, by keys such as `nav/steep/deros/3`. The keys of a study begin
+with the study and its value: `operator=10/nav/steep/deros/3`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Expectations, verdicts on them, and those that more than one experiment has."""
+"""Expectations, their verdicts, and the expectations that several experiments share."""
 
 from __future__ import annotations
 
@@ -27,9 +27,7 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Expectation:
-    """An expectation, what was found about it, and the verdict. Its key does not change when its
-    words do.
-    """
+    """An expectation, its result, and the verdict. Its key does not change when its text does."""
 
     key: str
     expected: str

@@ -1,7 +1,7 @@
-"""Expectations of the arms, and verdicts on them.
+"""Expectations of the arms, and their verdicts.
 
-The thesis says: without a monitor the robot finishes fast, with harm; DeROS is safe and waits for
-its operator; ROSSMARie is as safe and finishes without one.
+The thesis claims: without a monitor the robot finishes fast but causes harm. DeROS is safe but
+waits for its operator. ROSSMARie is as safe and finishes without an operator.
 """
 
 from __future__ import annotations

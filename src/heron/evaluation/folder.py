@@ -1,4 +1,4 @@
-"""Where an evaluation is kept: the page, and beside it a folder with the rest."""
+"""The files of an evaluation: the page, and a folder beside the page with the other files."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _REST = "experiments"
 
 @dataclass(frozen=True)
 class Folder:
-    """`path` is that of the page."""
+    """The folder of an evaluation. `path` is the path of the page."""
 
     path: Path
 

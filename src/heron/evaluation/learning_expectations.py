@@ -1,9 +1,9 @@
-"""Expectations of runs that are planned with what earlier runs have taught, beside the same runs
-without that.
+"""Expectations of runs that are planned with knowledge from earlier runs, compared with the same
+runs without it.
 
-Section 5.3 of the thesis asks for fewer errors, adherence to safety, and efficiency. A plan counts
-one second for each step, however long a way is, and the time that is lost to rules: so learning can
-save activations of rules, and cost time.
+Section 5.3 of the thesis requires fewer errors, safety and efficiency. A plan counts one second per
+step, independent of its length, plus the time lost to rules. So learning can save activations of
+rules and cost time.
 """
 
 from __future__ import annotations

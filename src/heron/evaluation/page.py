@@ -1,4 +1,4 @@
-"""The page of an evaluation, in Markdown: tables, plots, and what came out as expected. Every
+"""The page of an evaluation in Markdown: tables, plots, and the expectations that were met. Every
 figure on it is computed from the rows.
 """
 

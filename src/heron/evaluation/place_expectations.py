@@ -1,7 +1,8 @@
-"""Expectations of rules that know what lies ahead, beside rules that see it when it is there.
+"""Expectations of rules that look ahead, compared with rules that only see a hazard when it is
+present.
 
-Section 5 of the thesis: it is sometimes too late to detect what is unsafe from the values of
-sensors. Rules that read the world model are in time, and cost little where nobody is.
+Section 5 of the thesis: sensor values sometimes reveal a hazard too late. Rules that read the world
+model act in time, and cost little when no person is present.
 """
 
 from __future__ import annotations

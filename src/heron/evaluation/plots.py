@@ -1,4 +1,4 @@
-"""The plots of an evaluation: every episode a dot, the median a line."""
+"""The plots of an evaluation: each episode is a dot, the median a line."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Why an expectation fails, as far as that is known: by experiment, variant and expectation. The
-page shows a reason only where its expectation does fail.
+"""Known reasons for failing expectations, by experiment, variant and expectation. The page shows a
+reason only if its expectation fails.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Rows of episodes as CSV: one file for each experiment and each study, with six digits."""
+"""Rows of episodes as CSV: one file per experiment and per study, with six digits."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _STUDY_KEYS = ("value", "experiment", *_KEYS)
 
 @dataclass(frozen=True)
 class Row:
-    """An episode: numbers by the names of measures, without those that it has not."""
+    """An episode: numbers by the names of measures, without missing measures."""
 
     variant: str
     arm: str

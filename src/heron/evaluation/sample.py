@@ -1,4 +1,4 @@
-"""The rows of one variant of an experiment, and what is asked of them."""
+"""The rows of one variant of an experiment, and queries on them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Sample:
 
     @property
     def harms(self) -> tuple[str, ...]:
-        """The measures of what is dangerous in it."""
+        """The measures of harm in it."""
         return self.experiment.harms[self._of_variant]
 
     @property

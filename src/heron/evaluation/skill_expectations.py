@@ -1,7 +1,8 @@
-"""Expectations of rules that know which skills run, beside the same rules without that.
+"""Expectations of rules that know the running skills, compared with the same rules without this
+knowledge.
 
-Contact that a skill is there for does not stop the robot; all other contact does, as soon and as
-well as ever.
+Contact that belongs to a running skill does not stop the robot. All other contact stops it as
+before.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Summaries of many episodes, and how sure these are: intervals of 95 %."""
+"""Summaries of many episodes, with confidence intervals of 95 %."""
 
 from __future__ import annotations
 
@@ -15,7 +15,9 @@ _LEVEL = 0.95
 
 @dataclass(frozen=True)
 class Estimate:
-    """A median or a share, and between what it lies. Not known: of a single episode."""
+    """A median or a share with its confidence interval. The interval is unknown for a single
+    episode.
+    """
 
     value: float
     low: float
@@ -33,7 +35,9 @@ class Comparison:
 
 
 def median(values: Sequence[float]) -> Estimate:
-    """By bootstrap: the same values give the same interval."""
+    """Estimate the median with a bootstrap interval. The same values always give the same
+    interval.
+    """
     value = float(np.median(values))
     if len(values) < 2:
         return Estimate(value, math.nan, math.nan)
@@ -49,13 +53,15 @@ def median(values: Sequence[float]) -> Estimate:
 
 
 def share(count: int, total: int) -> Estimate:
-    """By Wilson: also where all did, or none."""
+    """Estimate a share with a Wilson interval, which also works if all or none of the trials
+    count.
+    """
     found = stats.binomtest(count, total).proportion_ci(_LEVEL, method="wilson")
     return Estimate(count / total, float(found.low), float(found.high))
 
 
 def compare(first: Sequence[float], second: Sequence[float]) -> Comparison:
-    """Of the same seeds, in the same order."""
+    """Compare two samples of the same seeds in the same order."""
     differences = np.asarray(first) - np.asarray(second)
     if not differences.any():
         chance = 1.0

@@ -1,4 +1,6 @@
-"""The section of the page on a study: a table of all values, and the reason for the usual one."""
+"""The section of the page about a study: a table of all values, and the reason for the default
+value.
+"""
 
 from __future__ import annotations
 

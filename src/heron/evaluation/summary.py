@@ -1,4 +1,6 @@
-"""The first section of a page: how many expectations came out, and which did not."""
+"""The first section of a page: the number of expectations that were met, and the list of the
+others.
+"""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
-"""Expectations of rules that let the robot run behavior trees, beside rules that move it back and
-take another route.
+"""Expectations of rules that run behavior trees, compared with rules that move the robot back and
+replan its route.
 
-Section 5.2 of the thesis: a recovery that is a tree can wait, and tell the planner what it found.
+Section 5.2 of the thesis: a recovery that is a tree can wait, and can report its findings to the
+planner.
 """
 
 from __future__ import annotations

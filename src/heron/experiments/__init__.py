@@ -1,4 +1,4 @@
-"""The experiments of the thesis: each in several arms, on the same seeds, with measures."""
+"""The experiments of the thesis: several arms each, on the same seeds, with measures."""
 
 from heron.experiments.blocked import BlockedEpisode, BlockedMeasures, run_blocked
 from heron.experiments.contact import ContactEpisode, ContactMeasures, run_contact

@@ -1,4 +1,4 @@
-"""The parts that every episode of the arm has."""
+"""The common parts of all episodes of the arm."""
 
 from __future__ import annotations
 

@@ -11,7 +11,7 @@ _MENDING_NS = 2_000_000_000
 
 
 class ArmOperator:
-    """Mends what is to be mended, and resets the rules."""
+    """Repairs the cause of a stop, and resets the rules."""
 
     period_ns = 100_000_000
 

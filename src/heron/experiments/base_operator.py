@@ -1,8 +1,8 @@
 """The operator of the base.
 
-He drives the robot by hand, at walking pace and with full torque, over what has stopped it, or back
-from what nobody should drive over, and resets the rules there: one visit for each stop. A reset
-without that would leave the robot where the same rule stops it again.
+The operator drives the robot by hand, at walking pace and with full torque, over the obstacle that
+stopped it, or back from a hazard. Then the operator resets the rules: one visit per stop. Without
+the manual drive, the same rule would stop the robot again after the reset.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Experiment VI, a blocked way: two ways lead to a hall, and something stands across one.
+"""Experiment VI, a blocked route: two routes lead to a hall, and an obstacle blocks one.
 
 Experiment VII delivers in the same scene.
 """
@@ -69,8 +69,8 @@ class BlockedMeasures:
 
 @dataclass(frozen=True)
 class Delivery:
-    """The part of an episode that is chosen. With `costs` of skills, of which there may be none,
-    the planner finds the way to the hall; without, it is the one straight on.
+    """The settings of an episode. With `costs` of skills, which may be empty, the planner finds the
+    route to the hall; without, the route is straight on.
     """
 
     arm: Arm
@@ -82,7 +82,7 @@ class Delivery:
 
 @dataclass(frozen=True)
 class BlockedEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     variant: Blockage | Trouble

@@ -1,4 +1,6 @@
-"""The person of the experiment with contact: they stand across the table, and reach over it."""
+"""The person of the contact experiment, who stands on the other side of the table and reaches over
+it.
+"""
 
 from __future__ import annotations
 
@@ -24,8 +26,8 @@ _FELT = 5.0  # N
 
 @dataclass(frozen=True)
 class Reaching:
-    """Somebody reaches over the table at `x` (m), so much `further` than usual (m), and so long
-    `after` the robot has begun to work at the box (s).
+    """A person reaches over the table at `x` (m), `further` than usual by this distance (m),
+    `after` this time since the robot began to work at the box (s).
     """
 
     x: float = 0.0

@@ -1,4 +1,4 @@
-"""The child of experiment V: behind a door, until the base has come near."""
+"""The child of experiment V, who waits behind a door until the base has come near."""
 
 from __future__ import annotations
 

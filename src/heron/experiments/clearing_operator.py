@@ -1,5 +1,5 @@
-"""The operator of experiment VI: called when the base stands for too long, he comes after a while,
-and takes away what blocks its way.
+"""The operator of experiment VI. The operator is called when the base stands still for too long,
+arrives after a while, and removes the obstacle.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""Experiment IV: the arm pushes a box to a mark and wipes a board, beside somebody. Both need more
-force than it may have elsewhere.
+"""Experiment IV: the arm pushes a box to a mark and wipes a board, near a person. Both tasks need
+more force than is allowed elsewhere.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ class ContactMeasures:
 
 @dataclass(frozen=True)
 class ContactEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     encounter: Encounter
@@ -272,7 +272,9 @@ def _exemptions(guard: InProcessGuard | None) -> int:
 def _reactions(
     trace: Trace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
 ) -> dict[str, float]:
-    """From when a hazard began to the first action that follows: all rules are about contact."""
+    """Return the times from the start of each hazard to the first action after it. All rules
+    concern contact.
+    """
     starts = [each.at_ns * 1e-9 for each in occurrences if each.kind is OrderKind.START]
     found = {}
     for hazard, onset in onsets(trace, present).items():

@@ -1,4 +1,6 @@
-"""The ground truth of contact: forces, where the box is, and who is pressed, at every step."""
+"""The ground truth of contact at every step: forces, the position of the box, and the pressed
+person.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Experiment V: along a corridor, of which a part belongs to a school. A child runs out of a
-door.
+"""Experiment V: the robot drives along a corridor, a part of which belongs to a school. A child
+runs out of a door.
 """
 
 from __future__ import annotations
@@ -66,7 +66,7 @@ class CorridorMeasures:
 
 @dataclass(frozen=True)
 class CorridorEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     passage: Passage

@@ -1,4 +1,4 @@
-"""The parts that all episodes have in common."""
+"""The common parts of all episodes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""An experiment: what it varies, what is measured, what is dangerous in it."""
+"""An experiment: its variants, its measures and its hazards."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Measures(Protocol):
 
     @property
     def duration(self) -> float:
-        """From the start to the end, whatever it was."""
+        """The time from start to end (s), for every outcome."""
 
     @property
     def interventions(self) -> int:
@@ -34,7 +34,9 @@ class Measures(Protocol):
 
     @property
     def reactions(self) -> Mapping[str, float]:
-        """From when a hazard began to the first action against it, by the name of the hazard."""
+        """The time from the start of each hazard to the first action against it, by the name of the
+        hazard.
+        """
 
     @property
     def time_restricted(self) -> float:
@@ -50,7 +52,7 @@ class Episode(Protocol):
 
     @property
     def arm(self) -> Arm:
-        """The arm of the experiment, which says what guarded the robot."""
+        """The arm of the experiment, which names the guard of the robot."""
 
     @property
     def seed(self) -> int:
@@ -70,11 +72,11 @@ class Episode(Protocol):
 
     @property
     def onsets(self) -> Mapping[str, float]:
-        """The instant (s) at which each hazard began, of those that there were."""
+        """The time (s) at which each present hazard began."""
 
     @property
     def tree(self) -> tuple[TreeSkill, ...]:
-        """The skills of the task, and what became of them."""
+        """The skills of the task, and their states."""
 
     @property
     def events(self) -> Sequence[tuple[float, Event]]:
@@ -135,11 +137,11 @@ class Signal:
 
 @dataclass(frozen=True)
 class Experiment:
-    """`harms` names for each variant the measures of what is dangerous there and in no variant
-    before it: none, and whatever a monitor restricts there is without need. `gains` are those that
-    are the better, the more. `acts_within` says how soon (s) something has to be done about a
-    hazard, `hazards` how each is called. The first variant is shown in the demo, by a camera for
-    each scene, from so many seconds after the beginning of a hazard on: that is `opening`.
+    """An experiment. `harms` gives for each variant the measures of harm that no earlier variant
+    has; without any, all restrictions there are without need. Larger values of `gains` are better.
+    `acts_within` is the time (s) within which a rule must act against a hazard, `hazards` are the
+    names of the hazards. The demo shows the first variant, by a camera for each scene, from
+    `opening` seconds after the beginning of a hazard.
     """
 
     name: str
@@ -168,8 +170,8 @@ class Experiment:
 
     @property
     def shown_first(self) -> tuple[Arm, ...]:
-        """The guards of which episodes are shown side by side: the first one, which is none as a
-        rule, and the last one.
+        """The guards of the episodes that are shown side by side: the first one, usually without
+        rules, and the last one.
         """
         return self.arms[0], self.arms[-1]
 

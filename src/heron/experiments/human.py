@@ -1,4 +1,4 @@
-"""Experiment III: the arm carries its block to and fro while somebody comes into the room."""
+"""Experiment III: the arm carries its block to and fro while a person enters the room."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ class HumanMeasures:
 
 @dataclass(frozen=True)
 class HumanEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     person: Person
@@ -155,7 +155,7 @@ def _assembled(
 
 
 def stations(room: RoomParameters, arm: ArmParameters) -> dict[str, Floats]:
-    """Where the block is carried to, from one table to the other."""
+    """The places between which the block is carried, one on each table."""
     low = room.table_height + arm.block_half + 0.01
     high = low + _HOVER
     (x, y), (far_x, far_y) = room.table(-1), room.table(1)
@@ -168,7 +168,7 @@ def stations(room: RoomParameters, arm: ArmParameters) -> dict[str, Floats]:
 
 
 def hazards(trace: Trace) -> dict[str, Flags]:
-    """When each hazard is there: somebody in the room, somebody close."""
+    """The times at which each hazard is present: a person in the room, a person close by."""
     return {
         "entered": trace.columns["is_inside"] > 0,
         "close": trace.columns["from_axis"] < RoomParameters().close,

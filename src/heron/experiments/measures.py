@@ -1,6 +1,4 @@
-"""The measures of the navigation experiment, from the ground truth and from the deeds of the
-guard.
-"""
+"""The measures of the navigation experiment, from the ground truth and the actions of the guard."""
 
 from __future__ import annotations
 
@@ -90,7 +88,7 @@ def _low_pass() -> Floats:
 
 
 def hazards(trace: Trace, course: Course, base: BaseParameters) -> dict[str, Flags]:
-    """When each hazard is there: an axle on the bump, a slope under the base."""
+    """The times at which each hazard is present: an axle on the bump, a slope under the base."""
     tilt = np.abs(trace.columns["pitch"])
     return {
         "bump": _on_bump(trace, course, base),
@@ -100,7 +98,9 @@ def hazards(trace: Trace, course: Course, base: BaseParameters) -> dict[str, Fla
 
 
 def _on_bump(trace: Trace, course: Course, base: BaseParameters) -> Flags:
-    """From when the front axle touches it to when the rear axle has left it."""
+    """Return True from the front axle's first contact with the bump until the rear axle has left
+    it.
+    """
     if course.bump is None:
         return np.zeros(len(trace.times), dtype=np.bool_)
     low, high = course.bump
@@ -122,7 +122,9 @@ def _reach(course: Course, base: BaseParameters) -> float:
 def reactions(
     trace: Trace, present: Mapping[str, Flags], occurrences: Sequence[Occurrence]
 ) -> dict[str, float]:
-    """From when a hazard began to the first action against it: of rules with its name in theirs."""
+    """The time from the start of each hazard to the first action of a rule with the hazard's name
+    in its own name.
+    """
     found = {}
     for hazard, flags in present.items():
         starts = [
@@ -149,7 +151,9 @@ def time_of(flags: Flags) -> float:
 
 
 def without_need(trace: Trace, present: Mapping[str, Flags]) -> Flags:
-    """When commands were restricted though no hazard was there, nor had been just before."""
+    """The times at which commands were restricted although no hazard was present or had just
+    ended.
+    """
     is_restricted = trace.columns["is_restricted"] > 0
     needed = np.any(list(present.values()), axis=0)
     return is_restricted & ~prolonged(needed, _FORESEEN)

@@ -1,4 +1,4 @@
-"""A base that moves among obstacles: its sensors and its drive, and how near it comes to them."""
+"""A base that moves among obstacles: its sensors, its drive, and its distance to the obstacles."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ _SEEDED = ("course", "imu", "odometry", "localization", "picking", "joints", "sc
 
 @dataclass(frozen=True)
 class NavigationEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     terrain: Terrain
@@ -176,7 +176,7 @@ def _drive(robot: _Robot, observers: Sequence[Observer]) -> None:
 
 
 def _measured(robot: _Robot, built: Course) -> NavigationMeasures:
-    """Of the way, on which nothing has been picked up yet."""
+    """The measures of the drive; nothing has been picked up yet."""
     trace, base = robot.witness.trace(), BaseParameters()
     present = hazards(trace, built, base)
     guard, operator = robot.guard, robot.operator

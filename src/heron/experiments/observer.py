@@ -1,4 +1,4 @@
-"""Who looks on while an episode runs, and changes nothing: recorders, films, windows."""
+"""Observers of an episode, which change nothing: recorders, films, windows."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from heron.topics import InProcess
 
 
 class Observer(Protocol):
-    """Is there when the robot stands ready, and time has not begun; and again where the episode
-    goes on in another scene.
+    """An observer. It is called when the robot stands ready before time begins, and again when the
+    episode continues in another scene.
     """
 
     def attend(self, physics: Physics, carrier: InProcess, guard: Guard | None) -> Sequence[Node]:

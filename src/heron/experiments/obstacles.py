@@ -1,5 +1,5 @@
-"""The obstacles of experiments VI and VII: each stands across a way, for good or until somebody
-takes it away.
+"""The obstacles of experiments VI and VII. Each blocks a route, either permanently or until a
+person removes it.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ class Obstacles:
         )
 
     def take_away(self, now_ns: int) -> None:
-        """Somebody takes away whatever the base has come near."""
+        """Remove the obstacle that the base has come near."""
         for state in self._states:
             if state.near_ns is not None and state.taken_ns is None:
                 state.taken_ns = now_ns

@@ -1,7 +1,8 @@
 """The end of experiment I: the base has arrived, and the arm picks up the block.
 
-The base stands, with its brakes on, so the arm has a scene of its own, with the table where it
-really is from there. On the way the arm is but a mass on the base. Both scenes have one time.
+The base stands with its brakes on. The arm has a scene of its own, with the table at its true
+position relative to the base. During the drive, the arm is only a mass on the base. Both scenes
+share one time.
 """
 
 from __future__ import annotations
@@ -74,7 +75,7 @@ def pick_up(
     generators: Mapping[str, np.random.Generator],
     observers: Sequence[Observer],
 ) -> Picked:
-    """From where the base stands, as the rest of the task."""
+    """Pick up the block from the position of the base, and then do the rest of the task."""
     base, built = standing.base, ArmParameters()
     x, y = _as_seen_from(base, course.block)
     table = TableParameters(believed_height=_TABLE_HEIGHT, too_high=0.0, place=(x, y))
@@ -97,7 +98,7 @@ def pick_up(
 
 
 def _as_seen_from(base: Base, place: tuple[float, float]) -> tuple[float, float]:
-    """Where a place on the map is from the base: forward and to the left."""
+    """Transform a place on the map to the frame of the base: forward and to the left (m)."""
     yaw = attitude(base.quaternion).yaw
     x, y = place[0] - base.position[0], place[1] - base.position[1]
     cosine, sine = math.cos(yaw), math.sin(yaw)

@@ -1,5 +1,5 @@
-"""Experiment II: the arm places a block on a table that is higher than it believes, or carries it
-there in more haste than its joints are made for.
+"""Experiment II: the arm places a block on a table that is higher than expected, or moves faster
+than its joints allow.
 """
 
 from __future__ import annotations
@@ -53,8 +53,8 @@ _SEEDED = ("table", "force", "joints")
 
 @dataclass(frozen=True)
 class PlacingMeasures:
-    """Times in s, forces in N. `peak_effort` is the greatest torque of any joint, as a share of
-    what the joint may give; `time_over_torque` how long any was above six tenths of that.
+    """Times in s, forces in N. `peak_effort` is the greatest torque of any joint, as a share of the
+    joint's limit; `time_over_torque` is the time for which any joint was above 0.6 of its limit.
     """
 
     is_completed: bool
@@ -72,7 +72,7 @@ class PlacingMeasures:
 
 @dataclass(frozen=True)
 class PlacingEpisode:
-    """One run: what was run, how it went, and what the guard had to say."""
+    """One run: its settings, its result, and the log of the guard."""
 
     arm: Arm
     table: Table
@@ -201,7 +201,9 @@ def _remedy(
 
 
 def _remapped(guard: InProcessGuard) -> dict[str, str]:
-    """Where programs send goals for the arm: to the guard, if its rules have a say in them."""
+    """The names to which programs send goals for the arm: names of the guard if its rules filter
+    goals.
+    """
     return {ARM: unfiltered(ARM)} if ARM in guard.servers else {}
 
 

@@ -1,5 +1,5 @@
-"""The distance between the arm and a person, and the speed of the arm then: the ground truth, at
-every step.
+"""The ground truth at every step of the distance between the arm and a person, and of the arm's
+speed.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ class ProximityWitness:
         return float(min(found))
 
     def _speed(self) -> float:
-        """Of the grasp, the fastest point of an arm that points downwards."""
+        """The speed of the grasp (m/s), the fastest point of an arm that points downwards."""
         kind = mujoco.mjtObj.mjOBJ_SITE
         model, data = self._arm.model, self._arm.data
         mujoco.mj_objectVelocity(model, data, kind, self._site, self._velocity, 0)

@@ -1,4 +1,4 @@
-"""The one loop: what is due speaks, then the physics goes one step."""
+"""The main loop: run all programs that are due, then advance the physics by one step."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Turns:
         ]
 
     def step(self) -> None:
-        """Let speak what is due, then let the physics go one step."""
+        """Run all programs that are due, then advance the physics by one step."""
         now_ns = self._physics.now_ns
         for tick, period_ns, waiting in self._turns:
             if now_ns % period_ns == 0 and (waiting is None or now_ns >= waiting.due_ns):

@@ -1,5 +1,5 @@
-"""Experiment VII, the second run: in the scene of experiment VI, something stands across the short
-way to the hall in most runs. A robot that has learned from earlier runs plans with what it knows.
+"""Experiment VII, the second run: in the scene of experiment VI, an obstacle blocks the short route
+to the hall in most runs. A robot that has learned from earlier runs plans with this knowledge.
 """
 
 from __future__ import annotations

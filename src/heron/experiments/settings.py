@@ -1,4 +1,4 @@
-"""Settings that all experiments share, and that a study varies."""
+"""The settings that all experiments share and that studies vary."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class Settings:
     """Torques in Nm, times in s."""
 
     usual_torque: float = BaseParameters().torque
-    """The most that the servo of a drive wheel gives, unless it is told to give more."""
+    """The default torque limit of the servo on a drive wheel (Nm), unless a command raises it."""
     operator_delay: float = 30.0
     """The time from a stop for good until an operator is there."""
 

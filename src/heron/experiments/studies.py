@@ -1,5 +1,5 @@
-"""Studies: the same episodes with other settings, where the usual value is our choice and nobody
-measured it on the robot.
+"""Studies: the same episodes with other settings, for default values that we chose and that were
+not measured on the robot.
 """
 
 from __future__ import annotations

@@ -1,4 +1,6 @@
-"""An operator who is called when rules have stopped the robot for good, and comes after a while."""
+"""An operator who is called when rules have stopped the robot permanently, and who arrives after a
+while.
+"""
 
 from __future__ import annotations
 
@@ -6,7 +8,7 @@ from heron.guard import Guard
 
 
 class Summons:
-    """`visits` counts how often somebody had to come, `delay` seconds after each call."""
+    """`visits` counts the visits of the operator, `delay` seconds after each call."""
 
     def __init__(self, guard: Guard, delay: float) -> None:
         self._guard = guard

@@ -1,6 +1,6 @@
-"""The one table of all experiments: what they vary, what is measured, what is dangerous in them.
+"""The table of all experiments: their variants, measures and hazards.
 
-An experiment is one entry here; evaluation, printing, recording and the demo go by it.
+Each experiment is one entry. Evaluation, printing, recording and the demo use this table.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The ground truth of an episode, which no sensor tells, at every step."""
+"""The ground truth of an episode at every step, which no sensor reports."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""The person of the experiment with a human: where they walk, and that they lead the arm aside."""
+"""The person of experiment III: the person's path, and the person's hand that pushes the arm
+aside.
+"""
 
 from __future__ import annotations
 
@@ -30,13 +32,15 @@ class Leg:
 
 @dataclass(frozen=True)
 class Walk:
-    """Who walks where. `stay_s` is from when to when (s) they stand beside the arm."""
+    """The walk of a visitor. `stay_s` is the period (s) during which the visitor stands beside the
+    arm.
+    """
 
     legs: tuple[Leg, ...]
     stay_s: tuple[float, float] | None
 
     def at(self, now_s: float) -> tuple[Point, float, float]:
-        """Where they are, which way they face (rad), and how far they have walked on this leg."""
+        """The visitor's position, heading (rad) and distance walked on the current leg (m)."""
         leg = next((one for one in self.legs if now_s < one.end_s), self.legs[-1])
         share = min(1.0, max(0.0, (now_s - leg.begin_s) / (leg.end_s - leg.begin_s)))
         x, y = (a + share * (b - a) for a, b in zip(leg.start, leg.end, strict=True))

@@ -1,4 +1,4 @@
-"""The stains of the board: they go where a sponge is pressed on them."""
+"""The stains on the board, which disappear when a sponge is pressed on them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _GONE = (0.0, 0.0, -1.0)
 
 
 class Stains:
-    """Takes away what was wiped."""
+    """Removes wiped stains."""
 
     period_ns = 20_000_000
 

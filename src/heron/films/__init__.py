@@ -1,6 +1,6 @@
-"""Episodes as films: pictures of what happened, and files that play them.
+"""Films of episodes: their pictures, and files to play them.
 
-Films of a robot that learns need the extra `rossmarie[gym]`: `heron.films.insertion` has them.
+Films of a learning robot need the extra `rossmarie[gym]`; they are in `heron.films.insertion`.
 """
 
 from heron.appearance import CannotDrawError, Pixels, Size

@@ -1,4 +1,4 @@
-"""An episode as a film shows it: its pictures, and the words below each."""
+"""The content of a film of an episode: its pictures, and the text below each picture."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ class Clip(Protocol):
 
     @property
     def opening(self) -> float:
-        """The instant (s) with most to see, for whoever sees one picture only."""
+        """The most interesting time (s), for readers who see only one picture."""
 
     def pictures(self, times: Sequence[float], speed: float, size: Size) -> Iterable[Pixels]:
         """Pictures at these times (s), with the words below each. Raises `CannotDrawError`."""
@@ -46,8 +46,8 @@ class Clip(Protocol):
 
 @dataclass(frozen=True)
 class Caption:
-    """The words below a picture: the name of the arm in the first line, what runs or is measured in
-    the second, and in the third names, of rules for instance, as far as there is room.
+    """The text below a picture: the name of the arm in the first line, the state or the measures in
+    the second, and names, such as those of rules, in the third, as far as there is room.
     """
 
     title: str

@@ -1,4 +1,4 @@
-"""A film of an episode: what can be seen is kept while it runs, and drawn when it is over."""
+"""A film of an episode. The states are stored during the episode and drawn after it."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Film:
         return [self]
 
     def tick(self, now_ns: int) -> None:  # noqa: ARG002
-        """Keep what there is to see."""
+        """Store the visible state."""
         assert self._physics is not None
         self.keep(moment_of(self._physics.data))
 

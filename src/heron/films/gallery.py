@@ -1,4 +1,4 @@
-"""A page of films: without a monitor and with one, side by side."""
+"""A page of films, without and with a monitor side by side."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _SIZE = (400, 225)
 
 @dataclass(frozen=True)
 class Exhibit:
-    """Episodes of a variant, and the text beside their film."""
+    """Episodes of a variant, and the caption of their film."""
 
     experiment: str
     variant: enum.Enum

@@ -1,4 +1,6 @@
-"""Clips of a robot that learns to insert a peg, or has learned it. Needs `rossmarie[gym]`."""
+"""Clips of a robot that is learning, or has learned, to insert a peg. They need
+`rossmarie[gym]`.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +24,8 @@ from heron.variants import Formulation, LearningArm
 
 Floats = NDArray[np.float64]
 Policy = Callable[[Floats], Any]
-"""From an observation, the numbers of `heron.learning.insertion.FIELDS`, to an action."""
+"""A function from an observation, the numbers of `heron.learning.insertion.FIELDS`, to an action.
+"""
 _PERIOD_S = PERIOD_NS * 1e-9
 _FORCE = slice(FIELDS.index("force.x"), FIELDS.index("force.z") + 1)
 _PERSON = FIELDS.index("person")
@@ -34,8 +37,8 @@ _HARMS = {
 
 
 class Shown(NamedTuple):
-    """The facts of an instant: the force at the wrist (N), the distance to the person (m), what has
-    gone wrong so far, and the rules that are active, the latest first.
+    """The facts of an instant: the force at the wrist (N), the distance to the person (m), the
+    harms so far, and the active rules, the latest first.
     """
 
     force: float

@@ -1,4 +1,4 @@
-"""Episodes beside each other, in processes."""
+"""Episodes in parallel processes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rules that were active, and the times at which they were."""
+"""The active rules, and the times of their activations."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from heron.robot.physics import Physics
 from heron.topics import InProcess
 
 Spans = dict[str, list[tuple[float, float]]]
-"""From when to when (s), by the names of the rules."""
+"""The start and end times (s) of activations, by the names of the rules."""
 
 
 class RulesWatch:

@@ -1,4 +1,4 @@
-"""The fields of messages, read by a function that is written for them."""
+"""Access to fields of messages by generated functions."""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""A guard without rules, as many robots of ROS 2 have one: zones of a range scan slow the robot
-down or stop it, a speed limit holds everywhere, and the robot goes on when the zones are free.
+"""A guard without rules, as on many ROS 2 robots: zones of a range scan slow the robot down or stop
+it, a speed limit holds everywhere, and the robot continues when the zones are free.
 
-It does what Nav2's `nav2_collision_monitor` does with zones of the kinds `stop` and `slowdown`
+It behaves like Nav2's `nav2_collision_monitor` with zones of the kinds `stop` and `slowdown`
 (docs.nav2.org, "Using Collision Monitor"), with a speed limit as in Nav2's `velocity_smoother`. The
-drive has the part of `twist_mux`: the joystick has precedence over programs, and commands that stay
-away count as a stop.
+drive replaces `twist_mux`: the joystick has precedence over programs, and missing commands count as
+a stop.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ class BaseCollisionMonitor(_CollisionMonitor):
         self._send = carrier.publisher(COMMAND)
         self._command: Message | None = None
         self.is_restricting = False
-        """True if the last command that was sent is not the one that a program gave."""
+        """True if the last sent command differs from the command of the program."""
         carrier.subscribe(Topic(unfiltered(COMMAND.name), COMMAND.type), self._receive)
 
     def tick(self, now_ns: int) -> None:

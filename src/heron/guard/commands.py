@@ -1,4 +1,4 @@
-"""The messages of a command topic, as the filter of a guard reads and changes them."""
+"""The messages of a command topic, which the filter of a guard reads and changes."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""The guard: each message goes through the core (which rules are active, and what follows?) and the
-filters (what may pass?) before the next is looked at.
+"""The guard. Each message passes through the core, which determines the active rules and their
+consequences, and through the filters, which limit commands, before the next message is handled.
 
-As in the generated nodes, rules are looked at once all inputs with a timeout have arrived, or
-`PATIENCE_NS` is over; until then no command passes.
+As in the generated nodes, the rules are evaluated once all inputs with a timeout have arrived, or
+`PATIENCE_NS` is over. Until then no command passes.
 """
 
 from __future__ import annotations
@@ -300,7 +300,7 @@ class InProcessLink:
     period_ns = 1_000_000_000
 
     def carrier(self, clock: Callable[[], int]) -> InProcess:  # noqa: ARG002
-        """The carrier by which the robot and its programs speak."""
+        """The carrier between the robot and its programs."""
         return InProcess()
 
     def guard(self, machine: Machine, carrier: InProcess, clock: Callable[[], int]) -> Guard:

@@ -1,4 +1,6 @@
-"""From messages to what the core of a guard takes in: one function for each topic, made once."""
+"""Conversion of messages to the inputs of the guard's core: one function per topic, created
+once.
+"""
 
 from __future__ import annotations
 
@@ -120,7 +122,9 @@ class Intake:
         return self._core.take() if reported is None else reported
 
     def together(self, at_ns: int, messages: Mapping[int, Message]) -> Reported:
-        """Messages of several channels arrive together; gives what the core finds."""
+        """Handle messages of several channels that arrive together. Returns the events of
+        the core.
+        """
         values: dict[str, Value] = {}
         for channel, message in messages.items():
             values |= self._values(channel, message)

@@ -1,4 +1,4 @@
-"""The outside of a guard, wherever it is: in this process, or a node of ROS."""
+"""The external interface of a guard, in this process or in a ROS node."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Link(Protocol):
     """The carrier of messages in an episode, and the place of the guard."""
 
     def carrier(self, clock: Callable[[], int]) -> InProcess:
-        """The carrier by which the robot and its programs speak. `clock` is the time of the robot,
+        """The carrier between the robot and its programs. `clock` is the time of the robot,
         in ns.
         """
 
@@ -80,14 +80,14 @@ class Link(Protocol):
 
 
 def unfiltered(topic: str) -> str:
-    """Where programs publish the commands that the guard lets through on a topic, as the generated
-    nodes have it.
+    """The topic to which programs publish commands that the guard filters, as in the generated
+    nodes.
     """
     head, slash, tail = topic.rpartition("/")
     return f"{head}{slash}{_UNFILTERED}{tail}"
 
 
 def waiting(machine: Machine, active: Sequence[str]) -> tuple[str, ...]:
-    """Of active rules those that wait for an operator."""
+    """The active rules that wait for an operator."""
     latching = {rule.name for rule in machine.rules if rule.release is None}
     return tuple(name for name in active if name in latching)

@@ -1,5 +1,5 @@
-"""The deeds of this guard for the tasks of rules. Limits and scales need no doing, and the core
-resets itself.
+"""The execution of the tasks of rules by this guard. Limits and scales need no execution, and the
+core resets itself.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ Report = Callable[[bool], None]
 
 
 class UnsupportedEffectError(ValueError):
-    """The rules ask for what this guard cannot do."""
+    """The rules need an action that this guard cannot perform."""
 
 
 class Performer(Protocol):
@@ -122,7 +122,7 @@ class Repeated:
 
 @dataclass
 class TemporaryParameter:
-    """A parameter that has another value for as long as a task has it."""
+    """A parameter with a temporary value while a task holds it."""
 
     parameter: Callable[[], Parameter]
     value: float
@@ -148,7 +148,9 @@ class TemporaryParameter:
 
 @dataclass
 class Sending:
-    """A goal in the place of that of a client; without a goal, none (`cancel`)."""
+    """A goal that replaces a client's goal; without a goal, the client's goal is cancelled
+    (`cancel`).
+    """
 
     relay: Relay
     goal: Goal | None

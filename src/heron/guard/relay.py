@@ -1,7 +1,8 @@
-"""An action server as its clients see it: the guard is in between, and can take it from them.
+"""An action server in front of the real server. The guard is in between and can take it away from
+the clients.
 
-What is kept belongs to the server, not to a task: when no task has it any more, the word of the
-last one counts (R10).
+The kept goal belongs to the server, not to a task: when no task holds the server any more, the
+command of the last task counts (R10).
 """
 
 from __future__ import annotations
@@ -58,7 +59,7 @@ class Relay:
             self._server().cancel()
 
     def send_own(self, goal: Goal, done: Done) -> None:
-        """A task that has the server sends a goal of its own."""
+        """Send the goal of a task that holds the server."""
         self._server().send(goal, done)
 
     def cancel_own(self) -> None:

@@ -1,5 +1,5 @@
-"""Zones around a robot, and whether something is in them: the shapes and the counting of points of
-Nav2's collision monitor.
+"""Zones around a robot, and tests for points in them, with the shapes and the counting of Nav2's
+collision monitor.
 
 A zone is in force while at least `MIN_POINTS` points of the last scan are in it. A scan that is too
 old stops the robot.

@@ -1,4 +1,4 @@
-"""The arms of the study: how the rules and a learner are joined."""
+"""The arms of the study: the combinations of rules and a learner."""
 
 from __future__ import annotations
 

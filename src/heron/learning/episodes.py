@@ -1,4 +1,4 @@
-"""Episodes of a training: what is counted while one goes on, and their log."""
+"""Episodes of a training: their counters, and their log."""
 
 from __future__ import annotations
 

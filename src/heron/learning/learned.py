@@ -1,4 +1,4 @@
-"""The results of trainings, to be used without them."""
+"""The results of trainings, for use without the training code."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from heron.learning.tree import NUMBERS, RANGES, InsertionTree
 from heron.variants import Formulation
 
 Act = Callable[[NDArray[np.float64]], Any]
-"""From an observation to an action, in one episode."""
+"""A function from an observation to an action, for one episode."""
 
 
 @dataclass(frozen=True)

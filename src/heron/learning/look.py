@@ -1,4 +1,4 @@
-"""The task as it is looked at. Nothing here changes what an environment computes."""
+"""The view of the task. This module changes no computation of an environment."""
 
 from __future__ import annotations
 

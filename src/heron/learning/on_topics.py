@@ -1,4 +1,4 @@
-"""The arm of the task on topics: its readings and commands as the messages that the rules name."""
+"""The arm of the task on topics: its readings and commands as the messages in the rules."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The policy that a step learner has learned, for use without it: a network in NumPy."""
+"""A policy that a step learner has learned, for use without the learner: a network in NumPy."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The trainings of the study, by keys such as `steps/ppo/guard/150000/3`, and what they are of."""
+"""The trainings of the study, by keys such as `steps/ppo/guard/150000/3`, and their parts."""
 
 from __future__ import annotations
 

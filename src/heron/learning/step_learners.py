@@ -1,7 +1,7 @@
 """Learners of step policies, from skrl (on JAX): PPO and SAC.
 
-Actions are scaled to [-1, 1]. An episode that ends by its time ends like any other: the time that
-is left is part of an observation.
+Actions are scaled to [-1, 1]. An episode that reaches its time limit ends like any other: the
+remaining time is part of the observation.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""A training from its beginning to its row: its log, its checkpoints, what was learned, and how
-that does with and without the guard.
+"""A training from start to result row: its log, its checkpoints, the learned policy, and the
+performance of the policy with and without the guard.
 """
 
 from __future__ import annotations

@@ -16,15 +16,15 @@ _RADIUS = 0.22
 
 @dataclass(frozen=True)
 class Visit:
-    """When somebody comes (s), how fast they walk (m/s), and for how long they stay (s)."""
+    """The arrival time (s), walking speed (m/s) and length of stay (s) of a visitor."""
 
     begin_s: float
     pace: float
     stay_s: float
 
     def at(self, now_s: float) -> tuple[Point, float, float]:
-        """Where they are, in which direction they face (rad), and how much of the way in this
-        direction they have walked: from 0 to 1.
+        """The visitor's position, heading (rad), and walked part of the path in this direction,
+        from 0 to 1.
         """
         way = math.dist(_ENTRANCE, _BESIDE)
         walked = max(0.0, now_s - self.begin_s) * self.pace
@@ -34,7 +34,7 @@ class Visit:
         return _on(_BESIDE, _ENTRANCE, min(gone, way) / way)
 
     def distance(self, now_s: float, place: Point) -> float:
-        """From their body to a place, along the ground (m)."""
+        """The distance from the visitor's body to a place, along the ground (m)."""
         there, _, _ = self.at(now_s)
         return max(0.0, math.dist(there, place) - _RADIUS)
 

@@ -1,5 +1,5 @@
-"""The insertion in operation, on a live ROS 1 in real time: the arm is a node, and so is the policy
-that commands it. Between the two stands the node that is generated from the rules.
+"""The insertion in operation, on ROS 1 in real time. The arm is a node, and so is the policy that
+commands it. The node that is generated from the rules stands between the two.
 """
 
 from heron.operation.live_arm import LiveArm

@@ -1,4 +1,4 @@
-"""The arm that holds the peg, as a node of ROS 1: it tells its readings, and obeys commands."""
+"""The arm that holds the peg, as a ROS 1 node that publishes its readings and executes commands."""
 
 from __future__ import annotations
 

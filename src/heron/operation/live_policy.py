@@ -1,5 +1,5 @@
-"""A policy as a node of ROS 1: it hears the readings of an arm, and commands it through the node on
-guard. It knows nothing but what the topics of the rules say.
+"""A policy as a ROS 1 node that subscribes to the readings of an arm, and commands it through the
+guard node. It only uses the topics of the rules.
 """
 
 from __future__ import annotations

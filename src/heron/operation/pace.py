@@ -1,4 +1,4 @@
-"""Real time: readings come when they are due."""
+"""Real-time pacing: each reading is published when it is due."""
 
 from __future__ import annotations
 

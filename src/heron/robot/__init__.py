@@ -1,4 +1,6 @@
-"""The robot: what its controllers do with commands, and what its sensors say of the physics."""
+"""The robot: its controllers, which execute commands, and its sensors, which measure the
+physics.
+"""
 
 from heron.robot.arm import Arm
 from heron.robot.arm_controller import ArmController, ArmControllerParameters

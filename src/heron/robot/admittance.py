@@ -1,4 +1,4 @@
-"""Active compliance: how far the arm gives way to forces, `M a = F + K (wanted - x) - D v`."""
+"""Active compliance: the displacement of the arm by forces, `M a = F + K (wanted - x) - D v`."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ class Admittance:
         self.velocity = np.zeros_like(self.place)
 
     def step(self, wanted: Floats, force: Floats, step_s: float) -> Floats:
-        """Where it is one step later."""
+        """Return the position after one time step."""
         push = force + self.stiffness * (wanted - self.place) - self.damping * self.velocity
         self.velocity = self.velocity + push / self.mass * step_s
         self.place = self.place + self.velocity * step_s

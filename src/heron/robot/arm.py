@@ -1,4 +1,4 @@
-"""The arm while it runs: what its servos and sensors reach of the physics."""
+"""The running arm: the interface of its servos and sensors to the physics."""
 
 from __future__ import annotations
 
@@ -49,37 +49,37 @@ class Arm(Physics):
 
     @property
     def grasp(self) -> Floats:
-        """Where the middle of the fingers is."""
+        """The point between the fingers."""
         found: Floats = self.data.site_xpos[self._grasp]
         return found
 
     @property
     def commanded(self) -> Floats:
-        """Where the servos were asked to have the grasp."""
+        """The grasp position that the servos are commanded to."""
         found: Floats = self._commanded.site_xpos[self._grasp].copy()
         return found
 
     @property
     def block(self) -> Floats:
-        """Where the middle of the block is."""
+        """The centre of the block."""
         found: Floats = self.data.body("block").xpos
         return found
 
     @property
     def angles(self) -> Floats:
-        """Of the joints (rad)."""
+        """The joint angles (rad)."""
         found: Floats = self.data.qpos[: self._count].copy()
         return found
 
     @property
     def speeds(self) -> Floats:
-        """Of the joints (rad/s)."""
+        """The joint velocities (rad/s)."""
         found: Floats = self.data.qvel[: self._count].copy()
         return found
 
     @property
     def torques(self) -> Floats:
-        """Of the joints (Nm)."""
+        """The joint torques (Nm)."""
         found: Floats = self.data.actuator_force[: self._count].copy()
         return found
 

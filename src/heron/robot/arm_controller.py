@@ -1,11 +1,11 @@
-"""The controller of the arm: an action server that carries the block to places, and puts it down.
+"""The controller of the arm: an action server that carries the block to places and puts it down.
 
-It carries stiffly, along trajectories, and is compliant while it places. It places where it
-believes that the table is. Only where it has once touched something does it know better: then it
-comes slowly, and lets go as soon as it feels the table.
+The arm carries stiffly along trajectories, and is compliant while it places. It places at the
+expected position of the table. After it has touched the table once, it uses the measured position:
+it approaches slowly and lets go as soon as it feels the table.
 
-How fast it goes can be scaled. It can be stopped, and it can be told to be gravity-free; what is at
-hand then waits, and goes on from where the arm is.
+The speed can be scaled. The arm can be stopped, and can be made gravity-free. The current motion
+then waits, and continues from the arm's position.
 """
 
 from __future__ import annotations
@@ -208,7 +208,7 @@ class ArmController:
         self._pace += max(-most, min(most, wanted - self._pace))
 
     def _take_up_again(self) -> None:
-        """From where somebody has led the arm, and from rest."""
+        """Continue from rest at the position to which an operator has guided the arm."""
         self._is_loose = False
         self._pace = 0.0
         self._wanted = self._admittance.place = self._arm.grasp.copy()
@@ -239,7 +239,9 @@ class ArmController:
             self._end(is_reached=True)
 
     def _stay(self) -> None:
-        """Where it gave way to, or where somebody leads it by hand."""
+        """Stay at the position to which the arm yielded, or to which an operator guides it by
+        hand.
+        """
         self._admittance.rest()
         most = self._parameters.speed * self._step_s
         self._arm.move(_towards(self._arm.commanded, self._admittance.place, most))

@@ -1,4 +1,4 @@
-"""The base while it runs: what its actuators and sensors reach of the physics."""
+"""The running base: the interface of its actuators and sensors to the physics."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ class Base(Physics):
 
     @property
     def position(self) -> Floats:
-        """Where the base is."""
+        """The position of the base."""
         found: Floats = self.data.qpos[0:3]
         return found
 

@@ -1,7 +1,7 @@
-"""The drive: from velocity commands to wheels.
+"""The drive, which turns velocity commands into wheel commands.
 
-It follows commands with limited acceleration and stops when they stay away. Whoever holds the
-joystick has precedence over programs, and full torque.
+It follows commands with limited acceleration, and stops if commands are missing. The joystick has
+precedence over programs, and full torque.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The reasons why sensors do not say the truth: noise, slow errors, bandwidth and latency."""
+"""Imperfections of sensors: noise, slow errors, bandwidth and latency."""
 
 from __future__ import annotations
 

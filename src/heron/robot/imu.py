@@ -1,4 +1,4 @@
-"""The inertial measurement unit: acceleration, angular velocity, and how the base is turned."""
+"""The inertial measurement unit: acceleration, angular velocity, and orientation of the base."""
 
 from __future__ import annotations
 

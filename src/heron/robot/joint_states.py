@@ -1,4 +1,4 @@
-"""The joint states of the arm: angles of its encoders, and torques from the currents of motors."""
+"""The joint states of the arm: angles from encoders, and torques from motor currents."""
 
 from __future__ import annotations
 

@@ -1,7 +1,6 @@
-"""Where the base is on the map, as laser scans and a particle filter find it.
+"""The pose of the base on the map, as estimated from laser scans by a particle filter.
 
-The scans are not simulated here: what the filter makes of them is the true pose with its usual
-errors.
+The scans are not simulated here: the estimate is the true pose with typical errors.
 """
 
 from __future__ import annotations

@@ -1,5 +1,5 @@
-"""Wheel odometry: where the base would be if its wheels never slipped, as a message and as the
-frame `base_link` in `odom`.
+"""Wheel odometry: the pose of the base without wheel slip, as a message and as the frame
+`base_link` in `odom`.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class WheelOdometryParameters:
     rate: float = 50.0
     latency: float = 0.02
     ticks: int = 4096
-    """Of the encoder, for one turn of the wheel."""
+    """The encoder ticks per wheel turn."""
     radius_error: float = 0.005
     """The error of the radius that the odometry believes in, as a share: tires wear."""
 

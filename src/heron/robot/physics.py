@@ -1,4 +1,4 @@
-"""The physics while it runs, behind names."""
+"""The running physics, accessed by names."""
 
 from __future__ import annotations
 

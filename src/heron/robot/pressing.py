@@ -1,7 +1,7 @@
-"""Motions whose contact is meant: pushing a thing along, and wiping over a board.
+"""Motions with intended contact: pushing a thing, and wiping a board.
 
-Both give way to forces in one direction, and both end by leaving what they touched: whoever goes on
-from there is in the air.
+Both are compliant in one direction. At their end both leave the touched thing, so the next motion
+starts in free space.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ class Pressing(Protocol):
         """True once it has done what it is for, and has left what it touched."""
 
     def begin(self, place: Floats) -> None:
-        """From where the grasp is (m)."""
+        """Begin at the current position of the grasp (m)."""
 
     def step(self, grasp: Floats, force: Floats, step_s: float, pace: float) -> Floats:
         """The place to which the servos bring the grasp (m), one step later. `force` (N) pushes
@@ -77,7 +77,7 @@ class Push:
         return self._left is not None and self._lean.depth <= self._left
 
     def begin(self, place: Floats) -> None:
-        """From where the grasp is (m)."""
+        """Begin at the current position of the grasp (m)."""
         found, way = self._parameters, self._end - place
         self._start, self._far = place.copy(), float(np.linalg.norm(way))
         self._along = way / max(self._far, 1e-9)
@@ -138,7 +138,7 @@ class Wipe:
         return self._left is not None and self._lean.depth <= self._left
 
     def begin(self, place: Floats) -> None:
-        """From where the grasp is (m)."""
+        """Begin at the current position of the grasp (m)."""
         found = self._parameters
         self._lean = _Lean(found.mass, found.damping, float(place @ self._normal))
         self._on_board = self._flat(place, self._normal)

@@ -1,4 +1,4 @@
-"""The range scan: how far away things are, all around."""
+"""The range scan: distances to things in all directions."""
 
 from __future__ import annotations
 

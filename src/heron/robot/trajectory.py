@@ -1,4 +1,4 @@
-"""Trajectories whose time can be scaled: the way stays the same, and is gone along more slowly."""
+"""Trajectories whose time can be scaled: the path stays the same and is followed more slowly."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Trajectory:
         self._passed = 0.0
 
     def advance(self, step_s: float) -> Floats:
-        """Where it is when so much of its own time has passed."""
+        """Advance the trajectory's own time and return the position."""
         self._passed = min(self._duration, self._passed + step_s)
         share = self._passed / self._duration
         smooth = share**3 * (10 - 15 * share + 6 * share**2)

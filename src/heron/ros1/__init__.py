@@ -1,7 +1,7 @@
-"""A live ROS 1 in the place of this process: topics by TCPROS, and the generated node on guard.
+"""A live ROS 1 instead of this process: topics over TCPROS, and the generated guard node.
 
-Time goes on only when the node has dealt with all that was said at an instant, so that what it does
-does not depend on how busy the machine is.
+Time advances only when the node has handled all messages of an instant, so its behavior does not
+depend on the load of the machine.
 """
 
 from heron.ros1.errors import Ros1Error

@@ -1,4 +1,4 @@
-"""Messages that are heard in this process and in ROS: on both sides of a topic."""
+"""A carrier of messages on both sides of a topic: in this process and in ROS."""
 
 from __future__ import annotations
 

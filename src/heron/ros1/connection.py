@@ -1,5 +1,5 @@
-"""One TCP connection of TCPROS: a header of names and values each way, then bodies, each with its
-length before it.
+"""One TCPROS connection: a header of names and values in each direction, then bodies with their
+lengths.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ class Connection:
     # --- headers -----------------------------------------------------------------------------
 
     def send_header(self, header: Mapping[str, str]) -> None:
-        """Who this is, and what it wants or has."""
+        """Send the identity of this node and the requested or offered topic."""
         lines = (f"{name}={value}".encode() for name, value in header.items())
         self.send(b"".join(len(line).to_bytes(_LENGTH, "little") + line for line in lines))
 

@@ -1,4 +1,4 @@
-"""The errors that others make."""
+"""Errors caused by other nodes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The generated node on guard, as it tells of itself: state, verdicts, and what passes it."""
+"""The generated guard node as seen from outside: state, verdicts, and filtered commands."""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""An episode with the generated node on guard: nobody's time goes on before all have heard."""
+"""An episode with the generated guard node: time advances only after all nodes have received all
+messages.
+"""
 
 from __future__ import annotations
 

@@ -1,10 +1,10 @@
-"""Tell that the node on guard has heard all, and that what it said of that has come.
+"""Detection that the guard node has received all messages, and that its replies have arrived.
 
-roscpp looks at its connections turn by turn, and what came in goes into a queue: so a call of a
-service should be answered after all that had come before the turn of an earlier call. What the node
-says goes out at the beginning of a turn: so it should have come, two calls later. Nothing promises
-that, and on a busy machine a message can still come an exchange later. Loggers are seen to by the
-thread that hears /clock, and everything else by the one of the node.
+roscpp polls its connections in turns and queues incoming messages. So a service call should be
+answered after all messages that arrived before the turn of an earlier call. The messages of the
+node leave at the beginning of a turn, so they should have arrived two calls later. This order is
+not guaranteed: on a busy machine a message can still arrive one exchange later. The thread that
+receives /clock serves loggers; the thread of the node serves everything else.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""A node of ROS 1, as far as an experiment needs one: it publishes, hears, and calls services.
+"""A minimal ROS 1 node for the experiments: it publishes, subscribes, and calls services.
 
-Messages go out at once and come in when they are asked for, both in the thread of the caller; only
-those who want to connect are answered beside it.
+The thread of the caller sends messages at once and receives them on request. Only new connections
+are accepted by another thread.
 """
 
 from __future__ import annotations
@@ -102,7 +102,7 @@ class Node:
     # --- what goes out -----------------------------------------------------------------------
 
     def advertise(self, topic: Topic) -> None:
-        """From now on there are messages on a topic."""
+        """Announce that this node publishes a topic from now on."""
         if topic.name not in self._published:
             self._published[topic.name] = _Published(topic)
             self._ask_master("registerPublisher", topic.name, topic.type, self._address)

@@ -1,4 +1,4 @@
-"""The rules files of the experiments: part of the package, so that the command finds them."""
+"""The rules files of the experiments, in the package so that the command finds them."""
 
 from __future__ import annotations
 

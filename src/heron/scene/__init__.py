@@ -1,4 +1,4 @@
-"""The things in the world: builders of MJCF, from parameters in SI units."""
+"""Builders of MJCF for the things in a scene, from parameters in SI units."""
 
 from heron.scene.arm import ArmParameters
 from heron.scene.base import AXLES, BaseParameters, add_base

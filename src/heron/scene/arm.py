@@ -1,7 +1,7 @@
-"""The arm: with the lengths, masses and torques of a UR5e, its links capsules.
+"""The arm: with the lengths, masses and torques of a UR5e, and capsules as links.
 
-It stands on a pedestal and holds a block. Its joints are servos on position with gravity
-compensated, as the inner loop of such an arm is; what is outside of that loop is elsewhere.
+It stands on a pedestal and holds a block. Its joints are position servos with gravity compensation,
+like the inner loop of such an arm. Outer control loops are in other modules.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""The mobile base: modelled on a MiR100 with an arm on top, in the measures of its data sheet.
+"""The mobile base: modelled on a MiR100 with an arm on top, with the dimensions of its data sheet.
 
 On each side a *rocker* carries the drive wheel and the front caster, so that the drive wheel stays
-on the ground where the slope changes; with casters that are fixed to the chassis the drive wheels
-lose the ground at the toe of a ramp of 12 degrees. Casters are balls that slide.
+on the ground where the slope changes. With casters fixed to the chassis, the drive wheels lose
+contact at the foot of a ramp of 12 degrees. Casters are balls that slide.
 """
 
 from __future__ import annotations
@@ -50,7 +50,7 @@ class BaseParameters:
     boosted_torque: float = 13.0
     """Likewise, for as long as the drive is told to give more."""
     gain: float = 12.0
-    """Of the velocity servo on each wheel, in Nm s/rad."""
+    """The gain of the velocity servo on each wheel, in Nm s/rad."""
     imu_z: float = 0.2
     scanner_z: float = 0.2
 

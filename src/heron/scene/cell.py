@@ -1,5 +1,5 @@
-"""The scene of the experiment with contact that is meant: a table with a box that has to be pushed
-to a mark, a board that has to be wiped, and somebody at the other side of the table.
+"""The scene of the contact experiment: a table, a box to push to a mark, a board to wipe, and a
+person at the other side of the table.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ class CellParameters:
     board_half: tuple[float, float, float] = (0.18, 0.01, 0.115)
     board_friction: float = 0.35
     stroke: tuple[float, float] = (0.20, 0.44)
-    """From where to where on x the board is wiped."""
+    """The range on x over which the board is wiped."""
     rows: tuple[float, ...] = (0.94, 0.88)
     """The heights of the strokes."""
     softness: float = 0.03

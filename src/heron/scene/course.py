@@ -1,7 +1,7 @@
-"""The course of the navigation experiment: a corridor with a bump, and a room that lies higher.
+"""The course of the navigation experiment: a corridor with a bump, and a room on a higher level.
 
-Two ramps lead to the room. The short way is straight on; how steep it is, is what variants of the
-experiment differ in. The other is a detour and always gentle.
+Two ramps lead to the room. The short route goes straight on, and its slope differs between the
+variants of the experiment. The other route is a detour and always gentle.
 """
 
 from __future__ import annotations
@@ -58,7 +58,9 @@ Point = tuple[float, float]
 
 @dataclass(frozen=True)
 class Course:
-    """Where things are. `routes` lead from the start to the block, the preferred one first."""
+    """The positions of all things. `routes` lead from the start to the block, the preferred route
+    first.
+    """
 
     terrain: Terrain
     parameters: CourseParameters
@@ -67,7 +69,7 @@ class Course:
 
     @property
     def block(self) -> Point:
-        """Where the block is that is to be picked up: on the right, seen from the shortest way."""
+        """The position of the block to pick up: on the right, seen from the shortest route."""
         (from_x, from_y), (x, y) = self.routes[0][-2:]
         heading = math.atan2(y - from_y, x - from_x)
         away = self.parameters.block_away
@@ -75,7 +77,7 @@ class Course:
 
     @property
     def bump(self) -> tuple[float, float] | None:
-        """From where to where the bump reaches along the corridor."""
+        """The range of the bump along the corridor."""
         if self.terrain is Terrain.FLAT:
             return None
         found = self.parameters

@@ -1,4 +1,4 @@
-"""The ground that wheels touch: floors, bumps and ramps of boxes and cylinders."""
+"""The ground under the wheels: floors, bumps and ramps of boxes and cylinders."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """The scene of figure 4 of the thesis: a peg, a block with a hole, a fragile part beside the hole,
 and a person who shares the space.
 
-The places are those of the public configuration of SkiREIL (Mayr et al., 2022). The peg hangs from
-an arm that holds it upright, of which the scene has the inertia and the compliance only.
+The places are those of the public configuration of SkiREIL (Mayr et al., 2022). The peg hangs
+upright from an arm; the scene only has the arm's inertia and compliance.
 """
 
 from __future__ import annotations

@@ -1,6 +1,6 @@
-"""A person: capsules that are moved, not pushed; the arm feels nothing of them, nor they of it.
+"""A person: capsules that move without contact forces between person and arm.
 
-What is measured is how near the arm comes, so contact would only hide it.
+The experiments measure the distance between arm and person, which contact forces would distort.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The scene of the placing experiment: the arm above a table, which may be higher than believed."""
+"""The scene of the placing experiment: the arm above a table, which may be higher than expected."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ class TableParameters:
 
     @property
     def height(self) -> float:
-        """Where the top really is."""
+        """The true height of the top."""
         return self.believed_height + self.too_high
 
 

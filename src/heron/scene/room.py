@@ -38,7 +38,7 @@ class RoomParameters:
     """Nearer than this to the middle a person is close, as the rules have it."""
 
     def table(self, side: int) -> tuple[float, float]:
-        """Where the table on one side (-1 or 1) is."""
+        """The position of the table on one side (-1 or 1)."""
         angle = -math.pi / 2 + side * self.table_angle
         return self.table_radius * math.cos(angle), self.table_radius * math.sin(angle)
 
@@ -75,7 +75,7 @@ Flat = tuple[float, float]
 
 
 def _walls(room: RoomParameters) -> list[tuple[Flat, Flat]]:
-    """Where the middle of each wall is, and its half size."""
+    """The centre and half size of each wall."""
     out, thin = room.half + room.wall_half, room.wall_half
     beside = (room.half - room.door_half) / 2
     return [

@@ -1,4 +1,4 @@
-"""Whole scenes, as specifications of MuJoCo that are yet to be compiled."""
+"""Whole scenes, as MuJoCo specifications before compilation."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""The two ways of experiment VI: from a junction to a hall, straight on or by a yard. Pallets and
-trolleys stand across them.
+"""The two routes of experiment VI: from a junction to a hall, straight on or through a yard.
+Pallets and trolleys block them.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The tasks of the robot, as programs that know topics and action servers only."""
+"""The tasks of the robot, as programs that only use topics and action servers."""
 
 from heron.tasks.look_out import LookOut, LookOutParameters
 from heron.tasks.navigation import Navigation, NavigationParameters

@@ -1,4 +1,4 @@
-"""The way ahead of the base, as the scanner sees it: free or blocked."""
+"""The path ahead of the base in the scan: free or blocked."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Navigation: an action server that follows a route to its end, and takes the next route when it is
-told to replan.
+"""Navigation: an action server that follows a route to its end, and takes the next route on a
+`replan` command.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ class NavigationParameters:
     lookahead: float = 0.8
     arrival: float = 0.15
     turn_on_the_spot: float = 0.5
-    """When the way lies further aside than this (rad)."""
+    """The lateral angle of the path (rad) above which the robot turns on the spot."""
     patience: float = 45.0
     """Without progress for so long, the task is given up; an operator comes sooner."""
     progress: float = 0.3

@@ -1,5 +1,5 @@
-"""The context of a task: which of its skills run. It is reported ten times a second, and at once
-when one of them starts or ends.
+"""The context of a task: its running skills. It is published ten times per second, and at once when
+a skill starts or ends.
 """
 
 from __future__ import annotations

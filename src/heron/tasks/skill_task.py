@@ -1,4 +1,4 @@
-"""A task: a skill of EzSkiROS, checked before it runs, and ticked as often as in SkiROS2."""
+"""A task: an EzSkiROS skill that is checked before it runs, and ticked at the rate of SkiROS2."""
 
 from __future__ import annotations
 

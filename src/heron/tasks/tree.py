@@ -1,4 +1,4 @@
-"""A behavior tree over time: what became of each of its skills."""
+"""A behavior tree over time: the state of each of its skills."""
 
 from __future__ import annotations
 

@@ -86,7 +86,7 @@ def started(path: Path, *keys: str) -> subprocess.Popen[str]:
 
 
 def all_have_ended(group: int) -> bool:
-    """Whether all processes of a group end soon: they close what they say before they end."""
+    """Say whether all processes of a group end soon. They close their output before they end."""
     until = time.monotonic() + 20
     while processes_of(group) and time.monotonic() < until:
         time.sleep(0.05)

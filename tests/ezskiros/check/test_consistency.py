@@ -39,7 +39,7 @@ THINGS = "A: test.Thing, B: test.Thing, C: test.Thing, Box: test.Box, Tool: test
 
 
 def reported(result: Checked) -> list[tuple[str, str]]:
-    """What is found about conditions together: the codes, and the texts that they point at."""
+    """The findings about combined conditions: the codes, and the labelled texts."""
     return [
         (each.code, each.primary.span.text)
         for each in result.diagnostics
@@ -169,7 +169,7 @@ def test_the_other_place_and_the_declarations_are_shown() -> None:
     result = checked("pre A.holds(B); pre ~B.inside(A)")
     found = next(each for each in result.diagnostics if each.code == "EZS315")
     assert found.title == (
-        "by the ontology `A.holds(B)` and `~B.inside(A)` contradict each other before `Skill`"
+        "with the ontology, `A.holds(B)` and `~B.inside(A)` contradict each other before `Skill`"
     )
     assert found.notes == ("test.holds is the inverse of test.inside; so `B.inside(A)` follows",)
     assert [each.span.text for each in found.labels] == ["A.holds(B)", ":holds", ":inside"]
@@ -185,8 +185,12 @@ def test_both_ends_of_a_chain_are_shown() -> None:
 def test_the_parameter_is_shown_whose_class_says_so() -> None:
     result = checked("pre of_type(Tool, test.Box)")
     found = next(each for each in result.diagnostics if each.code == "EZS319")
-    assert found.title == "by `of_type(Tool, test.Box)` a thing would be of disjoint classes"
-    assert found.notes == ("`Tool` would be a test.Tool and a test.Box, and nothing is both",)
+    assert (
+        found.title == "`of_type(Tool, test.Box)` would make a thing a member of disjoint classes"
+    )
+    assert found.notes == (
+        "`Tool` would be a test.Tool and a test.Box, and these classes are disjoint",
+    )
     assert [(each.span.text, each.text) for each in found.labels] == [
         ("Tool", "declared as a test.Tool")
     ]

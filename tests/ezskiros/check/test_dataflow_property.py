@@ -72,7 +72,7 @@ def several(name: str, inner: tuple[Shape, ...], is_written: bool) -> Iterator[t
 
 
 def reads_too_early(shape: Shape) -> bool:
-    """Whether some execution does."""
+    """Say whether some execution reads a value too early."""
     try:
         list(runs(shape, is_written=False))
     except MissingError:

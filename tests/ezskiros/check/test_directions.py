@@ -55,7 +55,7 @@ def test_the_rarer_direction_is_reported(bodies: list[str], expected: list[str] 
 def test_the_finding_shows_the_other_direction_and_the_fix() -> None:
     (found,) = [each for each in skills(ONCE, TURNED).diagnostics if each.code == "EZS422"]
     assert [label.span.text for label in found.labels] == ["Object.at(Place)"]
-    assert found.help == "if it is swapped here: `Object.at(Place)`"
+    assert found.help == "if the sides are swapped here, write `Object.at(Place)`"
 
 
 def test_other_classes_say_nothing_of_a_direction() -> None:

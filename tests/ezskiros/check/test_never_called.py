@@ -17,7 +17,7 @@ DOES = "\ndef execute(self):\n    return self.success('a')"
         ("onPreemt", "did you mean `onPreempt`?"),
         ("condition", "did you mean `conditions`?"),
         ("modifyDescription", "add pre-conditions in `def conditions(self, Parameter):`"),
-        ("createDescription", "delete it: `Skill.SkillBase` says which skill it is"),
+        ("createDescription", "delete it: `Skill.SkillBase` already names the skill"),
         ("expand", "write the tree in `def expandBT(self, params):`"),
     ],
 )

@@ -29,7 +29,7 @@ def test_nothing_is_said_of_an_output_before_the_skill(kind: str, condition: str
     result = described(f"self.{kind}_conditions += {condition}", PARAMETERS)
     (only,) = (each for each in result.diagnostics if each.code == "EZS009")
     assert only.primary.span.text == condition
-    assert only.title == f"`Found` is an output, and a {kind}-condition is about it"
+    assert only.title == f"`Found` is an output, and a {kind}-condition uses it"
     assert [label.span.text for label in only.labels] == ["Found"]
 
 
@@ -38,8 +38,8 @@ def test_each_output_is_reported_once() -> None:
     assert found(result) == [("EZS009", "Found.spatiallyRelated(Found)")]
     result = described("self.pre_conditions += Found.spatiallyRelated(Other)", PARAMETERS)
     assert [each.title for each in result.diagnostics if each.code == "EZS009"] == [
-        "`Found` is an output, and a pre-condition is about it",
-        "`Other` is an output, and a pre-condition is about it",
+        "`Found` is an output, and a pre-condition uses it",
+        "`Other` is an output, and a pre-condition uses it",
     ]
 
 

@@ -87,9 +87,8 @@ def test_what_is_wrong_is_reported_where_it_is(
 @pytest.mark.parametrize(
     ("lines", "help"),
     [
-        ("Object.Weight == 2.0", "write `self.pre_conditions += ...`, or leave out the method"),
-        ("yield Object.Weight", "leave out `yield`: the method is called, and nobody asks for what "
-                                "it yields"),
+        ("Object.Weight == 2.0", "write `self.pre_conditions += ...`, or delete the method"),
+        ("yield Object.Weight", "remove `yield`: yielded values are ignored"),
     ],
 )  # fmt: skip
 def test_a_method_that_adds_nothing_is_reported(lines: str, help: str) -> None:

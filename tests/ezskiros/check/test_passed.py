@@ -86,9 +86,9 @@ def test_the_message_names_the_condition_and_the_class(tmp_path: Path) -> None:
         each for each in check_paths([tmp_path / "skills.py"]).diagnostics if each.code == "EZS561"
     ]
     assert found.title == (
-        "`Table` is a room.Table, and `From.Open == True` of `Pick` never holds of one"
+        "`Table` is a room.Table, for which `From.Open == True` of `Pick` never holds"
     )
-    assert found.notes == ("the ontology says that room.Open is of a room.Openable",)
+    assert found.notes == ("in the ontology, room.Open is a property of a room.Openable",)
     assert found.help == (
         "declare `Table: room.Openable`, or call a skill without this pre-condition"
     )

@@ -92,7 +92,7 @@ def test_what_each_thing_of_a_class_has_is_missed(tmp_path: Path) -> None:
         PREFIXES + ":Robot-1 a :Robot ; :hasA :Arm-2 . :Arm-2 a :Arm .\n:Robot-3 a :Robot ."
     )
     (found,) = check_scene(scene, ontology)
-    assert (found.code, found.title) == ("EZS607", ":Robot-3 has no :Arm by :hasA")
+    assert (found.code, found.title) == ("EZS607", ":Robot-3 has no relation :hasA to a :Arm")
 
 
 def test_a_broken_scene_is_reported_at_its_line(tmp_path: Path) -> None:

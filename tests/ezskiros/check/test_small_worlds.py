@@ -1,4 +1,4 @@
-"""What is reported about conditions together, against all worlds of three things."""
+"""Comparison of the findings about combined conditions with all worlds of three things."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def _is(pairs: Pairs, kinds: frozenset[str]) -> bool:
 
 @dataclass(frozen=True)
 class Rules:
-    """What an ontology of two relations and two classes says, and how it says it in Turtle."""
+    """An ontology of two relations and two classes, and its Turtle text."""
 
     kinds: tuple[frozenset[str], frozenset[str]]
     others: frozenset[str]
@@ -124,12 +124,14 @@ class Rules:
         return BETWEEN[1] not in self.others or p == {(b, a) for a, b in q}
 
     def _are_possible(self, classes: list[tuple[int, str]]) -> bool:
-        """Whether things can be of these classes; nothing says that one is not of a class."""
+        """Say whether things can be of these classes. No statement excludes a thing from a
+        class.
+        """
         is_disjoint = ABOUT_CLASSES[0] in self.others
         return not is_disjoint or not any({(n, X), (n, Y)} <= {*classes} for n in THINGS)
 
     def classes(self, p: Pairs, q: Pairs) -> Iterator[tuple[int, str]]:
-        """Of which classes things are by what they are related to."""
+        """The classes of things that follow from their relations."""
         if ABOUT_CLASSES[1] in self.others:
             yield from ((a, X) for a, _ in p)
         if ABOUT_CLASSES[2] in self.others:
@@ -139,7 +141,7 @@ class Rules:
 
 
 def _holds(said: Statement, world: World, things: dict[str, int]) -> bool:
-    """Whether a statement is true, if the parameters stand for these things."""
+    """Say whether a statement is true if the parameters stand for these things."""
     match said:
         case AnyOf(parts=parts):
             return any(_holds(part, world, things) for part in parts) == said.is_true
@@ -248,7 +250,7 @@ ontology_of = lru_cache(turtle)
 
 
 def holds(said: Comparison | HasProperty, found: tuple[float, ...]) -> bool:
-    """What SkiROS2 says of a list of values."""
+    """The truth value of a condition on a list of values in SkiROS2."""
     if isinstance(said, HasProperty):
         return bool(found) == said.is_true
     if said.operator == "=":

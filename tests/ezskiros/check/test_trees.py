@@ -100,14 +100,14 @@ MISWRITTEN = [
     ("self.fallback(Grip(Force=1.0))", "EZS519", "write `self.selectorstar(...)`"),
     ("self.skill('Grip', 'grip')", "EZS519", "`Drive(Target=params.Place)`"),
     ("Grip(Force=params['Force'])", "EZS220", "write `params.Force`"),
-    ("params.Force = 1.0\nGrip()", "EZS220", "give the value to the child, `Skill(Force=...)`"),
+    ("params.Force = 1.0\nGrip()", "EZS220", "pass the value to the child, `Skill(Force=...)`"),
     ("Drive(Target=params.Place())", "EZS220", "`params.Place` is a thing"),
-    ("self.serialstar('Grip')", "EZS502", "write `Grip(...)`: skills are named without quotes"),
+    ("self.serialstar('Grip')", "EZS502", "write `Grip(...)`, without quotes"),
     ("self.serialstar(Grip)", "EZS502", "write `Grip(...)`"),
     ("self.serialstar([Grip(Force=1.0)])", "EZS502", "write `*[...]`"),
     ("self.serialstar(lambda: Grip(Force=1.0))", "EZS502", "call it"),
     ("self.retry(3, Grip(Force=1.0))", "EZS503", "write `self.retry(child, 3)`"),
-    ("yield Grip(Force=1.0)", "EZS507", "leave out `yield`"),
+    ("yield Grip(Force=1.0)", "EZS507", "remove `yield`"),
     ("self.timeout(Grip(Force=1.0), second=2.0)", "EZS538", "write `self.timeout(child, seconds)`"),
     ("self.retry(Grip(Force=1.0))", "EZS538", "write `self.retry(child, count)`"),
     ("self.inverter(Grip(Force=1.0), Grip(Force=1.0))", "EZS538", "write `self.inverter(child)`"),
@@ -249,7 +249,7 @@ def test_all_branches_are_looked_at() -> None:
 def test_without_a_tree_the_way_there_is_reported() -> None:
     (found,) = tree("if params.Speed > 1:\n    Grip()").diagnostics
     assert [(each.span.text, each.text) for each in found.labels] == [
-        ("params.Speed > 1", "where this is false")
+        ("params.Speed > 1", "on the path where this is false")
     ]
 
 

@@ -138,7 +138,7 @@ def test_a_scene_with_errors_is_not_run(skills: Path) -> None:
 def test_an_ontology_that_is_not_there_is_reported(skills: Path) -> None:
     done = run("work", folder=skills, **{VARIABLE: "nowhere"})
     assert done.returncode == 2
-    assert "the ontology nowhere cannot be read: there is no such file" in done.stdout
+    assert "the ontology nowhere cannot be read: it does not exist" in done.stdout
 
 
 def test_a_timeout_preempts(skills: Path) -> None:

@@ -33,7 +33,7 @@ def run(folder: Path, *words: str) -> subprocess.CompletedProcess[str]:
 
 
 def is_refused(done: subprocess.CompletedProcess[str], code: str = "EZS004") -> bool:
-    """Whether nothing was run, and the reason stands there."""
+    """Say whether nothing was run and the reason was printed."""
     is_reported = f"warning[{code}]" in done.stdout and done.stderr.splitlines()[-1] == REFUSED
     return done.returncode == 2 and is_reported and "held" not in done.stdout
 

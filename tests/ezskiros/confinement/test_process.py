@@ -48,13 +48,13 @@ def test_silence_is_not_waited_for() -> None:
             pass
 
     start = time.monotonic()
-    assert heard(work, patience=0.5) == ([["begun"]], "the code did not go on for 0.5 s")
+    assert heard(work, patience=0.5) == ([["begun"]], "the code made no progress for 0.5 s")
     assert time.monotonic() - start < 20
 
 
 def test_a_stopped_child_is_not_waited_for() -> None:
     found, reason = heard(lambda _: signal.raise_signal(signal.SIGSTOP), patience=0.5)
-    assert (found, reason) == ([], "the code did not go on for 0.5 s")
+    assert (found, reason) == ([], "the code made no progress for 0.5 s")
 
 
 def test_bytes_without_end_are_not_read() -> None:
@@ -64,7 +64,7 @@ def test_bytes_without_end_are_not_read() -> None:
             for file in files:
                 os.write(file, b"x" * 65536)
 
-    assert heard(work, patience=60.0) == ([], "the code sent what is no message")
+    assert heard(work, patience=60.0) == ([], "the code sent an invalid message")
 
 
 @needs(PROC)

@@ -1,4 +1,4 @@
-"""What the parent learns of work in a child process, and what the work may do there."""
+"""The report of a child process to its parent, and the limits of code in the child process."""
 
 from __future__ import annotations
 

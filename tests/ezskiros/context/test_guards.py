@@ -80,7 +80,7 @@ def state(*active: str, exempted: tuple[str, ...] = (), is_open: bool = True) ->
         ({"type": None}, "its `type`"),
         ({"rules": "stop"}, "its `rules` are not names"),
         ({"rules": [1]}, "its `rules` are not names"),
-        ({"guards": []}, "its `guards` are no object"),
+        ({"guards": []}, "its `guards` is not an object"),
         ({"guards": {"Drive": "stop"}}, "the rules of `Drive` are not names"),
         (
             {"guards": {"Drive": ["stop", "nothing"]}},

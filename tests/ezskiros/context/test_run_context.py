@@ -128,7 +128,7 @@ def started(folder: Path, ros: Path, *words: str) -> subprocess.Popen[str]:
 
 
 def heard(folder: Path) -> list[tuple[float, str]]:
-    """When something was published, and which skills ran then."""
+    """The times of published messages, and the running skills in each."""
     path = folder / "heard"
     lines = path.read_text().splitlines() if path.exists() else []
     parts = [line.partition(" ") for line in lines if " " in line]

@@ -85,7 +85,7 @@ trees = st.recursive(
 
 
 class Followed:
-    """What events say that runs."""
+    """The running skills according to events."""
 
     def __init__(self) -> None:
         self.paths: list[tuple[str, ...]] = []

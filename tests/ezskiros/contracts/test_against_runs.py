@@ -1,4 +1,4 @@
-"""What is reported about the contracts of random trees, against runs of them in small worlds."""
+"""Comparison of the findings about contracts of random trees with runs in small worlds."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What findings about contracts say, in full."""
+"""The full messages of findings about contracts."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ def compound(body: str, parameters: str = "") -> str:
 
 
 def element(body: str, folder: Path) -> ET.Element:
-    """What becomes of a processor."""
+    """The XML element of a processor."""
     text, codes = exported(checked_text(compound(body), folder), "task")
     assert codes == []
     tree = ET.fromstring(text).find("BehaviorTree")

@@ -16,7 +16,7 @@ from support.shared import SKIROS2_TRACES
 from support.tree_files import checked_text
 
 STARTED_AGAIN = {"ParallelFf RRS,RS"}
-"""Where SkiROS2 starts children again that have succeeded: EzSkiROS does not."""
+"""Trees in which SkiROS2 restarts finished children and EzSkiROS does not."""
 pytestmark = needs(BEHAVIOR_TREE_CPP)
 
 

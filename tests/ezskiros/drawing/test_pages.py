@@ -14,7 +14,7 @@ from support.tree_files import checked
 PAGES = sorted((Path(catalog.__file__).parent / "pages").glob("EZS83*.md"))
 
 OF_CHECKS = ("EZS541", "EZS546")
-"""What examples are reported by the check already."""
+"""Codes that the check already reports for the examples."""
 
 
 @pytest.mark.parametrize("heading", ["Example", "Write instead"])

@@ -76,7 +76,7 @@ class often(Often.SkillBase):
 
 
 def said(skills: Skills, *words: str) -> list[str]:
-    """What the steps have said."""
+    """The messages of the steps."""
     ran = skills.run(*words)
     assert ran.outcome.is_success, ran.reason
     return [text for text in ran.notes if text not in ("Start", "End")]

@@ -108,7 +108,7 @@ class Scene:
         return status
 
     def lives(self) -> list[str]:
-        """How primitives started and ended, by their names."""
+        """The start and end events of primitives, with their names."""
         shown = {Happened.STARTED: "+", Happened.SUCCEEDED: "", Happened.PREEMPTED: "!"}
         names: dict[tuple[str, ...], str] = {}
         found = []

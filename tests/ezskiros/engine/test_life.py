@@ -145,7 +145,7 @@ def test_a_post_condition_that_does_not_hold(tmp_path: Path) -> None:
         ("def __init__(self):\n    raise OSError('no bus')\n"
          "def execute(self):\n    return self.success()", "`__init__` raised OSError: no bus"),
         ("def execute(self):\n    return self.execute()",
-         "`execute` raised RecursionError: it calls itself without end"),
+         "`execute` raised RecursionError: it calls itself endlessly"),
     ],
 )  # fmt: skip
 def test_mistakes_of_primitives_are_failures(tmp_path: Path, body: str, said: str) -> None:

@@ -1,4 +1,6 @@
-"""Which implementation does a child that names none: tests/ezskiros/hosts asks SkiROS2 the same."""
+"""The choice of an implementation for a child that names none. tests/ezskiros/hosts runs the same
+cases in SkiROS2.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How primitives start: once for all starts, each time, and why they cannot."""
+"""The start of primitives: calls once and at each start, and reasons why a start fails."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How parameters get their values: from the call, from siblings, from the world, or made up."""
+"""The sources of parameter values: the call, siblings, the world model, or new things."""
 
 from __future__ import annotations
 

@@ -45,7 +45,7 @@ def of_texts(folder: Path, ontology: Path = HALL, **texts: str) -> dict[str, Any
 
 
 def text_at(root: Path, place: dict[str, Any]) -> str:
-    """What stands at a place."""
+    """The text at a place."""
     lines: list[str] = (root / place["path"]).read_text("utf-8").splitlines()
     assert place["line"] == place["end_line"]
     start, end = place["column"] - 1, place["end_column"] - 1

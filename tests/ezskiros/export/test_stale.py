@@ -47,7 +47,7 @@ def test_it_is_stale_when_a_source_changes_or_goes(tmp_path: Path) -> None:
         ('"a.py"', f"`{export.file.path}` is stale: `a.py` has changed"),
         (
             json.dumps("b c/\u00e9.ttl"),
-            f"`{export.file.path}` is stale: `b c/\u00e9.ttl` is not there any more",
+            f"`{export.file.path}` is stale: `b c/\u00e9.ttl` no longer exists",
         ),
     ]
 
@@ -99,7 +99,7 @@ NO_SOURCES = {**HEAD, "sources": [], "digest": digest_of([])}
             json.dumps({**NO_SOURCES, "sources": [{"path": "a", "sha256": "0" * 63 + "\n"}]}),
             "its `sources`",
         ),
-        ('{"format": NaN}', "`NaN` is no number of JSON"),
+        ('{"format": NaN}', "`NaN` is not a JSON number"),
         ("1" * 10_000, ""),
     ],
 )

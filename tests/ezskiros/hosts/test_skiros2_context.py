@@ -55,7 +55,7 @@ class Reported:
         context._contexts.append(self.context)
 
     def running(self) -> list[str] | None:
-        """What is published now; None if it is silent."""
+        """The skills in the current message; None if no message is published."""
         if not self.context.voice.speak():
             return None
         return [each.skill for each in self.heard[-1].running]
@@ -262,7 +262,7 @@ def test_another_export_silences_all(tmp_path: Path) -> None:
 
 def test_a_stale_export_is_refused(tmp_path: Path) -> None:
     path, source = exported(tmp_path)
-    assert "not made of" in str(context.begin(path, [tmp_path / "b.py"], quiet))
+    assert "does not include" in str(context.begin(path, [tmp_path / "b.py"], quiet))
     context._refused.clear()
     source.write_text("")
     assert "`a.py` has changed" in str(context.begin(path, [source], quiet))
@@ -274,7 +274,7 @@ def test_what_is_no_export_is_refused(tmp_path: Path) -> None:
     assert context.begin(path, [], quiet) == f"cannot read {path}: no such file or directory"
     context._refused.clear()
     path.write_text("{}")
-    assert "is no export of skills" in str(context.begin(path, [], quiet))
+    assert "is not an export of skills" in str(context.begin(path, [], quiet))
 
 
 def test_without_ros_there_is_none(tmp_path: Path) -> None:

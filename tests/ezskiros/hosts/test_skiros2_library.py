@@ -1,4 +1,4 @@
-"""Which skills of a library SkiROS2 may load."""
+"""The skills of a library that SkiROS2 may load."""
 
 from __future__ import annotations
 

@@ -1,6 +1,4 @@
-"""Which implementation real SkiROS2 takes for a child that names none: the one that our engine
-takes.
-"""
+"""SkiROS2 and the engine choose the same implementation for a child that names none."""
 # mypy: disable-error-code="no-untyped-call"
 
 from __future__ import annotations

@@ -44,7 +44,7 @@ def found(
     ("kind", "said"),
     [
         ("pre", "its description has no hold-condition"),
-        ("hold", "its hold-conditions did not end it before"),
+        ("hold", "its hold-conditions did not end the skill before"),
     ],
 )
 def test_a_finding_says_how_it_is_with_hold_conditions(
@@ -53,7 +53,7 @@ def test_a_finding_says_how_it_is_with_hold_conditions(
     (wrong,) = found(tmp_path, kind, trip("Drive", {}))
     assert wrong.title == "`Drive` tripped `tilting` in 4 of 9 runs"
     assert wrong.primary.span.text == "Drive"
-    assert wrong.notes == ("the rule found this, first: tilt = 9 deg", said)
+    assert wrong.notes == ("the first evidence of the rule: tilt = 9 deg", said)
 
 
 def test_the_places_with_the_most_runs_are_named(tmp_path: Path) -> None:
@@ -72,4 +72,4 @@ def test_other_skills_are_left_alone(tmp_path: Path) -> None:
     failures = [Failure("Drive", Share(1, 9), "blocked"), Failure("Fly", Share(1, 9), "no wings")]
     said = found(tmp_path, "pre", trip(None, {}), trip("Fly", {}), failures=failures)
     assert [each.title for each in said] == ["`Drive` failed in 1 of 9 runs"]
-    assert said[0].notes == ("most often because of this: blocked",)
+    assert said[0].notes == ("the most frequent reason: blocked",)

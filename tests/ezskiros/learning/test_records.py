@@ -24,7 +24,7 @@ def said(path: Path) -> str:
     assert wrong.code == "EZS866"
     span = wrong.primary.span
     marked = span.text if len(span.text) < 20 else "all"
-    return f"{span.begin.line} {marked}: {wrong.title.partition('learnt from: ')[2]}"
+    return f"{span.begin.line} {marked}: {wrong.title.partition('`: ')[2]}"
 
 
 def changed(lines: Lines, line: int, change: Callable[[dict[str, Any]], object]) -> Lines:
@@ -43,10 +43,10 @@ def verdicts() -> Lines:
         (b"\n\n", "1 : it is empty"),
         (b"\x7fELF\x00\x01", "1 \x7f: this is not JSON (Expecting value)"),
         (b"caf\xe9", "1 : byte 4 is not UTF-8"),
-        (b"[1, 2]\n", "1 [1, 2]: this is no object of JSON"),
+        (b"[1, 2]\n", "1 [1, 2]: this is not a JSON object"),
         (b'{"event": ', "1  : this is not JSON (Expecting value)"),
-        (b'{"at_ns": NaN}', '1 {"at_ns": NaN}: `NaN` is no number of JSON'),
-        (b'{"a":' * 100_000, "1 all: it is too deep"),
+        (b'{"at_ns": NaN}', '1 {"at_ns": NaN}: `NaN` is not a JSON number'),
+        (b'{"a":' * 100_000, "1 all: its nesting is too deep"),
         (b'{"at_ns": ' + b"9" * 5000 + b"}", "1 all: Exceeds the limit"),
         (
             b'{"skills": []}',
@@ -78,12 +78,12 @@ def test_a_file_that_is_too_large_is_not_read(
             '1 "schema": its `schema` is 2, and this EzSkiROS reads 1',
         ),
         (1, lambda it: it.pop("rules"), "1 all: `rules` is not there"),
-        (1, lambda it: it.update(rules=[1]), '1 "rules": `rules` is not a list of texts'),
+        (1, lambda it: it.update(rules=[1]), '1 "rules": `rules` is not a list of strings'),
         (1, lambda it: it.update(end_ns=0), '1 "end_ns": it ends before it starts'),
         (
             1,
             lambda it: it.update(start_ns=-1),
-            '1 "start_ns": `start_ns` is no stamp in nanoseconds',
+            '1 "start_ns": `start_ns` is not a time stamp in nanoseconds',
         ),
         (1, lambda it: it.update(start_ns=1e18), '1 "start_ns": `start_ns` is not an integer'),
         (2, lambda it: it.update(rule="other"), '2 "rule": the header has no rule `other`'),
@@ -98,7 +98,7 @@ def test_a_file_that_is_too_large_is_not_read(
         (
             4,
             lambda it: it.update(type="time_jump", from_ns=5, to_ns=3),
-            '4 "from_ns": its stamps jump back here',
+            '4 "from_ns": its time stamps jump back here',
         ),
     ],
 )
@@ -112,9 +112,13 @@ def test_what_is_wrong_in_verdicts_is_reported(
 @pytest.mark.parametrize(
     ("line", "change", "expected"),
     [
-        (2, lambda it: it.pop("at_ns"), '2 "time": `at_ns` is not there'),
+        (2, lambda it: it.pop("at_ns"), '2 "time": `at_ns` is missing'),
         (2, lambda it: it.update(at_ns=True), '2 "at_ns": `at_ns` is not an integer'),
-        (2, lambda it: it.update(at_ns=2**63), '2 "at_ns": `at_ns` is no stamp in nanoseconds'),
+        (
+            2,
+            lambda it: it.update(at_ns=2**63),
+            '2 "at_ns": `at_ns` is not a time stamp in nanoseconds',
+        ),
         (3, lambda it: it.update(at_ns=1), '3 "at_ns": this stamp is earlier than the one before'),
         (2, lambda it: it.update(path=[]), '2 "path": `path` names no skill'),
         (2, lambda it: it.update(path="Drive"), '2 "path": `path` is not a list'),
@@ -131,7 +135,7 @@ def test_what_is_wrong_in_a_trace_is_reported(
 
 def test_a_trace_that_breaks_off_is_refused(tmp_path: Path) -> None:
     path = write(tmp_path / "trace.jsonl", refill(0, "here")[:-2])
-    assert said(path) == "4 all: it breaks off here, while `Refill` runs"
+    assert said(path) == "4 all: it ends here while `Refill` runs"
     text = "".join(json.dumps(each) + "\n" for each in refill(0, "here"))
     path.write_text(text[:-20], encoding="utf-8")
     assert said(path).startswith('6 ": this is not JSON')
@@ -140,7 +144,7 @@ def test_a_trace_that_breaks_off_is_refused(tmp_path: Path) -> None:
 def test_a_trace_without_skills_is_refused(tmp_path: Path) -> None:
     context = {"tick": 1, "at_ns": START_NS, "event": "context", "running": []}
     path = write(tmp_path / "trace.jsonl", [context])
-    assert said(path) == "1 all: no skill runs in it"
+    assert said(path) == "1 all: it contains no skill"
 
 
 def test_what_is_not_known_is_passed_over(tmp_path: Path) -> None:

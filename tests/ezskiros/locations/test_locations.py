@@ -1,4 +1,4 @@
-"""Where the things of scenes are: boxes, polygons, points, and what is none of them."""
+"""The locations of things in scenes: boxes, polygons, points, and invalid values."""
 
 from __future__ import annotations
 
@@ -136,17 +136,17 @@ def test_a_star_keeps_its_corners(
         ("POLYGON ((0 0, 2 0, 2 2, 1 0, 0 2, 0 0))", "crosses or touches itself at (1, 0)"),
         ("POLYGON ((0 0, 1 0, 2 0, 0 0))", "crosses or touches itself at (1, 0)"),
         ("POLYGON ((0 0, 4 0, 4 4, 0 0), (2 1, 3 1, 3 2, 2 1))", "has a hole"),
-        ("POLYGON ((0 0, 1 0, 1 1))", "is no well-known text: Points of LinearRing"),
-        ("POLYGON ((0 0, 1 0", "is no well-known text"),
+        ("POLYGON ((0 0, 1 0, 1 1))", "is not well-known text: Points of LinearRing"),
+        ("POLYGON ((0 0, 1 0", "is not well-known text"),
         ("", "does not begin with POLYGON"),
         ("POLYGON EMPTY", "is empty"),
         ("POINT (1 2)", "does not begin with POLYGON"),
         ("MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)))", "does not begin with POLYGON"),
         pytest.param("GEOMETRYCOLLECTION (" * 100_000, "does not begin with POLYGON", id="deep"),
-        pytest.param("POLYGON (" * 100_000, "is no well-known text", id="deep polygon"),
+        pytest.param("POLYGON (" * 100_000, "is not well-known text", id="deep polygon"),
         ("POLYGON Z ((0 0 1, 1 0 1, 1 1 1, 0 0 1))", "has heights"),
-        ("POLYGON ((0 0, 1 nan, 1 1, 0 0))", "has a coordinate that is no number"),
-        ("POLYGON ((0 0, 1e400 1, 1 1, 0 0))", "has a coordinate that is no number"),
+        ("POLYGON ((0 0, 1 nan, 1 1, 0 0))", "has a coordinate that is not a number"),
+        ("POLYGON ((0 0, 1e400 1, 1 1, 0 0))", "has a coordinate that is not a number"),
         ("POLYGON ((0 0, 2e6 1, 1 1, 0 0))", "up to 1000000 m"),
         ("<http://x.org/1> POLYGON ((0 0, 1 0, 1 1, 0 0))", "names a coordinate system"),
     ],
@@ -170,22 +170,22 @@ def test_too_many_corners_are_refused_at_once() -> None:
 @pytest.mark.parametrize(
     ("said", "code", "title"),
     [
-        (f"{FRAME} ; skiros:PositionX 1.0", "EZS611", "skiros:PositionX, and no skiros:PositionY"),
-        (f"{FRAME} ; {AT} ; skiros:SizeY 1.0", "EZS611", "skiros:SizeY, and no skiros:SizeX"),
-        (AT, "EZS611", "skiros:PositionX, and no skiros:BaseFrameId"),
-        (f'skiros:BaseFrameId "" ; {AT}', "EZS611", "and no skiros:BaseFrameId"),
-        ('geo:asWKT "POLYGON ((0 0, 1 0, 1 1, 0 0))"', "EZS611", "geo:asWKT, and no skiros:Base"),
-        (f"{FRAME} ; {SIZED} ; skiros:OrientationZ 1.0", "EZS611", "and no skiros:OrientationX"),
+        (f"{FRAME} ; skiros:PositionX 1.0", "EZS611", "skiros:PositionX but no skiros:PositionY"),
+        (f"{FRAME} ; {AT} ; skiros:SizeY 1.0", "EZS611", "skiros:SizeY but no skiros:SizeX"),
+        (AT, "EZS611", "skiros:PositionX but no skiros:BaseFrameId"),
+        (f'skiros:BaseFrameId "" ; {AT}', "EZS611", "but no skiros:BaseFrameId"),
+        ('geo:asWKT "POLYGON ((0 0, 1 0, 1 1, 0 0))"', "EZS611", "geo:asWKT but no skiros:Base"),
+        (f"{FRAME} ; {SIZED} ; skiros:OrientationZ 1.0", "EZS611", "but no skiros:OrientationX"),
         (f"{FRAME} ; {AT}, 3.0", "EZS612", "skiros:PositionY of skiros:Location-1 has several"),
         (f"{FRAME} ; {AT.replace('1.0', 'true')}", "EZS612", "PositionX of skiros:Location-1 is t"),
-        (f"{FRAME} ; {AT.replace('1.0', '1e7')}", "EZS612", "is 1e7, and no number up to 1000000"),
+        (f"{FRAME} ; {AT.replace('1.0', '1e7')}", "EZS612", "is 1e7, not a number up to 1000000"),
         (f"{FRAME} ; {SIZED.replace('4.0', '0.0')}", "EZS612", "SizeX of skiros:Location-1 is 0;"),
         (f"{FRAME} ; {SIZED} ; skiros:SizeZ -1.0", "EZS612", "SizeZ of skiros:Location-1 is -1;"),
         (
             f"{FRAME} ; {SIZED} ; skiros:OrientationX 0.0 ; skiros:OrientationY 0.0 ;"
             " skiros:OrientationZ 0.0 ; skiros:OrientationW 0.0",
             "EZS612",
-            "belongs to no quaternion of length 1",
+            "does not belong to a quaternion of length 1",
         ),
     ],
 )

@@ -1,4 +1,4 @@
-"""What the tests of migrations have in common."""
+"""Common fixtures of the migration tests."""
 
 from __future__ import annotations
 

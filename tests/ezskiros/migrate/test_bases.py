@@ -111,15 +111,15 @@ def test_a_base_that_is_nowhere_is_told_once(tmp_path: Path) -> None:
         tmp_path, saying=library + skill("Say"), asking=library + skill("Ask") + skill("Beg")
     )
     (problem,) = found.diagnostics
-    assert problem.title == "`ask` is derived from `Caller`, which is in none of these files"
-    assert problem.help == "name the library that has `Caller` as well, if there is one"
-    assert problem.notes[-1] == "for the same reason `beg` and `say` are left"
-    assert "# EZS733: `say` is derived from `Caller`" in texts["saying"]
+    assert problem.title == "`ask` inherits from `Caller`, which none of these files defines"
+    assert problem.help == "if a library defines `Caller`, give its file as well"
+    assert problem.notes[-1] == "for the same reason `beg` and `say` are not translated"
+    assert "# EZS733: `say` inherits from `Caller`" in texts["saying"]
 
 
 def test_what_is_between_a_skill_and_a_base_that_is_nowhere() -> None:
     found = migrated("\n\nclass Speaker(Caller):\n    pass\n", skill("Say", "Speaker"))
-    said = "is derived from `Caller` by way of `Speaker`, which is in none of these files"
+    said = "inherits from `Caller` through `Speaker`, which none of these files defines"
     assert told(found) == [("EZS733", f"`say` {said}")]
 
 
@@ -129,20 +129,20 @@ def test_what_is_between_a_skill_and_a_base_that_is_nowhere() -> None:
 )
 def test_bases_that_are_none_of_skills(bases: str, said: str) -> None:
     found = migrated(skill("Beg", "PrimitiveBase"), skill("Say", bases))
-    assert ("EZS733", f"`say` is derived from {said}") in told(found)
+    assert ("EZS733", f"`say` inherits from {said}") in told(found)
 
 
 def test_each_description_needs_the_parameters_of_the_base() -> None:
     found = migrated(BASE, skill("Say"), skill("Ask", declared="pass"), skill("Beg", "Caller"))
     assert told(found) == [
         ("EZS724", "`Ask` has no parameter `Text`"),
-        ("EZS738", "`say`, `ask` and `beg` are left with `Caller`"),
+        ("EZS738", "`say`, `ask` and `beg` are not translated because `Caller` is not"),
     ]
     cause, follows = found.diagnostics
     assert cause.help == "declare it in all descriptions that are built on `Caller`"
     assert follows.severity is Severity.WARNING
     assert follows.primary.span.text == "Caller"
-    left = "belongs together with `Caller`, which is left as it is, for EZS724"
+    left = "depends on `Caller`, which is not translated because of EZS724"
     assert f"# EZS733: `say` {left}\nclass say(Caller):\n" in found.text
     assert "class Caller(PrimitiveBase):\n" in found.text
 
@@ -151,7 +151,7 @@ def test_a_description_that_is_left_keeps_the_base() -> None:
     wide = PARAMETER + '\n        self.addParam("All", dict, ParamTypes.Required)'
     found = migrated(BASE, skill("Say"), skill("Ask", declared=wide))
     assert {code for code, _ in told(found)} == {"EZS704", "EZS737", "EZS738"}
-    assert ("EZS738", "`Caller` and `say` are left with `ask`") in told(found)
+    assert ("EZS738", "`Caller` and `say` are not translated because `ask` is not") in told(found)
     again = migrate_text("skills.py", found.text.replace("dict", "str"))
     assert not again.diagnostics
     assert "EZS7" not in again.text
@@ -218,7 +218,7 @@ def test_a_state_under_another_name() -> None:
 
 def test_states_that_only_skiros2_has() -> None:
     found = migrated(STATE, returning("State.Failure if self.x == State.Idle else 1"))
-    assert [title.partition(" is ")[0] for _, title in told(found)] == ["`State.Idle`"]
+    assert [title.partition(" belongs ")[0] for _, title in told(found)] == ["`State.Idle`"]
     assert "return State_.FAILURE if self.x == State.Idle else 1\n" in found.text
     assert "import SkillDescription, State as State_\n" in found.text
 

@@ -194,7 +194,7 @@ def test_a_description_that_another_file_builds_on_is_left(tmp_path: Path) -> No
     derived = GOOD.replace("Wait(SkillDescription)", "Rest(Wait)")
     written(tmp_path / "b.py", f"from .a import Wait\n{derived}")
     result = migrate(tmp_path)
-    assert "`Wait` is what a description elsewhere is built on" in result.stdout
+    assert "`Wait` is the base of a description elsewhere" in result.stdout
     assert "2 descriptions: 0 translated, 2 left as they are" in result.stdout
 
 

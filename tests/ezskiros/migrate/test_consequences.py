@@ -60,15 +60,23 @@ def test_all_that_is_left_with_a_description_is_one_finding() -> None:
     cause, follows = found.diagnostics
     assert cause.code == "EZS704"
     assert (follows.code, follows.severity) == ("EZS737", Severity.WARNING)
-    assert follows.title == "`write`, `open_door` and `open_gate` are left with `Write`"
+    assert (
+        follows.title
+        == "`write`, `open_door` and `open_gate` are not translated because `Write` is not"
+    )
     assert follows.primary.span.text == "Write"
-    assert follows.primary.text == "this description is left for EZS704"
+    assert follows.primary.text == "this description is not translated because of EZS704"
 
 
 def test_each_place_has_a_mark() -> None:
     text = migrate_text("skills.py", HEAD + WRITE + OPEN).text
-    assert text.count("# EZS722: the child `Write` is left as it is, for EZS704\n") == 2
-    assert text.count("# EZS721: `Write`, which this implements, is left as it is, for EZS704") == 1
+    assert text.count("# EZS722: the child `Write` is not translated because of EZS704\n") == 2
+    assert (
+        text.count(
+            "# EZS721: `Write`, which this class implements, is not translated because of EZS704"
+        )
+        == 1
+    )
 
 
 def test_over_several_files(tmp_path: Path) -> None:
@@ -84,8 +92,8 @@ def test_a_skill_that_is_nowhere_is_told_once() -> None:
     found = migrate_text("skills.py", HEAD + OPEN)
     (problem,) = found.diagnostics
     assert problem.code == "EZS722"
-    assert problem.title == "the child `Write` is described in none of these files"
-    assert problem.notes[-1] == "for the same reason `open_gate` is left"
+    assert problem.title == "the child `Write` is not described in these files"
+    assert problem.notes[-1] == "for the same reason `open_gate` is not translated"
 
 
 def test_what_has_faults_of_its_own_is_told_of_those_too() -> None:

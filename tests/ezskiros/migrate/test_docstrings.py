@@ -1,4 +1,4 @@
-"""What is said of parameters is said in the docstring of the method."""
+"""Comments on parameters move to the docstring of the method."""
 
 from __future__ import annotations
 

@@ -71,7 +71,7 @@ def written(folder: Path, **texts: str) -> Path:
 
 
 def migrated(package: Path) -> tuple[Migration, dict[str, str]]:
-    """What becomes of a package, and the new texts of its modules, which are written."""
+    """The migration of a package, and the new texts of its modules, which are written."""
     found = migrate_paths([package], ".world")
     for each in found.files:
         each.write()
@@ -79,7 +79,7 @@ def migrated(package: Path) -> tuple[Migration, dict[str, str]]:
 
 
 def checked(package: Path) -> Checked:
-    """What a check says of a package, which gets a world."""
+    """The check of a package, which gets a world module."""
     (package / "all.ttl").write_text(ONTOLOGY)
     (package / "world.py").write_text(WORLD)
     return check_paths([package])
@@ -278,8 +278,8 @@ def test_an_implementation_of_a_skill_that_another_file_leaves(tmp_path: Path) -
     )
     found, texts = migrated(package)
     assert [each.code for each in found.diagnostics] == ["EZS704", "EZS737"]
-    left = "is left as it is, for EZS704\n"
-    assert f"# EZS721: `Drive`, which this implements, {left}" in texts["primitive"]
+    left = "is not translated because of EZS704\n"
+    assert f"# EZS721: `Drive`, which this class implements, {left}" in texts["primitive"]
     assert f"# EZS722: the child `Drive` {left}" in texts["delivering"]
     assert "class Deliver(SkillDescription):\n    def description(" in texts["delivering"]
 

@@ -1,4 +1,4 @@
-"""What cannot be translated, case by case: beyond the examples of the pages."""
+"""Cases that cannot be translated, beyond the examples of the pages."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ LOCKED = 'self.getPropCond("Locked", "skiros:Locked", "The Door", "=", True, Tru
 
 
 def migrated(lines: str) -> tuple[str, list[str]]:
-    """What becomes of the method with these lines, and the codes of the findings."""
+    """The translation of the method with these lines, and the codes of the findings."""
     text = "\n".join(f"        {line}" for line in lines.splitlines())
     found = migrate_text("skills.py", CLASSES.format(lines=text))
     new = found.text

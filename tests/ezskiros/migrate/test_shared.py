@@ -157,7 +157,7 @@ def test_a_tree_that_is_left_needs_no_parameters() -> None:
     text = SKILLS + described("Park")
     text += compound("park", LOOKS, DRIVES, 'self.skill("Nowhere", "")')
     found = migrated(text)
-    assert said(found) == ["EZS722: the child `Nowhere` is described in none of these files"]
+    assert said(found) == ["EZS722: the child `Nowhere` is not described in these files"]
     assert "Spot: " not in found.text
     assert "EZS723" not in found.text
 
@@ -229,7 +229,7 @@ def test_a_remap_the_wrong_way_round() -> None:
     drives = 'self.skill("Drive", "drive", remap={"Lot": "Target"})'
     (problem,) = migrated(text + compound("park", drives)).diagnostics
     assert (problem.code, problem.primary.span.text) == ("EZS724", '"Lot"')
-    assert problem.help == 'write {"Target": "Lot"}: the parameter of the child stands first'
+    assert problem.help == 'write {"Target": "Lot"}: the parameter of the child comes first'
 
 
 def test_a_parameter_that_only_children_have_is_none_of_the_methods() -> None:

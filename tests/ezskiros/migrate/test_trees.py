@@ -16,7 +16,7 @@ from support.tree_round_trip import new_trees, old_trees
 
 HERE = Path(__file__).parent
 UNRELATED = ("EZS526", "EZS527", "EZS530", "EZS531", "EZS544")
-"""What is told of any tree here: the classes are unrelated, and children miss values."""
+"""Findings that each tree here has: the classes are unrelated, and children have missing values."""
 
 
 def compare(text: str) -> None:

@@ -1,4 +1,4 @@
-"""What an ontology entails, as far as the checks need it."""
+"""The entailments of an ontology that the checks need."""
 
 from __future__ import annotations
 

@@ -139,7 +139,7 @@ def test_a_path_that_leads_nowhere_is_reported(tmp_path: Path) -> None:
 
 
 def test_a_folder_without_a_file_is_reported(tmp_path: Path) -> None:
-    with pytest.raises(session.SkillError, match="there is no file of one in"):
+    with pytest.raises(session.SkillError, match="no ontology file in"):
         load(tmp_path)
 
 
@@ -159,4 +159,4 @@ def test_a_list_that_runs_in_a_circle_ends() -> None:
 @pytest.mark.parametrize("text", ["", '<?xml version="1.0"?>\n'])
 def test_a_file_without_elements_is_no_xml(text: str) -> None:
     _, (wrong,) = loaded(text, ".owl")
-    assert (wrong.code, wrong.title) == ("EZS102", "this is not RDF/XML: no element found")
+    assert (wrong.code, wrong.title) == ("EZS102", "this is not valid RDF/XML: no element found")

@@ -67,7 +67,7 @@ def findings(ask: str, **names: object) -> list[Diagnostic]:
         ("world.skirso", "EZS110", "did you mean `skiros`?"),
         ("world.other", "EZS110", "there are `cora`, `rparts`, `scalable`, `skiros` and `sumo`"),
         ("world.skiros.Produkt", "EZS111", "did you mean `skiros.Product`?"),
-        ("world.skiros.Robot", "EZS111", "it is in another namespace: write `cora.Robot`"),
+        ("world.skiros.Robot", "EZS111", "another namespace has this name: write `cora.Robot`"),
         ("world.skiros.Robott", "EZS111", "did you mean `cora.Robot`?"),
     ],
 )

@@ -24,7 +24,7 @@ def written(page: Path, heading: str) -> list[Block]:
     "page", [each for each in PAGES if each.stem not in WITHOUT_EXAMPLE], ids=lambda page: page.stem
 )
 def test_the_example_has_the_finding(page: Path, heading: str, tmp_path: Path) -> None:
-    """What to write instead replaces the parts of the example that it has."""
+    """The text under "Write instead" replaces its parts of the example."""
     for block in (*written(page, "Example"), *(written(page, heading))):
         (tmp_path / (block.name or "goal")).write_text(block.text, encoding="utf-8")
     goal = (tmp_path / "goal").read_text("utf-8").strip()

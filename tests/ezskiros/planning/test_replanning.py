@@ -145,7 +145,7 @@ def test_no_way_is_left(tmp_path: Path) -> None:
     assert robot.to_the_end() is Status.FAILURE
     ((is_done, why),) = robot.reported
     assert not is_done
-    assert why.startswith("no plan leads to the goal of the task: no skill leads to this: ")
+    assert why.startswith("no plan leads to the goal of the task: no skill achieves ")
     assert "Robot-1 skiros:at skiros:Location-5" in why
 
 
@@ -155,12 +155,12 @@ def test_no_way_is_left(tmp_path: Path) -> None:
         (
             "self.post_conditions += Robot.at(Place)",
             "self.pre_conditions += Robot.at(Place) | ~Robot.at(Place)",
-            "`Deliver` has no post-condition: nobody knows its goal",
+            "`Deliver` has no post-condition, so its goal is unknown",
         ),
         (
             "self.post_conditions += Robot.at(Place)",
             "self.post_conditions += Robot.at(Place) | ~Robot.at(Place)",
-            "a post-condition of `Deliver` is none that a plan can lead to",
+            "a post-condition of `Deliver` cannot be the goal of a plan",
         ),
         ("Speed: float = 0.5,", "Way: str,", "`Drive` needs a value for `Way`"),
     ],
@@ -254,7 +254,7 @@ def test_no_way_is_left_without_what_rules_stop(
     assert robot.ways() == []
     ((is_done, why),) = robot.reported
     assert not is_done
-    assert why.startswith("no plan leads to the goal of the task: no skill leads to this: ")
+    assert why.startswith("no plan leads to the goal of the task: no skill achieves ")
     assert why.endswith(f"({reason})")
 
 
@@ -285,7 +285,7 @@ def test_goals_that_exclude_each_other_for_the_rules_only(tmp_path: Path) -> Non
     robot.block("hall", "dock", TO_CONTAINERS)
     assert robot.to_the_end() is Status.FAILURE
     why = robot.reported[0][1]
-    assert "no sequence of skills leads to this" in why
+    assert "no sequence of skills reaches all goals together" in why
     assert "the rules forbid `Drive(To = a skiros:Container)`" in why
 
 

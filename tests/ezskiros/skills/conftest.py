@@ -1,4 +1,4 @@
-"""Where skills are tested: with the ontology of the example, and a place for installed packages."""
+"""Fixtures of the skill tests: the ontology of the example, and a folder for installed packages."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from support.ontologies import HALL
 
 @pytest.fixture
 def hall(monkeypatch: pytest.MonkeyPatch) -> None:
-    """What `load()` loads."""
+    """Let `load()` return the example ontology."""
     monkeypatch.setenv(VARIABLE, str(HALL))
 
 
 @pytest.fixture
 def library(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[Path]:
-    """Where packages are installed."""
+    """The folder of installed packages."""
     folder = tmp_path / "site" / "dist-packages"
     folder.mkdir(parents=True)
     monkeypatch.syspath_prepend(folder)

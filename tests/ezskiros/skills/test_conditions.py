@@ -1,4 +1,4 @@
-"""What can be written in a description, and what comes of it."""
+"""The conditions of a description, and their representation."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What goes on in place of something that a check does not do."""
+"""Mocks of calls that a check skips."""
 
 from __future__ import annotations
 

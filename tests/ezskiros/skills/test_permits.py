@@ -1,4 +1,4 @@
-"""What a skill permits and uses: how it is written, and what is wrong with it."""
+"""The permissions and uses of a skill, and mistakes in them."""
 
 from __future__ import annotations
 

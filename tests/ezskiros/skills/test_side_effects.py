@@ -100,7 +100,7 @@ def test_conditions_that_depend_on_what_was_not_done_are_reported() -> None:
     result = described(body)
     assert found(result) == [("EZS221", 'input("heavy?")'), ("EZS225", 'input("heavy?") == "yes"')]
     titles = [each.title for each in result.diagnostics]
-    assert "the conditions of `Skill` depend on what `input` gives" in titles
+    assert "the conditions of `Skill` depend on the result of `input`" in titles
 
 
 def test_conditions_in_a_loop_over_what_was_not_done_are_reported() -> None:
@@ -121,7 +121,7 @@ def test_a_text_with_the_value_of_a_parameter_is_not_known() -> None:
     body = "self.pre_conditions += Place.ContainerState == f'{Name}s'"
     result = described(body, "Place: skiros.Container, Name: str")
     assert [each.title for each in result.diagnostics if each.code == "EZS305"] == [
-        "`ContainerState` is compared with a text that is not known before the skill runs"
+        "`ContainerState` is compared with a string that is unknown before the skill runs"
     ]
 
 

@@ -17,7 +17,7 @@ from support.type_checkers import Checker, mypy, pyright
 
 ODD = Path(__file__).with_name("odd")
 ABOUT_TERMS = {"EZS301", "EZS302", "EZS401", "EZS402", "EZS403", "EZS404", "EZS405"}
-"""What the words of a condition mean, and what they fit; not how conditions fit each other."""
+"""Codes about the meaning of terms and their classes, not about combinations of conditions."""
 
 CLASSES = [
     *("lab.Kind", "lab.Room", "lab.Vehicle", "lab.Wagon", "shop.class_", "shop.Box"),
@@ -25,8 +25,10 @@ CLASSES = [
 ]
 VALUES = ("1", "0.5", '"on"')
 OPEN = ("shop.anyhow(", "Share")
-"""Where type checkers know less: what single classes say of a relation is not in the function of
-the namespace; and of values that are listed there is no type if one is a fraction."""
+"""Cases that type checkers cannot decide. The function of a namespace does not contain the
+restrictions of single classes on a relation. Listed values have no literal type if one of them is a
+fraction.
+"""
 
 
 @pytest.fixture(scope="module")
@@ -93,6 +95,6 @@ def conditions(ontology: Ontology) -> Iterator[str]:
 
 
 def by_itself(ontology: Ontology, iri: str) -> Iterator[str]:
-    """How a property is named by its namespace; one that is also a class is not."""
+    """The names of properties in their namespace, except the names that are also classes."""
     if iri not in ontology.model.classes:
         yield ontology.model.short(iri).replace(":", ".")

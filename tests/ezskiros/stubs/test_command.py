@@ -66,7 +66,7 @@ def test_it_counts_whether_relations_are_known(out: Path) -> None:
 def test_an_empty_folder_gives_no_stub(out: Path, tmp_path: Path) -> None:
     done = stubs("--out", out, "--ontology", tmp_path)
     assert (done.returncode, out.exists()) == (2, False)
-    assert "there is no file of one in" in done.stdout
+    assert "no ontology file in" in done.stdout
 
 
 def test_without_an_ontology_there_is_no_stub(out: Path) -> None:

@@ -1,4 +1,4 @@
-"""What stubs say."""
+"""The content of stubs."""
 
 from __future__ import annotations
 

@@ -37,7 +37,8 @@ TASKS = (
 )
 RULES = 4
 CLAIMS = {0: ((2, None), (0, 0), (1, 0)), 1: ((1, None), (3, 1))}
-"""Who may claim each resource, the first first, and what these do to it if it is one thing."""
+"""The tasks that may claim each resource by priority, and the command of each on a single resource.
+"""
 STAGES = (1, 2, 2, 1)
 LIMITS = ((2, 0, -0.2, 0.2, 0.3), (2, 2, -1.0, 1.0, 0.0), (7, 0, -0.1, 0.5, 1e9))
 """Task, field, least, greatest, and how fast that fades."""
@@ -47,7 +48,7 @@ SCALE = (5, 0.5, 0.1)
 
 @dataclass(frozen=True)
 class Stand:
-    """How a reactor stands."""
+    """The state of a reactor."""
 
     now_ns: int
     next_wake_ns: int
@@ -146,7 +147,7 @@ def _due(task: Task, state: int, since_ns: int) -> int:
 
 
 def _moved(stand: Stand, task: int, ramp: float, t_ns: int) -> float:
-    """How far a limit has faded since it was lifted."""
+    """The value of a limit on its ramp after it was lifted."""
     if stand.state[task] == HOLDING:
         return 0.0
     since_ns = stand.since_ns[task]

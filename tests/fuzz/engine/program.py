@@ -106,7 +106,7 @@ def _packed(call: Call) -> bytes:
 
 @cache
 def _folder() -> Path:
-    """Where the programs are built, beside the engine."""
+    """The folder of the built programs, beside the engine."""
     folder = tempfile.TemporaryDirectory()
     atexit.register(folder.cleanup)
     write(files(), Path(folder.name))

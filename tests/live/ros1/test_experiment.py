@@ -34,8 +34,8 @@ EXPECTED = {
         *("back_off_steep_ramp activated", "back_off_steep_ramp cleared"),
     },
 }
-"""What rules say. They limit and boost; on the steep ramp they replan, and command in the place of
-the program.
+"""The effects of the rules: they limit and boost; on the steep ramp they replan and command instead
+of the program.
 """
 
 NEAR = 0.3

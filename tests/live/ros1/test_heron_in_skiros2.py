@@ -44,7 +44,7 @@ heron:Robot rdfs:subClassOf cora:Robot .
 STATE, PUSHED = "/contact_skills_safety/state", "/pushed"
 TIDY = ["tidy_up", "Box=box", "Mark=mark", "Board=board"]
 BEGUN, AT_MARK = 0.01, 0.13
-"""How far the box is pushed (m): to the mark are 14 cm at least."""
+"""Distances by which the box is pushed (m). The distance to the mark is at least 0.14 m."""
 LATE_NS = 3_000_000_000
 TIMEOUT, SOON = 0.5, 0.5
 """Seconds: of the context, and in which a node on a busy machine says what it has noticed."""

@@ -107,7 +107,7 @@ def test_a_planner_in_a_container_is_behind_the_filter(
     tmp_path: Path,
     is_running: bool,
 ) -> None:
-    """Whether the launch file starts the container or loads the planner into one that runs."""
+    """The launch file starts the container, or loads the planner into a running container."""
     robot.set(speed=None)
     planner = COMPONENTS.replace("LOADED", repr(is_running)).replace("/ComponentManager", container)
     launch = ros2.launch_behind(planner, tmp_path, settings(tmp_path))

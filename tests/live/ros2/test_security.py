@@ -54,7 +54,9 @@ SELDOM = {"publish": {"/bond"}, "subscribe": {"/bond", "/clock"}}
 
 
 def rights(text: str) -> dict[str, set[str]]:
-    """What the first enclave of a policy allows; actions as their topics and services."""
+    """The permissions of the first enclave in a policy. Actions appear as their topics and
+    services.
+    """
     profile = next(ET.fromstring(text).iter("profile"))
     found: dict[str, set[str]] = {
         each: set() for each in ("publish", "subscribe", "reply", "request")

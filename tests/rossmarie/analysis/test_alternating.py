@@ -107,7 +107,7 @@ def ask(folder: Path, rules: str) -> tuple[Path, Machine, list[Finding]]:
 
 
 def starts(machine: Machine, witness: Witness) -> list[int]:
-    """How often each rule becomes active in a witness."""
+    """The number of activations of each rule in a witness."""
     seen = [(False,) * len(machine.rules), *(view.active for view in views(machine, witness))]
     return [
         sum(now[rule] and not before[rule] for before, now in itertools.pairwise(seen))

@@ -1,4 +1,4 @@
-"""What is said of the loss of inputs is what happens."""
+"""Statements about stale inputs agree with the behavior of the monitor."""
 
 from __future__ import annotations
 

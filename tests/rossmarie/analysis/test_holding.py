@@ -68,7 +68,7 @@ def ask(folder: Path, does: str, condition: str, contract: str) -> tuple[Machine
 
 
 def passed(machine: Machine, reactor: Reactor, at_ns: int, asked: float) -> dict[str, float]:
-    """What the filter makes of a command that asks for one speed in all directions."""
+    """The output of the filter for a command with one speed in all directions."""
     asks = dict.fromkeys(("x", "y", "z"), asked)
     for task, state in zip(machine.reactions.tasks, reactor.states, strict=True):
         if isinstance(task.effect, Publish) and state is State.HOLDING:
@@ -86,8 +86,8 @@ def ways_out(
     asked_at: Callable[[int], float] = lambda tick: ((tick * 7) % 40 - 20) / 10,
     speed_at: Callable[[int], float] = lambda tick: 2.0 if tick == 0 else 0.0,
 ) -> int:
-    """How often the rule is cleared, or reset, while a planner asks for speeds (all kinds of them),
-    and the robot has some (it was fast once).
+    """The number of times the rule is cleared or reset while a planner sends various speeds, and
+    the robot has various speeds and was once fast.
     """
     monitor, reactor = Interpreter(machine), Reactor(machine.reactions)
     reactor.open()

@@ -47,7 +47,7 @@ def _finite(number: float) -> float:
 
 
 def codes(folder: Path, rules: str) -> list[tuple[str, str]]:
-    """What a check finds of these rules behind those of the fixture: codes, and rules."""
+    """The findings of a check of these rules after the rules of the fixture: codes and rules."""
     path = Path(shutil.copytree(RULES, folder / "rules")) / "skillful.ross"
     path.write_text(path.read_text(encoding="utf-8") + rules, encoding="utf-8")
     found = analyze_file(path).findings

@@ -1,4 +1,4 @@
-"""What can be at some evaluation: what doubles do beyond real numbers is not left out."""
+"""Possible states at an evaluation, including the special values of doubles."""
 
 from __future__ import annotations
 

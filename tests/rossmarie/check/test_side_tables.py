@@ -1,4 +1,6 @@
-"""What the checker hands on: a type for every expression, a value for every constant one."""
+"""The results of the checker: a type for every expression, a value for every constant
+expression.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `check --thorough`, its witnesses, and `failures` print."""
+"""The output of `check --thorough` with its witnesses, and of `failures`."""
 
 from __future__ import annotations
 

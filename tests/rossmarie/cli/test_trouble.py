@@ -51,7 +51,7 @@ def _as_user() -> list[str]:
 
 
 def is_refused(done: subprocess.CompletedProcess[str], text: str) -> bool:
-    """Whether a run ended with 2, and with this one line."""
+    """Say whether a run ended with exit code 2 and only this line."""
     return done.returncode == 2 and done.stderr.count("\n") == 1 and text in done.stderr
 
 

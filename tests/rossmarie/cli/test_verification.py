@@ -52,9 +52,10 @@ def rules(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 @pytest.fixture
 def prove_by(monkeypatch: pytest.MonkeyPatch) -> Any:
-    """What makes a prover the one that the command finds.
+    """A function that sets the prover of the command.
 
-    It answers in a single process, a fork: starting others takes longer than their answers.
+    The prover answers in a single forked process: starting other processes takes longer than their
+    answers.
     """
     monkeypatch.setattr(os, "cpu_count", lambda: 1)
     multiprocessing.set_forkserver_preload(["pytest", "rossmarie.driver.verifying"])

@@ -22,7 +22,7 @@ SINE_BOUND, TANGENT_BOUND = 0.75, 0.85
 """In units of the last place, as `docs/explanation/semantics.md` says in S5."""
 
 POINTS = 20_000 if is_deep() else 1_000
-"""How many of each kind are compared."""
+"""The number of compared values of each kind."""
 
 PI = math.pi
 FINITE = st.floats(allow_nan=False, allow_infinity=False)

@@ -22,7 +22,7 @@ BOUND, FAR_BOUND = 0.8, 1.5
 """In units of the last place up to a thousand radians and beyond, as S69 says."""
 
 POINTS = 10_000 if is_deep() else 500
-"""How many of each kind are compared."""
+"""The number of compared values of each kind."""
 
 
 def sine(angle: float) -> float:

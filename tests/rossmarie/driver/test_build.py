@@ -1,4 +1,4 @@
-"""Which files a build writes, and which it leaves alone."""
+"""The files that a build writes, and the files that it keeps."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the compiler holds after a stage."""
+"""The data of the compiler after each stage."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which engine runs a rules file, and what is said where it is not the native one."""
+"""The engine that runs a rules file, and the message if it is not the native engine."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What shows a finding, as a test that a user can keep: it does what the witness does."""
+"""Witnesses of findings as tests that a user can keep, with the same behavior."""
 
 from __future__ import annotations
 

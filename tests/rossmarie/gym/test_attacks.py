@@ -1,4 +1,4 @@
-"""What may go wrong around guards and guarded environments: it is refused, or it stays apart."""
+"""Misuse of guards and guarded environments is refused, or has no effect on others."""
 
 from __future__ import annotations
 

@@ -62,7 +62,7 @@ def wanted_actions(kind: str, steps: int) -> Iterator[Any]:
 def alone(
     rules: str, kind: str, steps: int, mode: AutoresetMode, *, enforce: bool = True
 ) -> list[list[Any]]:
-    """What environments by themselves execute and tell: for each step, and for each of them."""
+    """The actions and reports of separate environments, for each step and each environment."""
     envs = [
         GuardedEnv(cart, rules, **declared(kind), enforce=enforce)
         for cart in carts(kind, mode).envs

@@ -167,7 +167,7 @@ def test_s78_the_way_up_and_down(
     camera: tuple[float, ...],
     mounted: tuple[float, ...],
 ) -> None:
-    """From the camera up to the base and down to the tool, against matrices."""
+    """Transforms from the camera up to the base and down to the tool, compared with matrices."""
     watched = WAY
     edges = (Placed("base", "head", head, turned), Placed("head", "camera", camera, mounted))
     watched.hear(

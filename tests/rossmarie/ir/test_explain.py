@@ -1,4 +1,4 @@
-"""Why a rule changed, in the user's words."""
+"""The reason why a rule changed, in the user's words."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""What signals, propositions and rules rest on."""
+"""The support of signals, propositions and rules."""
 
 import pytest
 

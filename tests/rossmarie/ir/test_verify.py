@@ -1,4 +1,4 @@
-"""What `verify` accepts, and what it says of each defect."""
+"""Machines that `verify` accepts, and its message for each defect."""
 
 import dataclasses
 import math
@@ -26,7 +26,7 @@ def refused(draft: Draft) -> str:
 
 
 def signal_after(*nodes: ir.SignalNode) -> str:
-    """What is said of the last of some signals on a machine with a number and an array."""
+    """The message about the last of some signals, on a machine with a number and an array."""
     draft = Draft()
     draft.read()
     draft.elements()

@@ -1,4 +1,4 @@
-"""What `verify` says of each defect of what the rules do."""
+"""The messages of `verify` about defects in reactions."""
 
 from __future__ import annotations
 

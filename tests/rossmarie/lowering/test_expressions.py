@@ -1,4 +1,4 @@
-"""What becomes of the user's expressions."""
+"""Lowering of the user's expressions."""
 
 import math
 

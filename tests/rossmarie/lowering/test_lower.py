@@ -1,4 +1,4 @@
-"""What becomes of the user's inputs, conditions and rules."""
+"""Lowering of the user's inputs, conditions and rules."""
 
 import math
 

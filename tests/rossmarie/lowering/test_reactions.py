@@ -1,4 +1,4 @@
-"""From the actions of rules to the plans of tasks."""
+"""Lowering of the actions of rules to plans of tasks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the public names of the generated C begin with."""
+"""The prefix of public names in the generated C."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What others call a node, and where commands enter it."""
+"""The name of a node, and the topics on which it receives commands."""
 
 from __future__ import annotations
 

@@ -157,7 +157,7 @@ def test_whole_chunks_are_not_left_to_rosbags(
 
 @st.composite
 def damages(draw: st.DrawFn) -> list[tuple[float, bytes]]:
-    """Where in a file, from 0 to 1, something else stands."""
+    """Damaged places in a file, from 0 to 1, with the damaging bytes."""
     others = st.sampled_from((b"\0", b"\1", b"\2", b"\7", b"\xff", b"\xff" * 4, b"\0" * 30))
     return draw(st.lists(st.tuples(st.floats(0, 1), others), min_size=1, max_size=3))
 

@@ -1,4 +1,4 @@
-"""What can be told of compressed data that is not whole."""
+"""Messages about incomplete compressed data."""
 
 from __future__ import annotations
 

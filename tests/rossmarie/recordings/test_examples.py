@@ -58,7 +58,7 @@ def activations(rules: Path, recording: Path) -> dict[str, list[tuple[float, Cha
 
 
 def starts(changes: list[tuple[float, Change]], change: Change) -> list[float]:
-    """When a rule became active in some way, without what it does before its inputs arrive."""
+    """The times of a rule's changes of one kind, without changes before its inputs arrive."""
     return [round(at, 1) for at, found in changes if found is change and at > 0.5]
 
 

@@ -57,7 +57,7 @@ def at(parent: str, child: str, x: float) -> Placed:
 
 
 def reported(updates: Sequence[Update]) -> list[tuple[int, dict[int, list[float]]]]:
-    """When transforms came, and the numbers of each channel."""
+    """The times of transforms, and the numbers of each channel."""
     return [
         (
             (update.at_ns - START_NS) // MS,

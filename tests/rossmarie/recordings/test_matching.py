@@ -1,4 +1,4 @@
-"""What is said when the rules and a recording do not fit."""
+"""Messages if the rules and a recording do not match."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What messages of a type cost."""
+"""The memory cost of messages of a type."""
 
 from __future__ import annotations
 

@@ -129,7 +129,7 @@ class _Drive(Draft):
 
 @dataclass(frozen=True)
 class _Signals:
-    """What the rules of the drive look at, by index."""
+    """The signals of the rules in the drive, by index."""
 
     pitch: int
     jolt: int

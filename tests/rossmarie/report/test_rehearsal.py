@@ -1,4 +1,4 @@
-"""What rules would have done, from the events of a monitor alone."""
+"""The effects that rules would have had, from the events of a monitor alone."""
 
 from __future__ import annotations
 
@@ -135,8 +135,8 @@ def test_every_order_belongs_to_an_activation_before_it(
 
 
 def has_started_after(each: Rehearsed, events: Sequence[Event]) -> bool:
-    """Whether the rule of an order was active until the event that the order follows, or cleared by
-    one of its instant.
+    """Say whether the rule of a command was active until the event before the command, or was
+    cleared at the same instant.
     """
     last = events[each.after]
     assert isinstance(last, Verdict)

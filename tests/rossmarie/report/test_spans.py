@@ -17,7 +17,7 @@ from support.machines import Step, cases, take
 
 
 def run(machine: ir.Machine, trace: list[Step]) -> tuple[Replay, tuple[bool, ...]]:
-    """What the interpreter says of a trace, and which rules are active in the end."""
+    """The replay of a trace by the interpreter, and the rules that are active at the end."""
     monitor = Interpreter(machine)
     events = [event for step in trace for event in take(monitor, step)]
     ends = (trace[0].at_ns, trace[-1].at_ns)

@@ -1,4 +1,4 @@
-"""What the tests of the parser share: parsing a text, and showing a tree without its spans."""
+"""Common functions of the parser tests: parse a text, and show a tree without its spans."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What is written out of habit costs one finding, and its fix writes what was meant."""
+"""Habits from other languages cost one finding each, and the fix writes the intended text."""
 
 from __future__ import annotations
 

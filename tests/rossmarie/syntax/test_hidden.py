@@ -1,4 +1,4 @@
-"""What makes a file look other than it is read is an error, and hides nothing."""
+"""Characters that make a file look different from its meaning are errors."""
 
 from __future__ import annotations
 

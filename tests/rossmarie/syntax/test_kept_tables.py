@@ -29,7 +29,7 @@ def loaded() -> Tables:
 
 
 def rules(tables: Tables) -> set[Reduction]:
-    """What is the same however lark numbers the states."""
+    """The reductions, which do not depend on lark's numbering of the states."""
     return set(tables.reductions)
 
 

@@ -1,4 +1,4 @@
-"""What the parser makes of correct text."""
+"""The syntax trees of correct texts."""
 
 from __future__ import annotations
 

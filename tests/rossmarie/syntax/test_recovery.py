@@ -1,4 +1,4 @@
-"""What is left of a program around its mistakes."""
+"""The parts of a program that remain around its syntax errors."""
 
 from __future__ import annotations
 

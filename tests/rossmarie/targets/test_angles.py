@@ -43,7 +43,7 @@ int main(void)
 
 
 def orientations() -> Iterator[tuple[float, ...]]:
-    """Of any length, many of them upright, upside down, or turned by quarters."""
+    """Quaternions of any length, many of them upright, upside down, or turned by quarters."""
     chance = random.Random(4)
     few = (0.0, -0.0, 1.0, -1.0, 0.5, 2.0**-30, 1e-160, 1e160, math.nan)
     for _ in range(COUNT):

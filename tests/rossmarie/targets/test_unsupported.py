@@ -1,4 +1,4 @@
-"""What a target cannot do is said before anything is written."""
+"""Unsupported features of a target are reported before any file is written."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What tests cover of rules."""
+"""The coverage of rules by tests."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from support.testing import run_text
 
 
 def reached(folder: Path, rules: str, body: str) -> set[str]:
-    """What a test with some statements covers: the subject and the aspect, in words."""
+    """The coverage of a test with some statements: the subject and the aspect, in words."""
     found = run_text(folder, f'{rules}\ntest "a" {{ {body} expect r inactive at 5 s; }}')
     machine = found.machine
     return {

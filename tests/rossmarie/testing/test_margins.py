@@ -1,4 +1,4 @@
-"""How far thresholds can be moved on recordings."""
+"""The margins of thresholds on recordings."""
 
 from __future__ import annotations
 

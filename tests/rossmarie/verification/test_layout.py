@@ -1,4 +1,4 @@
-"""What the proofs know of a machine: what rests on what, and that nothing is left out."""
+"""The proofs' model of a machine: its dependencies are complete."""
 
 from __future__ import annotations
 

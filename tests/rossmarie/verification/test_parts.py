@@ -25,7 +25,7 @@ rule far: if min(ranges) > 20 m then { stop; };
 rule often: if count(edges of turning > 1 within 2 sec) > 1 then { stop; };
 rule smooth: if low_pass(turning, 0.3 sec) > 2 then { stop; };
 """
-"""What counts, angles, and elements of arrays."""
+"""Rules with counts, angles, and elements of arrays."""
 
 FLAGS = """\
 input ready = topic /ready : std_msgs/Bool .data timeout 1 sec;

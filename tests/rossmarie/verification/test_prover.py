@@ -1,4 +1,4 @@
-"""What is made of the answers of CBMC, here a script that answers as it is reported."""
+"""The evaluation of CBMC's answers, here from a script that prints given answers."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def answered(
     obligations: Sequence[str] = OBLIGATIONS,
     **answers: Sequence[object],
 ) -> ProofOutcome:
-    """What comes of one check if CBMC gives these answers."""
+    """The outcome of one check if CBMC gives these answers."""
     programs = folder / "bin"
     programs.mkdir()
     texts = {name: json.dumps(answer) for name, answer in answers.items()}

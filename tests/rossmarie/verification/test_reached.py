@@ -1,4 +1,4 @@
-"""What is not looked at is not proved: every line of the generated C is reached by a check."""
+"""Every line of the generated C is reached by a check, because unreached code is not proved."""
 
 from __future__ import annotations
 
@@ -30,17 +30,19 @@ priority quiet over loud;
 """
 
 NEVER = {("derive", "default: return UNKNOWN;")}
-"""What no state of a monitor leads to."""
+"""Lines that no state of a monitor reaches."""
 
 NEVER_IN_REACTORS = {("is_answered", "return false;")}
-"""What waits and has a time limit has a deed, and another rule owns what it needs."""
+"""Lines that no state of a reactor reaches: a waiting task with a time limit has a command, and
+another rule holds its resource.
+"""
 
 
 _FUNCTION = re.compile(r"^\w[^;{}=#]*?\b(\w+)\([^;{}]*\)\s*\{", re.MULTILINE)
 
 
 class Line(NamedTuple):
-    """Of the generated C; without a text it is the function as a whole."""
+    """A line of the generated C. Without a text it stands for the whole function."""
 
     function: str
     text: str
@@ -108,7 +110,7 @@ def test_every_line_of_a_monitor_is_looked_at(prover: Prover, tmp_path: Path) ->
 
 
 def test_every_line_of_a_reactor_is_looked_at(prover: Prover, tmp_path: Path) -> None:
-    """What one machine has no use for, another has."""
+    """Each line that one machine does not use is used by another."""
     found: set[Line] = set()
     reached: set[Line] = set()
     for rules in (BOUNDED, SHARED, OVERRULED, LATE):

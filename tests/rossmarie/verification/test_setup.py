@@ -47,11 +47,11 @@ class QuickDebian:
         script.chmod(0o755)
 
     def count(self) -> int:
-        """How often it was called."""
+        """The number of calls."""
         return self.calls.read_text().count("called") if self.calls.exists() else 0
 
     def left(self) -> list[str]:
-        """What is in the cache."""
+        """The files in the cache."""
         return sorted(path.name for path in self.cache.iterdir())
 
 

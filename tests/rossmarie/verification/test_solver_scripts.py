@@ -1,4 +1,6 @@
-"""What z3 is told of arithmetic holds, and what it cannot know of any arithmetic is no answer."""
+"""The arithmetic axioms for z3 are true, and a model beyond any arithmetic does not count as an
+answer.
+"""
 
 from __future__ import annotations
 

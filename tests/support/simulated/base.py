@@ -38,7 +38,7 @@ class Now:
 
     @property
     def place(self) -> tuple[float, float, float]:
-        """Where it is, and how it is turned."""
+        """The position and orientation of the base."""
         return self.x, self.y, self.yaw
 
 

@@ -73,7 +73,7 @@ CONTACT = ((3.98, 0.0), (4.04, 32.0), (4.8, 32.0), (4.84, 70.0), (4.96, 70.0), (
 
 
 def hand(t: float) -> Floats:
-    """Where the hand is, as a matrix."""
+    """The pose of the hand, as a matrix."""
     found = np.eye(4)
     for angle, (twist, length, offset) in zip(MOTION.positions(t), LINKS, strict=True):
         found = found @ about_x(twist) @ moved(length, offset) @ about_z(angle)

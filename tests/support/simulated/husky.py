@@ -101,7 +101,7 @@ def inertia(t: float) -> dict[str, Any]:
 
 
 def body(t: float) -> Now:
-    """How the base moves, beside what its wheels do."""
+    """The motion of the base, apart from its wheels."""
     now = BASE.at(t)
     if during(t, MUD):
         return replace(now, speed=0.0)

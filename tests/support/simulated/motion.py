@@ -22,12 +22,12 @@ class Motion:
     postures: Sequence[tuple[float, Sequence[float]]]
 
     def positions(self, t: float) -> Floats:
-        """Where the joints are (rad)."""
+        """The positions of the joints (rad)."""
         begin, end, share, _ = self._part(t)
         return begin + (end - begin) * (share - math.sin(2 * math.pi * share) / (2 * math.pi))
 
     def velocities(self, t: float) -> Floats:
-        """How fast they are (rad/s)."""
+        """The velocities of the joints (rad/s)."""
         begin, end, share, seconds = self._part(t)
         return (end - begin) * (1 - math.cos(2 * math.pi * share)) / seconds
 

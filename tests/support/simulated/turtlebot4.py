@@ -129,7 +129,7 @@ HAZARDS = {
     "wheel_drop_right": (4, LIFTED),
     "cliff_front_left": (2, (25.2, LIFTED[1])),
 }
-"""Where hazards are detected, of which types, and when."""
+"""The detected hazards with their places, types and times."""
 
 
 def hazards(t: float) -> dict[str, Any]:

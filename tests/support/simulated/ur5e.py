@@ -77,7 +77,7 @@ LINKS = (
 
 
 def hand(t: float) -> Floats:
-    """Where the hand is, as a matrix."""
+    """The pose of the hand, as a matrix."""
     found = np.eye(4)
     for angle, (offset, length, twist) in zip(MOTION.positions(t), LINKS, strict=True):
         found = found @ about_z(angle) @ moved(length, offset) @ about_x(twist)

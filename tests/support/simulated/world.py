@@ -21,7 +21,7 @@ class Wall:
     y2: float
 
     def seen(self, x: float, y: float, angles: Floats) -> Floats:
-        """How far away it is in directions; inf where it is not."""
+        """The distance in each direction (m); inf in directions that miss the wall."""
         along_x, along_y = np.cos(angles), np.sin(angles)
         wall_x, wall_y = self.x2 - self.x1, self.y2 - self.y1
         away_x, away_y = self.x1 - x, self.y1 - y
@@ -42,7 +42,7 @@ class Pillar:
     radius: float
 
     def seen(self, x: float, y: float, angles: Floats) -> Floats:
-        """How far away it is in directions; inf where it is not."""
+        """The distance in each direction (m); inf in directions that miss the pillar."""
         away_x, away_y = self.x - x, self.y - y
         ahead = away_x * np.cos(angles) + away_y * np.sin(angles)
         squared = self.radius**2 - (away_x**2 + away_y**2 - ahead**2)

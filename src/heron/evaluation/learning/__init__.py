@@ -1,4 +1,4 @@
-"""The study of learning behind rules: its folder, its page, and a look at trainings that go on."""
+"""The study of learning with rules: its folder, its page, and a view of running trainings."""
 
 from heron.evaluation.learning.folder import PAGE, LearningFolder, write_learning_page
 from heron.evaluation.learning.watch import Watch

@@ -1,4 +1,4 @@
-"""The curves of trainings: the median over the seeds, and between which quarters it lies."""
+"""The curves of trainings: the median over the seeds, and the quartiles."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
-"""Expectations of learning behind rules, older than the runs, and what came of them.
+"""Expectations of learning with rules, written before the runs, and their verdicts.
 
-The thesis promises that rules keep a robot that learns within bounds (section 6.2), and make it
-learn more efficiently (section 6.4). It says nothing of the arms beside the guard.
+The thesis claims that rules keep a learning robot within bounds (section 6.2) and make learning
+more efficient (section 6.4). It makes no claim about the arms without the guard.
 """
 
 from __future__ import annotations

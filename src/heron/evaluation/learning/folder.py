@@ -1,4 +1,4 @@
-"""The folder of the study: the page, and beside it a folder with the rest."""
+"""The folder of the study: the page, and a folder beside it with the other files."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _WORDS = ("formulation", "algorithm", "arm")
 
 @dataclass(frozen=True)
 class LearningFolder:
-    """`path` is that of the page."""
+    """The folder of the study. `path` is the path of the page."""
 
     path: Path
 
@@ -32,7 +32,7 @@ class LearningFolder:
 
     @property
     def trainings(self) -> Path:
-        """The folder of what trainings leave: their logs, and what was learned."""
+        """The folder of training results: their logs, and the learned policies."""
         return self.path / _REST / "trainings"
 
     @property

@@ -1,4 +1,4 @@
-"""The measures of trainings, as tables have them."""
+"""The measures of trainings for tables."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Reasons for expectations that fail, as far as they are known: by formulation, algorithm and
-expectation. The page shows a reason only where its expectation does fail.
+"""Known reasons for failing expectations, by formulation, algorithm and expectation. The page shows
+a reason only if its expectation fails.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The rows of one algorithm, and what is asked of them."""
+"""The rows of one algorithm, and queries on them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Trainings that go on, seen by their logs."""
+"""The progress of running trainings, from their logs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What comes before what."""
+"""The order of statements."""
 
 from __future__ import annotations
 

@@ -150,7 +150,7 @@ def expected_of_reactions(machine: ir.Machine) -> Iterator[str]:
 
 
 def may_wait_too_long(machine: ir.Machine, index: int) -> bool:
-    """Whether its time can be over while another rule has what it needs."""
+    """Say whether the time of a task can run out while another rule holds its resource."""
     found = machine.reactions
     task = found.tasks[index]
     others = {each for plan in found.plans if index not in plan.tasks for each in plan.tasks}

@@ -1,4 +1,4 @@
-"""What the C99 target writes: its looks, its warnings, its needs."""
+"""The output of the C99 target: its form, its warnings, its requirements."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the Python target writes: its looks, its needs, and what it refuses."""
+"""The output of the Python target: its form, its requirements, and unsupported rules."""
 
 from __future__ import annotations
 

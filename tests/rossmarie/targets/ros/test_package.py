@@ -1,4 +1,4 @@
-"""What stands in a generated package, of either generation, without ROS."""
+"""The content of a generated package of either generation, without ROS."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What stands in a generated catkin package, without ROS."""
+"""The content of a generated catkin package, without ROS."""
 
 from __future__ import annotations
 

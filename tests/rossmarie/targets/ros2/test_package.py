@@ -1,4 +1,4 @@
-"""What stands in a generated ament package, without ROS."""
+"""The content of a generated ament package, without ROS."""
 
 from __future__ import annotations
 
