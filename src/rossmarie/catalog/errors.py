@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template
 
 
 class InternalError(Error, code="ROSS900", name="internal-error"):
-    """Something that cannot happen did."""
+    """An internal error: a case that cannot occur has occurred."""
 
     title = "this is a defect of rossmarie, not of your rules"
     help = "please report it, with the file that you checked"
