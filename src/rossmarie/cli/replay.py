@@ -1,4 +1,4 @@
-"""`rossmarie replay` and `rossmarie model`: what reads a recording."""
+"""`rossmarie replay` and `rossmarie model`: the commands that read a recording."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def run_replay(
 
 @contextmanager
 def refusing() -> Iterator[None]:
-    """End the run with the findings if rules, or a recording, cannot be used."""
+    """End the run with the findings if rules or a recording cannot be used."""
     try:
         yield
     except RulesError as error:
@@ -84,7 +84,7 @@ def refusing() -> Iterator[None]:
 
 
 def topic_pairs(topic_map: Sequence[str]) -> dict[str, str]:
-    """The pairs that `--topic-map` states; the run ends if it contradicts itself."""
+    """The pairs that `--topic-map` states. Contradictory pairs end the run."""
     pairs: dict[str, str] = {}
     for text in topic_map:
         wanted, recorded = _pair(text)
@@ -109,7 +109,7 @@ def _save_reports(replay: Replay, out: Path) -> Sequence[Path]:
 
 
 def write_reports(replay: Replay, out: Path) -> tuple[Path, Path]:
-    """Write timeline and verdicts. Raises `OSError`."""
+    """Write timeline and verdicts. Returns their paths. Raises `OSError`."""
     timeline, verdicts = out / TIMELINE, out / VERDICTS
     out.mkdir(parents=True, exist_ok=True)
     write_whole(timeline, render_timeline(replay))
@@ -119,10 +119,10 @@ def write_reports(replay: Replay, out: Path) -> tuple[Path, Path]:
 
 
 def write_model_of(recording: Path, out: Path | None) -> None:
-    """Print the system model of a recording, or write it to `out`, beside the definitions of types
-    that no standard package has.
+    """Print the system model of a recording, or write it to `out`, with the definitions of
+    non-standard types beside it.
 
-    Files that are there stay: system models are completed by hand.
+    Existing files stay: users complete system models by hand.
     """
     if out is not None and out.is_file():
         output.fail(f"{out} is there; remove it, or choose another name", exit_code=2)
@@ -141,7 +141,9 @@ def write_model_of(recording: Path, out: Path | None) -> None:
 
 
 def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:
-    """Write the .msg files of a model. One that is there may be completed by hand, so it stays."""
+    """Write the .msg files of a model. An existing file stays, because a user may have completed it
+    by hand.
+    """
     for name, text in definitions.items():
         path = folder / definition_path(name)
         if path.is_file():
@@ -154,7 +156,7 @@ def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:
 
 
 def replay_result(replay: Replay, written: Sequence[Path]) -> Mapping[str, Json]:
-    """The rules over a recording, and the paths of the reports that were written. Times are
+    """The results of rules over a recording, and the paths of the written reports. Times are
     nanoseconds.
     """
     return {
