@@ -197,7 +197,7 @@ class Symbols:
 class CheckedProgram:
     """The result of a check without errors.
 
-        `name` is the stem of the main file. `types` holds every expression that is reachable from
+    `name` is the stem of the main file. `types` holds every expression that is reachable from
     conditions, rules and contracts. `values` holds the constant ones: literals, constants and
     operators on them; durations; interval and box literals. `rules` are in file order, imported
     files first. `order` holds their numbers, the most important first, `priorities` the pairs that

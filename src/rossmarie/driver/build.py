@@ -1,4 +1,4 @@
-"""From a rules file to the files of a target."""
+"""The build: from a rules file to the files of a target."""
 
 from __future__ import annotations
 
@@ -32,8 +32,8 @@ def check_for(
     message_folders: Sequence[Path] = (),
     only: Sequence[Category] = (),
 ) -> tuple[Diagnostic, ...]:
-    """The findings on a rules file; if it has no errors, with those for what the target, or any
-    target, cannot do.
+    """The findings on a rules file. Without errors, also the findings on features that this target,
+    or any target, does not support.
     """
     result = check_file(rules, systems=systems, message_folders=message_folders, only=only)
     if result.program is None:
@@ -48,16 +48,16 @@ def check_for(
 def generate(
     machine: Machine, target: str, placement: Placement = OWN_PACKAGE
 ) -> Mapping[str, str]:
-    """The files of a machine, by name. Raises `RulesError` for what the target cannot do."""
+    """The files of a machine, by name. Raises `RulesError` for unsupported features."""
     if refused := tuple(TARGETS[target].unsupported(machine)):
         raise RulesError(refused)
     return TARGETS[target].generate(machine, placement)
 
 
 class Built(NamedTuple):
-    """The paths of what was generated, the warnings, what comes next, if anything, the files that
-    all of it rests on, the texts of the rules' own part of the code in C and C++, by name, and the
-    rules that a selection left out.
+    """The result of a build: the paths of the generated files, the warnings, the next steps, if
+    any, the source files, the texts of the rules' own code in C and C++ by name, and the rules
+    outside a selection.
     """
 
     written: Sequence[Path]
@@ -79,14 +79,14 @@ def build_files(
     name: str | None = None,
     placement: Placement = OWN_PACKAGE,
 ) -> Built:
-    """Generate `target` for a rules file into `folder`, with `name` instead of that of the file,
-    and `only` rules of these categories.
+    """Generate `target` for a rules file into `folder`, with `name` instead of the name of the
+    file, and `only` rules of these categories.
 
-    A file whose content would not change is not touched, so that a build system sees no change;
-    one that belongs to the user is not touched once it is there.
-    Raises `RulesError` for errors in the rules, for what the target cannot do and for a folder that
-    holds another package, `ForeignFileError` if a file in the way was not generated from these
-    rules (in all these cases nothing is written), and `OSError` if the folder cannot be written.
+    Files with unchanged content are not touched, so that a build system sees no change. A file for
+    the user to edit is not touched once it exists. Raises `RulesError` for errors in the rules, for
+    unsupported features and for a folder with another package, and `ForeignFileError` if an
+    existing file was not generated from these rules. In all these cases nothing is written. Raises
+    `OSError` if the folder cannot be written.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     machine = compiled.machine if name is None else replace(compiled.machine, name=name)
@@ -96,7 +96,7 @@ def build_files(
     of_user = TARGETS[target].owned_by_user
     kept = set() if placement.part_of else {name for name in of_user if (folder / name).exists()}
     files = {name: text for name, text in files.items() if name not in kept}
-    # In a part of a package the files of the user lie elsewhere, and these are only examples.
+    # In a part of a package, the user's files are elsewhere; these are only examples.
     written = write_generated(files, folder, rules, unnamed=of_user)
     next_step = TARGETS[target].next_step(machine) if placement.part_of is None else None
     left_out = () if machine.left_out is None else machine.left_out.rules
@@ -104,7 +104,7 @@ def build_files(
 
 
 def own_code(files: Mapping[str, str]) -> dict[str, str]:
-    """The rules' own part of the generated code in C and C++, by name."""
+    """The code of these rules in C and C++, by file name, without the shared runtime."""
     return {
         name: text
         for name, text in files.items()
@@ -115,8 +115,8 @@ def own_code(files: Mapping[str, str]) -> dict[str, str]:
 def write_generated(
     files: Mapping[str, str], folder: Path, rules: Path, *, unnamed: Collection[str] = ()
 ) -> list[Path]:
-    """Write what was generated from rules, by name, into a folder, and give the paths. Raises
-    as `build_files` does; files that are `unnamed` do not say what they were generated from.
+    """Write files generated from rules, by name, into a folder. Returns the paths. Raises the
+    errors of `build_files`. Files in `unnamed` do not name their rules file.
     """
     changed = {}
     for name, text in files.items():

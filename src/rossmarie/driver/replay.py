@@ -18,7 +18,7 @@ from rossmarie.report.model import Replay
 from rossmarie.report.rehearsal import rehearse
 
 Progress = Callable[[float], None]
-"""Called now and then with the part of the recording that is done, from 0 to 1."""
+"""Called from time to time with the completed share of the recording, from 0 to 1."""
 
 
 def replay_file(
@@ -33,8 +33,8 @@ def replay_file(
 ) -> tuple[Replay, tuple[Diagnostic, ...]]:
     """The verdicts of a rules file on a recording, and the findings on both.
 
-    `topic_map` leads from topics of the rules to recorded ones. Raises `RulesError` for errors in
-    the rules (`only` of these categories) and `RecordingError` if nothing can be read.
+    `topic_map` maps topics of the rules to recorded topics; `only` selects rules by category.
+    Raises `RulesError` for errors in the rules and `RecordingError` if no message can be read.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     machine = compiled.machine
@@ -50,7 +50,7 @@ def replay_file(
             taken = take(batch)
             events += taken.events
             sampler.take(taken.times_ns, taken.values)
-        # Rows that no rule reads may come before the first sample and after the last one.
+        # Rows that no rule reads may come before the first sample and after the last sample.
         start_ns = min((recording.start_ns, *sampler.instants[:1]))
         end_ns = max((recording.end_ns, *sampler.instants[1:]))
         events += started.engine.advance(end_ns)
@@ -77,7 +77,7 @@ def _notes(started: Started[MonitorEngine], found: Sequence[Diagnostic]) -> tupl
 def _reported(
     batches: Iterator[Batch], recording: Recording, on_progress: Progress
 ) -> Iterator[Batch]:
-    """The same batches, with word of how far they have come."""
+    """The same batches, with progress reports."""
     length = max(recording.end_ns - recording.start_ns, 1)
     reported = 0.0
     for batch in batches:

@@ -41,7 +41,7 @@ def type_of_reference(node: ast.Reference, context: Context) -> Type:
         return its_list.element if isinstance(its_list, List) else Unknown()
     declared = context.declarations.names.get(name.text)
     own = context.entity
-    # A condition that has the name of a value is reported already; the value is used.
+    # A condition with the name of a value is reported already. The value is used.
     hides = is_value_name(name.text, context)
     if own is not None and not hides and _has_condition(own, name.text, context):
         _use_condition(own, name, context)

@@ -238,7 +238,7 @@ class AlwaysLimited(Error, code="ROSS426", name="always-limited"):
 
 
 class ExemptedHazard(Error, code="ROSS427", name="exempted-hazard"):
-    """An exemption with nothing instead, of a rule that mitigates a hazard."""
+    """An exemption without a replacement, of a rule that mitigates a hazard."""
 
     title = "while `{skill}` nothing would mitigate hazard `{hazard}`"
     label = "exempted, with nothing instead"

@@ -67,7 +67,7 @@ def _report_left_out(
     left_out: Collection[str],
     collector: Collector,
 ) -> None:
-    """Tell of each order in which a rule that is kept stands beside one that is left out."""
+    """Report each order that names both a selected rule and a rule outside the selection."""
     names = {rule.name.text for rule in kept if rule.name is not None}
     reported = [
         (name, "the order counts for the other rules only")

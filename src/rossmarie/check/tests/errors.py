@@ -68,7 +68,7 @@ class TooManyMessages(Error, code="ROSS130", name="too-many-messages"):
 
 
 class NotSettable(Error, code="ROSS131", name="not-settable"):
-    """Something in a test that is given a value, but has none."""
+    """A name in a test that gets a value but cannot have one."""
 
     title = "`{field}` cannot be set as a whole"
     label = "this is {found}"

@@ -10,7 +10,7 @@ from rossmarie.syntax.scan import scan
 def without(before: Span, sign: str, part: Span) -> tuple[Edit, ...]:
     """The edits that remove `part` and the `sign` between it and the part `before` it.
 
-        Comments between the two parts stay, and so does white space that does not surround the
+    Comments between the two parts stay, and so does white space that does not surround the
     sign.
     """
     file, start = part.file, before.end
