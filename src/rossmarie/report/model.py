@@ -18,11 +18,11 @@ from rossmarie.report.rehearsal import Rehearsed
 
 @dataclass(frozen=True)
 class Threshold:
-    """Where a condition stands on the axis of a plot, in the unit of the plot.
+    """The place of a condition on the axis of a plot, in the unit of the plot.
 
-    `limits` are the values at which its proposition changes, `regions` the closed stretches (ends
-    may be infinite) in which it speaks for a change of `rules`: for their activation, or, if
-    `releases`, for clearing them.
+    `limits` are the values at which its proposition changes. `regions` are the closed intervals
+    (ends may be infinite) in which it supports a change of `rules`: their activation, or, if
+    `releases`, their clearing.
     """
 
     limits: tuple[float, ...]
@@ -52,8 +52,9 @@ class Replay:
     """A rules file run over a recording.
 
     `start_ns` and `end_ns` are the stamps of the first and last message (not the least and the
-    greatest: stamps may run backwards), `monitor` is `native` or `python`, `notes` are the
-    findings about the recording, one sentence each. `rehearsed` is what the rules would have done.
+    greatest: stamps may run backwards), `monitor` is `native` or `python`, `notes` are the findings
+    about the recording, one sentence each. `rehearsed` are the orders that the rules would have
+    given.
     """
 
     machine: Machine
