@@ -36,7 +36,7 @@ ROW = np.dtype(
 
 Rows = NDArray[np.void]
 Places = tuple[NDArray[np.int64], NDArray[np.int64]]
-"""Where messages start and end in the content of their chunk."""
+"""The start and the end of each message in the content of its chunk."""
 
 
 class Chunks(Protocol):

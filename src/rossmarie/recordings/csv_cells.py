@@ -32,7 +32,9 @@ _FLAGS = {"true": 1.0, "false": 0.0, "1": 1.0, "0": 0.0, "1.0": 1.0, "0.0": 0.0}
 _SHOWN = 40
 
 Clock = Callable[[str], int | None]
-"""From a cell of the first column to nanoseconds; None if it is no instant."""
+"""The conversion of a cell of the first column to nanoseconds; None if the cell is not an
+instant.
+"""
 
 
 def clock(name: str, first: str) -> Clock | None:

@@ -21,7 +21,7 @@ from rossmarie.recordings.limits import Allowance, LimitError
 from rossmarie.recordings.stored import Connection, Packed, Stored, packed
 
 OUTSIDE = -1
-"""In place of a chunk: the message lies in the file itself."""
+"""The chunk number of a message outside any chunk: the message is in the file itself."""
 
 
 class Place(NamedTuple):

@@ -1,7 +1,7 @@
-"""A replay -> one HTML page that needs nothing but a browser: no network, no other file.
+"""A replay -> one HTML page that needs only a browser: no network, no other file.
 
-The page holds the data that `page.py` prepares; its scripts draw the picture. What a reader without
-scripts, or on paper, needs stands in the template.
+The page contains the data that `page.py` prepares; its scripts draw the picture. The template
+contains the text for readers without scripts, or on paper.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rossmarie.report.templates import asset, template
 from rossmarie.report.wording import format_length, format_position
 
 _FIRST_DATED_NS = 10**18
-"""Stamps from here on (the year 2001) count from the Unix epoch; smaller ones need not."""
+"""Stamps from this one on (the year 2001) count from the Unix epoch; smaller ones need not."""
 
 _SCRIPTS = ("times.js", "series.js", "shapes.js", "card.js", "rows.js", "view.js", "main.js")
 
@@ -47,7 +47,7 @@ def render_timeline(replay: Replay) -> str:
 
 
 def _listed(replay: Replay) -> str:
-    """Describe the list of changes: the page does not hold more than the first ones."""
+    """Describe the list of changes: the page contains only the first ones."""
     count = sum(isinstance(event, Verdict) for event in replay.events)
     if count <= MOST_DETAILED:
         return "Every change, in order"
