@@ -1,4 +1,4 @@
-"""CHK0xx to CHK3xx: findings that only rules and skills together give."""
+"""CHK0xx to CHK3xx: findings that only rules and skills together show."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Remark, Template, Warning
 
 
 class NoSkills(Error, code="CHK001", name="no-skills"):
-    """Rules that name no file of skills: there is nothing to look at together."""
+    """Rules that name no file of skills, so that there is nothing to check."""
 
     title = "{rules} names no file of skills"
     label = "these rules know no skills"
@@ -15,7 +15,7 @@ class NoSkills(Error, code="CHK001", name="no-skills"):
 
 
 class ExemptionWithoutTree(Warning, code="CHK101", name="exemption-without-tree"):
-    """An exemption for a skill that stands in no tree."""
+    """An exemption for a skill that is in no tree."""
 
     title = "no tree uses `{skill}`, for which `{rule}` has an exemption"
     label = "this exemption is for `{skill}`"
@@ -43,7 +43,7 @@ class WiderThanPermitted(Error, code="CHK102", name="wider-than-permitted"):
 
 
 class NotPermitted(Error, code="CHK103", name="not-permitted"):
-    """An exemption for a skill whose description permits nothing of the kind."""
+    """An exemption for a skill whose description has no such permission."""
 
     title = "`{rule}` is about {kind}, and `{skill}` permits none"
     label = "it is not applied while `{skill}` runs"
@@ -59,7 +59,7 @@ class NotPermitted(Error, code="CHK103", name="not-permitted"):
 
 
 class NotGranted(Warning, code="CHK104", name="not-granted"):
-    """A permission that rules do not heed: they act before its limit is reached."""
+    """A permission that rules do not respect: they act below its limit."""
 
     title = "`{skill}` permits {permission}, and `{rule}` acts on {condition} all the same"
     label = "the rules do not grant this"
@@ -75,7 +75,7 @@ class NotGranted(Warning, code="CHK104", name="not-granted"):
 
 
 class NeverInScene(Warning, code="CHK105", name="never-in-this-scene"):
-    """A query to the skills that asks for a thing of a class that the scene has none of."""
+    """A query about skills with a class that no thing of the scene has."""
 
     title = "`{query}` is never true in this scene"
     label = "no thing of the scene is of the class that `{parameter}` has to be of"
@@ -107,7 +107,7 @@ class NoNumberInScene(Warning, code="CHK106", name="number-not-in-scene"):
 
 
 class NeverWorks(Error, code="CHK201", name="skill-never-works"):
-    """A skill that needs something that a rule takes away whenever the skill runs."""
+    """A skill that needs a resource that a rule takes away whenever the skill runs."""
 
     title = "`{skill}` can never work: `{rule}` is active whenever it runs"
     label = "this holds whenever `{skill}` runs, whatever the sensors say"
@@ -127,7 +127,7 @@ class NeverWorks(Error, code="CHK201", name="skill-never-works"):
 
 
 class RulesNeverLetWork(Error, code="CHK202", name="rules-never-let-work"):
-    """A skill that needs something that one rule or another takes away whenever it runs."""
+    """A skill that needs a resource that some rule takes away whenever the skill runs."""
 
     title = "`{skill}` can never work: one of {rules} is active whenever it runs"
     label = "`{skill}` needs {thing}"
@@ -141,7 +141,7 @@ class RulesNeverLetWork(Error, code="CHK202", name="rules-never-let-work"):
 
 
 class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
-    """A rule that ends a skill, and is cleared by that, so that the skill is started again."""
+    """A rule that ends a skill and is thereby cleared, so that the skill is started again."""
 
     title = "`{rule}` and `{skill}` fight: the one ends the other, again and again"
     label = "active only while `{skill}` runs, and cleared as soon as that has ended"
@@ -160,7 +160,7 @@ class Fight(Warning, code="CHK203", name="rules-and-skills-fight"):
 
 
 class NotAllAsked(Error, code="CHK204", name="not-all-asked"):
-    """Queries that took longer than they may."""
+    """Queries that exceeded their time limit."""
 
     title = "not all was asked about rules and skills within {seconds:g} s of processor time"
     label = "so nobody knows whether all is well"
@@ -169,7 +169,7 @@ class NotAllAsked(Error, code="CHK204", name="not-all-asked"):
 
 
 class NothingToTake(Warning, code="CHK205", name="nothing-to-take"):
-    """Skills that need a thing of a class that the scene has none of."""
+    """Skills that need a thing of a class that no thing of the scene has."""
 
     title = "{skills} cannot start in this scene: there is no {owl_class}"
     label = "this has to be one"
@@ -182,7 +182,7 @@ class NothingToTake(Warning, code="CHK205", name="nothing-to-take"):
 
 
 class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
-    """A topic or server that rules and skills take for something else."""
+    """A topic or server with different types in rules and skills."""
 
     title = "{thing} is {one} to the rules, and {other} to `{skill}`"
     label = "{other} here"
@@ -198,7 +198,7 @@ class TypesDiffer(Error, code="CHK301", name="topic-of-two-types"):
 
 
 class NobodyReads(Warning, code="CHK302", name="nobody-reads"):
-    """A topic that rules or skills send on, and no node of the system model subscribes to."""
+    """A topic that rules or skills publish, and that no node of the system model subscribes to."""
 
     title = "nobody reads {topic}"
     label = "this sends on it, and no node of the system model subscribes to it"
@@ -212,7 +212,7 @@ class NobodyReads(Warning, code="CHK302", name="nobody-reads"):
 
 
 class NoOntologyForScene(Error, code="CHK303", name="scene-without-ontology"):
-    """A scene for skills whose file leads to no ontology, or to one that lacks a class."""
+    """A scene for skills whose file leads to no ontology, or to an ontology without a class."""
 
     title = "nobody knows what the things of the scene are: `{missing}` is not in the ontology"
     label = "these skills tell of no ontology that has it"

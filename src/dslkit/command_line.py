@@ -1,7 +1,7 @@
-"""The manners of a command line: all that is the same in the commands of both languages.
+"""The common behavior of the commands of both languages.
 
-Findings go to the terminal as text or, for machines, to standard output as JSON or SARIF; what went
-wrong with the command itself goes to standard error.
+Findings go to the terminal as text or, for machines, to standard output as JSON or SARIF; errors of
+the command itself go to standard error.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ INTERNAL_ERROR = 70
 """The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
 
 INTERRUPTED = 128 + signal.SIGINT
-"""The exit code of a run that somebody has interrupted."""
+"""The exit code of an interrupted run."""
 
 StudyFile = Annotated[
     Path | None,
@@ -68,11 +68,11 @@ class ReportFormat(str, enum.Enum):
 
 @dataclass(frozen=True)
 class CommandLine:
-    """The voice of one command.
+    """The output of one command.
 
-    `subject` is what its users write, `internal_code` that of the diagnostic for its own defects;
-    errors with a code of `unreadable` mean that a file could not be read. The catalog is loaded
-    when it is needed.
+    `subject` is the kind of its input, `internal_code` the code of the diagnostic for its own
+    defects. Errors with a code in `unreadable` mean that a file could not be read. The catalog is
+    loaded on demand.
     """
 
     tool: str
@@ -146,7 +146,7 @@ class CommandLine:
             typer.echo(render_text(found).plain, nl=False, file=console.file)
 
     def print_page(self, text: str) -> None:
-        """A page in Markdown: laid out on a terminal, as it is elsewhere."""
+        """Print a page in Markdown: laid out on a terminal, unchanged elsewhere."""
         from rich.console import Console
 
         console = Console()
@@ -177,7 +177,7 @@ class CommandLine:
         raise typer.Exit(self.exit_code(found))
 
     def complain(self, message: str) -> None:
-        """One line on standard error."""
+        """Print one line on standard error."""
         typer.echo(f"{self.tool}: {message}", err=True)
 
     def fail(self, message: str, *, exit_code: int) -> NoReturn:
@@ -199,8 +199,8 @@ class CommandLine:
 
     @contextmanager
     def answering(self, form: enum.Enum, command: str, *, files: int) -> Iterator[Answer]:
-        """Within, a command whose `form` is JSON prints nothing on standard output; at the end it
-        prints one JSON object with all findings and the result of the answer.
+        """While the context is active, a command whose `form` is JSON prints nothing on standard
+        output. At the end it prints one JSON object with all findings and the result of the answer.
 
         `command` is the name of the command, `files` the number of files that the user named. The
         object is printed after an error as well. An answer within another one is that other one.
@@ -219,7 +219,7 @@ class CommandLine:
             typer.echo(answer.text(), nl=False)
             raise
         except (OSError, KeyboardInterrupt):
-            raise  # nobody may be there to read an answer
+            raise  # there may be no reader for the answer
         except Exception as error:
             lacks = isinstance(error, ModuleNotFoundError) and self.extras().explained(error)
             defect = f"this is a defect of {self.tool}; standard error has the details"
@@ -238,22 +238,22 @@ class CommandLine:
     # --- what is written --------------------------------------------------------------------------
 
     def try_file(self, path: Path) -> None:
-        """End the run, before it takes its time, if a file could not be written after it."""
+        """End the run early if a file cannot be written at its end."""
         with self.writing(path):
             try_writing(path)
 
     def try_folder(self, folder: Path) -> None:
-        """End the run, before it takes its time, if files could not be written into a folder."""
+        """End the run early if files cannot be written into a folder at its end."""
         with self.writing_to(folder):
             try_folder(folder)
 
     def save(self, path: Path, text: str) -> None:
-        """Write a file; the run ends if that cannot be done."""
+        """Write a file. If that is not possible, the run ends."""
         with self.writing(path):
             write_whole(path, text)
 
     def copy_example(self, example: Path, folder: Path) -> None:
-        """Copy a folder of examples and name each file; the run ends if a file is there already."""
+        """Copy a folder of examples and name each file. If a file exists already, the run ends."""
         from dslkit.examples import FilesAreThereError, copy_example
 
         self.try_folder(folder)
@@ -268,7 +268,7 @@ class CommandLine:
 
     @contextmanager
     def writing(self, path: Path) -> Iterator[None]:
-        """Within, a file that cannot be written ends the run."""
+        """While the context is active, a file that cannot be written ends the run."""
         try:
             yield
         except OSError as error:
@@ -276,7 +276,7 @@ class CommandLine:
 
     @contextmanager
     def writing_to(self, folder: Path) -> Iterator[None]:
-        """Within, a folder that cannot be written to ends the run."""
+        """While the context is active, a folder that cannot be written to ends the run."""
         try:
             yield
         except OSError as error:
@@ -322,7 +322,7 @@ class CommandLine:
     # --- how it ends ------------------------------------------------------------------------------
 
     def run(self, app: Callable[[], None]) -> None:
-        """Run the command; a defect of ours is reported as one."""
+        """Run the command. A defect of this program is reported as one."""
         streams.make_ready()
         try:
             signals.raise_interrupts()
@@ -341,14 +341,16 @@ class CommandLine:
             finally:
                 sys.stdout.flush()
         except SystemExit as ended:
-            # Typer ends the run so if nobody reads what it writes.
+            # Typer ends the run like this if the reader of its output has gone.
             return _UNHEARD if isinstance(ended.__context__, BrokenPipeError) else ended.code
         except Exception as error:
             return self._exit_code_after(error)
         return 0
 
     def _exit_code_after(self, error: Exception) -> int:
-        """Say what is wrong, unless it comes from an interrupt or nobody listens."""
+        """Print the error, unless it comes from an interrupt or there is no reader. Returns the
+        exit code.
+        """
         if (interrupted := signals.exit_code()) is not None:
             return interrupted
         if isinstance(error, BrokenPipeError) and error.filename is None:
@@ -377,7 +379,7 @@ class CommandLine:
         return code
 
     def _tell_defect(self, detail: str) -> None:
-        """Say that the tool is at fault, with what its makers need to know."""
+        """Report a defect of the tool, with the data that its developers need."""
         title = f"this is a defect of {self.tool}, not of {self.subject}"
         typer.echo(f"error[{self.internal_code}]: {title}", err=True)
         typer.echo("please report it, with the file that you checked and these lines:", err=True)
@@ -385,7 +387,7 @@ class CommandLine:
 
 
 def _drop(stream: TextIO) -> None:
-    """Drop what is left for a stream: otherwise Python fails once more when it ends."""
+    """Drop the remaining output of a stream: otherwise Python fails again at its end."""
     nowhere = os.open(os.devnull, os.O_WRONLY)
     os.dup2(nowhere, stream.fileno())
     os.close(nowhere)

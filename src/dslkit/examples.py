@@ -1,4 +1,4 @@
-"""Copies folders of examples for users: all files or none, and never over a file that is there."""
+"""Copies folders of examples for users: all files or none, and never over an existing file."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ Example = TypeVar("Example")
 
 
 class UnknownExampleError(LookupError):
-    """There is no example of this name; the message says so to a user."""
+    """There is no example of this name. The message is for the user."""
 
 
 class FilesAreThereError(Exception):
-    """Files of this name are there already: `paths`. None was written."""
+    """Files of this name exist already: `paths`. No file was written."""
 
     def __init__(self, paths: Sequence[Path]) -> None:
         super().__init__(", ".join(map(str, paths)))
@@ -35,7 +35,7 @@ def named(known: Mapping[str, Example], name: str, kind: str) -> Example:
 
 
 def files_of(folder: Path) -> Sequence[Path]:
-    """All files of an example, by their paths in its folder, in the order of their names."""
+    """All files of an example, as paths in its folder, sorted by name."""
     inside = (path for path in folder.rglob("*") if path.is_file())
     return sorted(path.relative_to(folder) for path in inside if "__pycache__" not in path.parts)
 
@@ -51,6 +51,6 @@ def copy_example(example: Path, folder: Path) -> Sequence[Path]:
         raise FilesAreThereError(present)
     for source, target in zip(files, targets, strict=True):
         target.parent.mkdir(parents=True, exist_ok=True)
-        with target.open("xb") as stream:  # a file that somebody else has just written stays
+        with target.open("xb") as stream:  # a file that another program has just written stays
             stream.write((example / source).read_bytes())
     return targets

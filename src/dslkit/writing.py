@@ -1,4 +1,4 @@
-"""Files that are written as a whole or stay as they are, and what is known of them before that."""
+"""Atomic writing of files, and checks before the writing."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ _ERRORS = "backslashreplace"
 
 
 def write_whole(path: Path, content: str | bytes) -> None:
-    """Write a file so that, whatever happens, it holds either all of `content` or what it held
-    before. Its permissions stay. Text is written in UTF-8; a file name in it that is no text is
-    written with escapes. Raises `OSError`.
+    """Write a file so that, whatever happens, it has either all of `content` or its old content.
+    Its permissions stay. Text is written in UTF-8; invalid file names in it are written with
+    escapes. Raises `OSError`.
     """
     written = content.encode(errors=_ERRORS) if isinstance(content, str) else content
     target = Path(os.path.realpath(path))  # a link stays one
@@ -28,7 +28,7 @@ def write_whole(path: Path, content: str | bytes) -> None:
         with temporary.open("wb") as stream:
             stream.write(written)
             stream.flush()
-            os.fsync(stream.fileno())  # some file systems notice only now that they are full
+            os.fsync(stream.fileno())  # some file systems only now report that they are full
         if is_there:
             shutil.copymode(target, temporary)
         temporary.replace(target)
@@ -45,7 +45,7 @@ def write_texts(folder: Path, texts: Mapping[str, str]) -> None:
 
 
 def try_writing(path: Path) -> None:
-    """Begin to write a file, and leave all as it is. Raises `OSError` as `write_whole` would."""
+    """Begin to write a file, and undo it. Raises the `OSError` that `write_whole` would raise."""
     target = Path(os.path.realpath(path))
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
@@ -74,12 +74,12 @@ def try_folder(folder: Path) -> None:
 
 
 def _is_stream(target: Path) -> bool:
-    """A terminal or a pipe, which has no contents."""
+    """Say whether a target is a terminal or a pipe, which has no content."""
     return target.exists() and not target.is_file()
 
 
 def _begin(target: Path) -> Path:
-    """The file beside it that is to replace it."""
+    """A file beside the target, which is going to replace it."""
     if target.exists():
         target.open("r+b").close()  # replacing it would get around its write protection
     temporary = target.with_name(f".rossmarie-{os.getpid()}.tmp")
@@ -88,6 +88,6 @@ def _begin(target: Path) -> Path:
 
 
 def reason(error: OSError) -> str:
-    """Why something could not be done, in words."""
+    """The reason why something failed, in words."""
     words = error.strerror or str(error) or "it cannot be done"
     return words[:1].lower() + words[1:]

@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template
 
 
 class InternalError(Error, code="CHK900", name="internal-error"):
-    """Something that cannot happen did."""
+    """An internal error: a case that cannot occur has occurred."""
 
     title = "this is a defect of crosscheck, not of your robot"
     help = "please report it, with the files that you checked"

@@ -28,7 +28,7 @@ def run_show(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Print the skills with what rules have to do with them, or write them to `out`."""
+    """Print the skills with their rules, or write them to `out`."""
     with output.answering(form, "show", files=1) as answer:
         if out is not None:
             if out.suffix != _ENDINGS[form]:
@@ -77,7 +77,7 @@ def run_impact(
     systems: Sequence[Path],
     message_folders: Sequence[Path],
 ) -> None:
-    """Print what depends on a skill."""
+    """Print everything that depends on a skill."""
     with output.answering(form, "impact", files=1) as answer:
         robot = loaded(rules, systems, message_folders)
         found = robot.skills.skills.get(skill)

@@ -15,7 +15,7 @@ from crosscheck.weaving import FORMAT, is_own, text_of, woven
 def run_weave(
     rules: Path, out: Path, systems: Sequence[Path], message_folders: Sequence[Path]
 ) -> None:
-    """Write the guards of skills, and tell of the rules that no skill waits for."""
+    """Write the guards of skills, and report the rules that no skill waits for."""
     _refuse_foreign(out)
     output.try_file(out)
     found = woven(loaded(rules, systems, message_folders))

@@ -1,4 +1,4 @@
-"""CHK4xx: findings on a robot that runs."""
+"""CHK4xx: findings on a running robot."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dslkit.diagnostics import Error, Template
 
 
 class UnusableContext(Error, code="CHK401", name="unusable-context"):
-    """A message about running skills that the rules do not take."""
+    """A message about running skills that the rules cannot use."""
 
     title = "the rules do not take what {topic} tells: {reason}"
     label = "these rules know the export {digest}"
@@ -18,7 +18,7 @@ class UnusableContext(Error, code="CHK401", name="unusable-context"):
 
 
 class NotExported(Error, code="CHK402", name="skill-not-exported"):
-    """Skills that run, and that the file of skills does not have."""
+    """Running skills that the file of skills does not have."""
 
     title = "the rules do not know what runs: {skills}"
     label = "this file has no skill of the name"
@@ -27,7 +27,7 @@ class NotExported(Error, code="CHK402", name="skill-not-exported"):
 
 
 class SilentContext(Error, code="CHK403", name="silent-context"):
-    """Nobody tells which skills run."""
+    """No message about running skills arrives."""
 
     title = "nobody has reported on {topic} for {seconds:.3g} s which skills run"
     label = "these rules wait no longer than {timeout:g} s"
@@ -39,7 +39,7 @@ class SilentContext(Error, code="CHK403", name="silent-context"):
 
 
 class SilentNode(Error, code="CHK404", name="silent-node"):
-    """Nothing comes from the node of the rules."""
+    """No message from the node of the rules arrives."""
 
     title = "{node} has said nothing for {seconds:.3g} s"
     label = "nobody knows whether these rules are watched"
@@ -49,7 +49,7 @@ class SilentNode(Error, code="CHK404", name="silent-node"):
 
 
 class OtherRules(Error, code="CHK405", name="node-of-other-rules"):
-    """A node that tells of rules that this file does not have."""
+    """A node with rules that this file does not have."""
 
     title = "{node} was made from other rules: it tells of {rules}"
     label = "no rule here is called so"
