@@ -62,7 +62,9 @@ def _bounded(declared: Row, values: Sequence[z3.ArithRef], facts: list[z3.BoolRe
 
 
 class _Arithmetic:
-    """The operations of one function. The condition `needs` is true where their results are known."""
+    """The operations of one function. The condition `needs` is true where their results are
+    known.
+    """
 
     def __init__(self, facts: list[z3.BoolRef], *, rounded: bool) -> None:
         self.needs: list[z3.BoolRef] = []

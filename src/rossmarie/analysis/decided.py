@@ -172,7 +172,9 @@ def _constant_parts(inquiry: Inquiry) -> dict[int, TruthValue]:
 
 
 def _as_written(machine: Machine, found: Mapping[int, TruthValue]) -> dict[int, TruthValue]:
-    """The constant parts that users wrote: an `after` that never asks for an answer is always true."""
+    """The constant parts that users wrote: an `after` that never asks for an answer is always
+    true.
+    """
     reported = {
         proposition
         for rule in machine.rules

@@ -274,7 +274,7 @@ class _Beginning(enum.Enum):
 
 
 class _Played(Replays):
-    """A closed-loop test: do the rules alternate after the messages of a draft?"""
+    """A closed-loop test whether the rules alternate after the messages of a draft."""
 
     def __init__(
         self, machine: Machine, part: Machine, rules: Sequence[int], world: _World
@@ -309,7 +309,9 @@ class _Played(Replays):
         return None
 
     def _outsides(self, messages: Mapping[int, ChannelValues], period_ns: int) -> Iterator[Outside]:
-        """The possible outside messages on the topics of the rules, as the environment allows them."""
+        """The possible outside messages on the topics of the rules, as the environment allows
+        them.
+        """
         commanded = {each.topic for each in self._whole.reactions.commands}
         own = frozenset(
             each.channel

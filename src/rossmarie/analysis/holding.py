@@ -169,7 +169,9 @@ def _is_on(machine: Machine, source: Slot | Array, kept: Kept) -> bool:
 
 
 def is_ended(state: ArbitraryState, rule: int) -> z3.BoolRef:
-    """Say whether an active rule is cleared by the evaluation, or by a reset immediately after it."""
+    """Say whether an active rule is cleared by the evaluation, or by a reset immediately after
+    it.
+    """
     return z3.And(
         state.proposition(state.machine.rules[rule].condition).false, _is_free(state, rule)
     )

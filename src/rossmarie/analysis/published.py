@@ -1,4 +1,6 @@
-"""Messages that rules publish on topics that rules read, in the form in which inputs receive them."""
+"""Messages that rules publish on topics that rules read, in the form in which inputs receive
+them.
+"""
 
 from __future__ import annotations
 

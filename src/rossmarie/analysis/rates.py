@@ -297,7 +297,9 @@ def _forgotten(inquiry: Inquiry, signal: int, channel: int, gap_ns: int) -> Rema
 
 
 def _one_message(inquiry: Inquiry, proposition: int) -> Iterator[Finding]:
-    """A finding if a witness shows that a `for` becomes true after a single message of each topic."""
+    """A finding if a witness shows that a `for` becomes true after a single message of each
+    topic.
+    """
     machine = inquiry.machine
     part = machine.propositions[proposition]
     channels = sorted(inquiry.asked.supports.propositions[proposition].channels)

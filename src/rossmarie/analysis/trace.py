@@ -182,7 +182,9 @@ class Moment(Encoding):
         return choice(operand.true, choice(matured, literal(True), was), operand)
 
     def elapsed(self, operand: int) -> z3.ArithRef:
-        """The least time in nanoseconds for which a proposition, which is now true, has been true."""
+        """The least time in nanoseconds for which a proposition, which is now true, has been
+        true.
+        """
         if operand not in self._elapsed:
             begun = z3.IntVal(0)
             if self._is_end:
@@ -219,7 +221,7 @@ class Moment(Encoding):
         return choice(z3.Sum(near) >= node.count, literal(True), FALSE)
 
     def edges(self, operand: int) -> list[tuple[z3.BoolRef, z3.ArithRef]]:
-        """For each moment up to now: whether a proposition became true there, and how long ago that
+        """The edges of each moment up to now: whether a proposition became true there, and how long ago that
         is.
         """
         now = self.proposition(operand).true

@@ -104,7 +104,9 @@ def views(machine: Machine, witness: Witness, asked: Sequence[int] = ()) -> Iter
 
 
 def as_csv(machine: Machine, witness: Witness) -> str:
-    """The witness as a recording that `rossmarie replay` reads. Numbers are written without loss."""
+    """The witness as a recording that `rossmarie replay` reads. Numbers are written without
+    loss.
+    """
     channels = sorted({channel for event in witness.events for channel in event.messages})
     if not channels:  # a recording names the topics that are silent, too
         channels = list(range(len(machine.channels)))

@@ -3,7 +3,10 @@
     observe={"speed": 0, "force.z": (8, "N"), "joints.position": slice(1, 8), "battery": None}
     act={"/cmd_vel.linear.x": 0, "angular.z": (1, "deg/s")}
 
-A number is given by its index, an array by a slice, followed by a unit if it differs from the unit of the message. None is a field that the arrays do not contain. An array with named elements is given by a slice, too, or element by element: `efforts.elbow`. A query about skills is given by its words, `doing Push(Object: Fragile)`, and is 1 or 0.
+A number is given by its index, an array by a slice, followed by a unit if it differs from the unit
+of the message. None is a field that the arrays do not contain. An array with named elements is
+given by a slice, too, or element by element: `efforts.elbow`. A query about skills is given by its
+words, `doing Push(Object: Fragile)`, and is 1 or 0.
 """
 
 from __future__ import annotations

@@ -261,6 +261,6 @@ def _quantified(
 
 
 def _some(flags: NDArray[np.bool_], found: Elements) -> NDArray[np.bool_]:
-    """For each sequence, whether one of its elements has a flag."""
+    """A mask of the sequences of which an element has a flag."""
     before = np.append(0, np.cumsum(flags))
     return np.asarray(before[found.ends] > before[found.starts])

@@ -10,7 +10,7 @@ from rossmarie.testing.goals import Aspect, Goal, goals
 
 
 def points_left_out(machine: ir.Machine, reached: Set[Goal]) -> Iterator[str]:
-    """For each condition on points of a scan: the values that no generated test gives it, and the
+    """The values that no generated test gives to a condition on points of a scan, and the
     reason.
     """
     rests_on = supports(machine).propositions

@@ -144,7 +144,7 @@ class OrderInvariants:
                                f"{now} == ({before} || task == {each})")  # fmt: skip
 
     def _own(self) -> Iterator[tuple[int, str]]:
-        """For each rule, the condition that `task` is one of its tasks."""
+        """The condition that `task` belongs to a rule, for each rule."""
         for rule, plan in enumerate(self._found.plans):
             yield rule, f"({' || '.join(f'task == {each}' for each in plan.tasks) or '0'})"
 

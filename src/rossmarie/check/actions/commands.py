@@ -1,4 +1,6 @@
-"""Limits, scales and blocks: the effects on a command topic that passes through the safety filter."""
+"""Limits, scales and blocks: the effects on a command topic that passes through the safety
+filter.
+"""
 
 from __future__ import annotations
 

@@ -26,7 +26,9 @@ _WORDS: Mapping[Kind, str] = {Kind.SERVICE: "service", Kind.ACTION: "action serv
 
 @dataclass(frozen=True)
 class Sent:
-    """The target of a message: its full name, the name of its type, and the definition of the type."""
+    """The target of a message: its full name, the name of its type, and the definition of the
+    type.
+    """
 
     name: str
     type: str

@@ -1,4 +1,6 @@
-"""The values that imports give to parameters: their types and dimensions must be the declared ones."""
+"""The values that imports give to parameters: their types and dimensions must be the declared
+ones.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""Requirements of rules: each keeps a motion below a speed, in a zone or in the places of a class."""
+"""Requirements of rules: each keeps a motion below a speed, in a zone or in the places of a
+class.
+"""
 
 from __future__ import annotations
 

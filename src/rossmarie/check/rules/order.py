@@ -23,8 +23,8 @@ def in_order(
 ) -> tuple[list[Node], list[tuple[Node, ...]]]:
     """The nodes, each after the nodes that it needs, and disjoint circles of nodes.
 
-    Every node of `needs` is in the first list; nodes of circles are at arbitrary positions. If there is
-    any circle, at least one is returned. Does not recurse.
+    Every node of `needs` is in the first list; nodes of circles are at arbitrary positions. If
+    there is any circle, at least one is returned. Does not recurse.
     """
     order: list[Node] = []
     circles: list[tuple[Node, ...]] = []

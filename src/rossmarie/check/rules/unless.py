@@ -12,7 +12,7 @@ from rossmarie.syntax import ast
 
 
 def giving_way(context: Context) -> tuple[tuple[int, ...], ...]:
-    """For each rule, the numbers of the rules that suspend it while one of them is active.
+    """The numbers of the rules that suspend each rule while one of them is active.
 
     Reports unknown rules, and circles.
     """

@@ -150,7 +150,7 @@ def _plan_tables(found: reactions.Reactions) -> str:
 
 
 def _unless_table(found: reactions.Reactions) -> list[str]:
-    """For each rule, the rules that suspend it while they are active, if there are any."""
+    """The rules that suspend each rule while they are active, if there are any."""
     others = [plan.unless for plan in found.plans]
     return [lists("rule_unless", "others", _named("rule", others))] if _is_yielding(found) else []
 
