@@ -221,9 +221,7 @@ class Moment(Encoding):
         return choice(z3.Sum(near) >= node.count, literal(True), FALSE)
 
     def edges(self, operand: int) -> list[tuple[z3.BoolRef, z3.ArithRef]]:
-        """The edges of each moment up to now: whether a proposition became true there, and how long ago that
-        is.
-        """
+        """The flag that a proposition became true, and its age, for each moment up to now."""
         now = self.proposition(operand).true
         if self._before is None:
             return [(now, z3.IntVal(0))]

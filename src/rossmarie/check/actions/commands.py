@@ -250,7 +250,7 @@ class CommandChecker:
         ramps: Ramps,
         effect: ast.Limit | ast.Scale | ast.Block,
     ) -> list[float | None] | None:
-        """The ramp of each field in its unit; None after reporting ramps that belong to no field."""
+        """The ramp of each field in its unit; None after reporting ramps without a field."""
         if len(ramps) < len(effect.ramps):
             return None
         is_right = True
