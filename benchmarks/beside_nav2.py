@@ -73,7 +73,7 @@ approach (with the outline of this base), or zones: one as long as the way of br
 
 Rules are in `benchmarks/guards`. *Zones* and *approach* have the shapes and numbers of the two
 settings of Nav2. *Stopping* has no length of a zone: the base stops for what is nearer ahead than
-the way that it needs at the speed that it has, or is told to have, and is slow at twice that way.
+the way that it needs at its actual or commanded speed, and is slow at twice that way.
 *min(ranges)* has no geometry: it stops and slows down at the distances of the zones, by the least
 of all readings."""
 

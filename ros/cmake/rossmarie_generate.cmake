@@ -55,7 +55,7 @@ macro(_rossmarie_generate target name rules)
   if(_rossmarie_output MATCHES "warning\\[")
     message("${_rossmarie_output}")
   endif()
-  file(STRINGS ${_rossmarie_sources} _rossmarie_files)
+  file(STRINGS ${_rossmarie_sources} _rossmarie_files REGEX "^[^#]")
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${_rossmarie_files})
 
   set(ROSSMARIE_HOOKS "")

@@ -17,7 +17,6 @@ from rossmarie.naming import node_name
 
 FORMAT = "crosscheck/guards"
 VERSION = 1
-_START = f'{{\n  "format": {json.dumps(FORMAT)},\n'
 
 
 @dataclass(frozen=True)
@@ -78,8 +77,3 @@ def text_of(found: Woven) -> str:
     ]
     guards = "{\n" + ",\n".join(lines) + "\n  }" if lines else "{}"
     return "{\n" + ",\n".join([*parts, f'  "guards": {guards}']) + "\n}\n"
-
-
-def is_own(content: bytes) -> bool:
-    """Say whether a file begins as those that are written here."""
-    return content.startswith(_START.encode())

@@ -7,22 +7,21 @@ the command itself go to standard error.
 from __future__ import annotations
 
 import enum
-import errno
 import os
-import signal
-import sys
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, NoReturn, TextIO
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import typer
 
-from dslkit import garbage, signals, streams
 from dslkit.answer import Answer
 from dslkit.diagnostics import Diagnostic, Severity, summary
-from dslkit.writing import reason, try_folder, try_writing, write_whole
+from dslkit.ending import Ending
+from dslkit.options import Format
+from dslkit.ownership import Comment, NotOwnError, list_written, marked, require_own
+from dslkit.writing import is_stream, reason, try_folder, try_writing, write_whole
 
 if TYPE_CHECKING:  # a run without findings needs neither
     from rich.console import Console
@@ -30,40 +29,15 @@ if TYPE_CHECKING:  # a run without findings needs neither
     from dslkit.catalog import Catalog
     from dslkit.extras import Extras
 
-INTERNAL_ERROR = 70
-"""The exit code for a defect of the tool (sysexits: EX_SOFTWARE)."""
-
-INTERRUPTED = 128 + signal.SIGINT
-"""The exit code of an interrupted run."""
-
-StudyFile = Annotated[
-    Path | None,
-    typer.Option(
-        "--study",
-        metavar="FILE",
-        help="Append the codes and places of the findings to this study log.",
-        readable=False,
-    ),
-]
-"""The option that a check has for studies with users; without it a check keeps no record."""
-
-_UNHEARD = 141  # that of a program which SIGPIPE ends: 128 + 13
-_OUTPUT_FAILURES = frozenset((errno.ENOSPC, errno.EDQUOT, errno.EIO, errno.EFBIG, errno.EBADF))
+_PROGRAMS = {"CHK": "crosscheck", "EZS": "ezskiros", "ROSS": "rossmarie"}
+"""The programs that explain codes, by the letters of the codes."""
 
 
-class Format(str, enum.Enum):
-    """The formats in which a check prints its findings."""
+@dataclass
+class _Permission:
+    """The permission of the user to replace files that the program did not write."""
 
-    TEXT = "text"
-    JSON = "json"
-    SARIF = "sarif"
-
-
-class ReportFormat(str, enum.Enum):
-    """The formats in which the other commands print their findings and their result."""
-
-    TEXT = "text"
-    JSON = "json"
+    is_given: bool = False
 
 
 @dataclass(frozen=True)
@@ -82,6 +56,7 @@ class CommandLine:
     catalog: Callable[[], Catalog]
     distribution: str
     extras: Callable[[], Extras]
+    permission: _Permission = field(default_factory=_Permission)
     _answers: list[Answer] = field(default_factory=list, init=False, repr=False, compare=False)
 
     def exit_code(self, found: Sequence[Diagnostic]) -> int:
@@ -157,14 +132,20 @@ class CommandLine:
         else:
             typer.echo(text, nl=False)
 
-    def explain(self, code: str) -> None:
-        """Print the page of a diagnostic."""
+    def explain(self, code: str, hint: str = "") -> None:
+        """Print the page of a diagnostic; the `hint` follows if there is none with this code."""
         from dslkit.catalog import UnknownCodeError
 
         try:
             text = self.catalog().page(code)
         except UnknownCodeError as error:
-            self.fail(str(error), exit_code=2)
+            program = _PROGRAMS.get(code.strip().upper().rstrip("0123456789"))
+            if program not in (None, self.tool):
+                code = code.strip().upper()
+                self.fail(
+                    f"{code} is a code of {program}: run `{program} explain {code}`", exit_code=2
+                )
+            self.fail(f"{error}{hint}", exit_code=2)
         self.print_page(text)
 
     def reject(self, found: Sequence[Diagnostic]) -> NoReturn:
@@ -237,32 +218,104 @@ class CommandLine:
 
     # --- what is written --------------------------------------------------------------------------
 
-    def try_file(self, path: Path) -> None:
-        """End the run early if a file cannot be written at its end."""
+    def permit(self, force: bool) -> None:
+        """Let the user's `--force` decide whether files of others are replaced."""
+        self.permission.is_given = force
+
+    def try_file(self, *paths: Path | None) -> None:
+        """End the run, before it takes its time, if it could not write one of these files after it,
+        or may not, because somebody else wrote what is there. None stands for no file.
+        """
+        wanted = [path for path in paths if path is not None]
+        self._refuse_twice(wanted)
+        for path in wanted:
+            self.require_own_file(path)
+        for path in wanted:
+            self.try_change(path)
+
+    def try_change(self, path: Path) -> None:
+        """End the run if a file of the user, which is to be changed, could not be written."""
         with self.writing(path):
             try_writing(path)
 
-    def try_folder(self, folder: Path) -> None:
-        """End the run early if files cannot be written into a folder at its end."""
+    def try_folder(self, folder: Path, *names: str) -> None:
+        """End the run, before it takes its time, if it could not write files into a folder, or may
+        not write those with these names.
+        """
         with self.writing_to(folder):
             try_folder(folder)
+        for name in names:
+            self.require_own_file(folder / name)
+            if (folder / name).exists():
+                self.try_change(folder / name)
 
-    def save(self, path: Path, text: str) -> None:
-        """Write a file. If that is not possible, the run ends."""
+    def save(self, path: Path, text: str, comment: Comment | None = None) -> None:
+        """Write a file with the mark of this program; the run ends if that cannot be done.
+        `comment` is for formats that do not show by themselves how comments look in them.
+        """
+        self.require_own_file(path)
         with self.writing(path):
-            write_whole(path, text)
+            write_whole(path, self.marked(text, comment))
+
+    def marked(self, text: str, comment: Comment | None = None) -> str:
+        """Add the mark by which this program knows the file again, as `ownership` does."""
+        return marked(text, self.tool, comment)
+
+    def tell_written(self, path: Path) -> None:
+        """Say that a file was written: on standard error if standard output is for an answer or can
+        be that file.
+        """
+        typer.echo(f"wrote {path}", err=bool(self._answers) or is_stream(path))
+
+    def list_written(self, folder: Path, names: Sequence[str]) -> None:
+        """Write the list of files in a folder that cannot hold a mark."""
+        with self.writing_to(folder):
+            list_written(folder, names, self.tool)
+
+    def _refuse_twice(self, paths: Sequence[Path]) -> None:
+        seen: dict[str, Path] = {}
+        for path in paths:
+            first = seen.setdefault(os.path.realpath(path), path)
+            if first is not path and not is_stream(path):
+                self.fail(f"two outputs go to one file, {path}: give them two names", exit_code=2)
+
+    def require_own_file(self, path: Path) -> None:
+        """End the run if a file may not be written."""
+        if str(path) == "-":
+            self.fail("`-` is no file: name /dev/stdout for standard output", exit_code=2)
+        if self.permission.is_given:
+            return
+        with self.writing(path):
+            try:
+                require_own(path, self.tool)
+            except NotOwnError:
+                self.fail(
+                    f"{path} is there, and {self.tool} did not write it: choose another name, or "
+                    "replace it with --force",
+                    exit_code=2,
+                )
+
+    def refuse_present(self, paths: Sequence[Path]) -> NoReturn:
+        """End the run because these files are there, and their user completes them by hand."""
+        names = ", ".join(map(str, paths))
+        self.fail(
+            f"nothing is written, because these are there: {names}; choose another folder, or "
+            "replace them with --force",
+            exit_code=2,
+        )
 
     def copy_example(self, example: Path, folder: Path) -> None:
-        """Copy a folder of examples and name each file. If a file exists already, the run ends."""
+        """Copy a folder of examples and name each file; the run ends if a file is there already and
+        may not be replaced.
+        """
         from dslkit.examples import FilesAreThereError, copy_example
 
         self.try_folder(folder)
         try:
             with self.writing_to(folder):
-                written = copy_example(example, folder)
+                written = copy_example(example, folder, replaces_others=self.permission.is_given)
         except FilesAreThereError as error:
-            paths = ", ".join(map(str, error.paths))
-            self.fail(f"nothing is written, because these are there: {paths}", exit_code=2)
+            self.refuse_present(error.paths)
         for path in written:
             typer.echo(f"wrote {path}")
 
@@ -322,86 +375,5 @@ class CommandLine:
     # --- how it ends ------------------------------------------------------------------------------
 
     def run(self, app: Callable[[], None]) -> None:
-        """Run the command. A defect of this program is reported as one."""
-        streams.make_ready()
-        try:
-            signals.raise_interrupts()
-            code = self._exit_code_of(app)
-            signals.end_at_once()
-        except KeyboardInterrupt:
-            signals.end_at_once()
-            code = INTERRUPTED
-        garbage.look_no_more()
-        sys.exit(signals.exit_code() or code)
-
-    def _exit_code_of(self, app: Callable[[], None]) -> int | str | None:
-        try:
-            try:
-                app()
-            finally:
-                sys.stdout.flush()
-        except SystemExit as ended:
-            # Typer ends the run like this if the reader of its output has gone.
-            return _UNHEARD if isinstance(ended.__context__, BrokenPipeError) else ended.code
-        except Exception as error:
-            return self._exit_code_after(error)
-        return 0
-
-    def _exit_code_after(self, error: Exception) -> int:
-        """Print the error, unless it comes from an interrupt or there is no reader. Returns the
-        exit code.
-        """
-        if (interrupted := signals.exit_code()) is not None:
-            return interrupted
-        if isinstance(error, BrokenPipeError) and error.filename is None:
-            _drop(sys.stdout)
-            return _UNHEARD
-        code = INTERNAL_ERROR
-        try:
-            if isinstance(error, OSError) and _is_about_output(error):
-                code = 2
-                _drop(sys.stdout)
-                self.complain(f"cannot write the output: {reason(error)}")
-            elif isinstance(error, FileNotFoundError) and not _has_folder():
-                code = 2
-                self.complain("the current folder is gone: change to another one")
-            elif isinstance(error, ModuleNotFoundError) and (
-                advice := self.extras().explained(error)
-            ):
-                code = 2
-                self.complain(advice)
-            else:
-                import traceback
-
-                self._tell_defect(traceback.format_exc())
-        except OSError:
-            _drop(sys.stderr)
-        return code
-
-    def _tell_defect(self, detail: str) -> None:
-        """Report a defect of the tool, with the data that its developers need."""
-        title = f"this is a defect of {self.tool}, not of {self.subject}"
-        typer.echo(f"error[{self.internal_code}]: {title}", err=True)
-        typer.echo("please report it, with the file that you checked and these lines:", err=True)
-        sys.stderr.write(detail)
-
-
-def _drop(stream: TextIO) -> None:
-    """Drop the remaining output of a stream: otherwise Python fails again at its end."""
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    os.dup2(nowhere, stream.fileno())
-    os.close(nowhere)
-
-
-def _has_folder() -> bool:
-    """True while the current folder exists."""
-    try:
-        Path.cwd()
-    except FileNotFoundError:
-        return False
-    return True
-
-
-def _is_about_output(error: OSError) -> bool:
-    """Say whether standard output cannot be written to: such an error names no file."""
-    return error.filename is None and error.errno in _OUTPUT_FAILURES
+        """Run the command; a defect of ours is reported as one."""
+        Ending(self.tool, self.subject, self.internal_code, self.extras, self.complain).run(app)

@@ -1,4 +1,6 @@
-"""Copies folders of examples for users: all files or none, and never over an existing file."""
+"""Copies folders of examples for users: all files or none. Files that are there stay unless the
+caller allows otherwise.
+"""
 
 from __future__ import annotations
 
@@ -7,6 +9,8 @@ import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TypeVar
+
+from dslkit.writing import write_whole
 
 Example = TypeVar("Example")
 
@@ -40,17 +44,17 @@ def files_of(folder: Path) -> Sequence[Path]:
     return sorted(path.relative_to(folder) for path in inside if "__pycache__" not in path.parts)
 
 
-def copy_example(example: Path, folder: Path) -> Sequence[Path]:
+def copy_example(example: Path, folder: Path, *, replaces_others: bool = False) -> Sequence[Path]:
     """Copy the files of an example into a folder, which need not exist yet, and return what was
-    written. Raises `FilesAreThereError` before anything is written, and `OSError`.
+    written. Raises `FilesAreThereError` before anything is written, unless the copy
+    `replaces_others`, and `OSError`.
     """
     files = files_of(example)
     targets = [folder / each for each in files]
     present = [path for path in targets if os.path.lexists(path)]
-    if present:
+    if present and not replaces_others:
         raise FilesAreThereError(present)
     for source, target in zip(files, targets, strict=True):
         target.parent.mkdir(parents=True, exist_ok=True)
-        with target.open("xb") as stream:  # a file that another program has just written stays
-            stream.write((example / source).read_bytes())
+        write_whole(target, (example / source).read_bytes())
     return targets

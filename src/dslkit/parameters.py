@@ -13,7 +13,14 @@ from enum import Enum
 from pathlib import Path
 from typing import Any, get_args
 
+from typer import BadParameter
 from typer.core import TyperGroup
+
+_KINDS = {
+    "Input should be a valid integer": "whole number",
+    "Input should be a valid number": "number",
+}
+"""The beginnings of pydantic's messages about text that is no number, and the kind of number."""
 
 
 class Group(TyperGroup):
@@ -68,7 +75,11 @@ class _Plain:
             return self._of(value)
         except ValueError:
             typers = type(self._parameter).get_runtime_param(self._parameter)
-            return typers.coerce(value, **rest)
+            try:
+                return typers.coerce(value, **rest)
+            except BadParameter as error:
+                error.message = _plain_words(error.message, value)
+                raise
 
     def _of(self, value: Any) -> Any:
         is_list = self._parameter.multiple or self._parameter.nargs == -1
@@ -95,6 +106,14 @@ class _Plain:
         if kind is float and value == self._parameter.default:
             return value
         raise _NotPlainError
+
+
+def _plain_words(message: str, value: object) -> str:
+    """A message of pydantic in the words of a user."""
+    for begin, kind in _KINDS.items():
+        if message.startswith(begin):
+            return f"`{value}` is no {kind}"
+    return message.removeprefix("Value error, ").replace("Input should be", "it has to be")
 
 
 def _path(value: str | Path, declared: Any) -> Path:

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import errno
+import io
 import os
 import shutil
-from collections.abc import Mapping
+import sys
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
+from typing import IO, TextIO
 
 _BLOCK = 4096
 _ERRORS = "backslashreplace"
@@ -17,16 +21,27 @@ def write_whole(path: Path, content: str | bytes) -> None:
     Its permissions stay. Text is written in UTF-8; invalid file names in it are written with
     escapes. Raises `OSError`.
     """
-    written = content.encode(errors=_ERRORS) if isinstance(content, str) else content
-    target = Path(os.path.realpath(path))  # a link stays one
-    if _is_stream(target):
-        target.write_bytes(written)
+    with replacing(path) as stream:
+        stream.write(content.encode(errors=_ERRORS) if isinstance(content, str) else content)
+
+
+@contextmanager
+def replacing(path: Path) -> Iterator[IO[bytes]]:
+    """Within, a stream takes the new content of a file, which replaces the old one at the end. An
+    exception within leaves the old one. A terminal, a pipe or a device takes the content at once.
+    Raises `OSError`.
+    """
+    if is_stream(path):
+        sys.stdout.flush()  # what was printed before comes before
+        with path.open("ab") as stream:
+            yield stream
         return
+    target = Path(os.path.realpath(path))  # a link stays one
     is_there = target.exists()
     temporary = _begin(target)
     try:
         with temporary.open("wb") as stream:
-            stream.write(written)
+            yield stream
             stream.flush()
             os.fsync(stream.fileno())  # some file systems only now report that they are full
         if is_there:
@@ -34,6 +49,17 @@ def write_whole(path: Path, content: str | bytes) -> None:
         temporary.replace(target)
     finally:
         temporary.unlink(missing_ok=True)
+
+
+@contextmanager
+def replacing_text(path: Path) -> Iterator[TextIO]:
+    """As `replacing`, with a stream that takes text. Line endings stay as they are written."""
+    with replacing(path) as stream:
+        text = io.TextIOWrapper(stream, encoding="utf-8", errors=_ERRORS, newline="")
+        try:
+            yield text
+        finally:
+            text.detach()
 
 
 def write_texts(folder: Path, texts: Mapping[str, str]) -> None:
@@ -49,7 +75,7 @@ def try_writing(path: Path) -> None:
     target = Path(os.path.realpath(path))
     if target.is_dir():
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
-    if _is_stream(target):
+    if is_stream(path):
         return
     temporary = _begin(target)
     try:
@@ -73,9 +99,12 @@ def try_folder(folder: Path) -> None:
     try_writing(place / f".rossmarie-{os.getpid()}")
 
 
-def _is_stream(target: Path) -> bool:
-    """Say whether a target is a terminal or a pipe, which has no content."""
-    return target.exists() and not target.is_file()
+def is_stream(path: Path) -> bool:
+    """Say whether a path leads to a terminal, a pipe or a device, which holds no content.
+    `/dev/stdout` is one also where a shell leads it into a file, which it has emptied itself.
+    """
+    is_open_file = str(path).startswith(("/dev/std", "/dev/fd/", "/proc/self/fd/"))
+    return path.exists() and not path.is_dir() and (is_open_file or not path.is_file())
 
 
 def _begin(target: Path) -> Path:

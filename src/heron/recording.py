@@ -12,6 +12,7 @@ from pathlib import Path
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.typesys import Stores
 
+from dslkit.writing import replacing_text
 from ezskiros.engine.events import Event
 from ezskiros.engine.tracing import Trace
 from heron.experiments import Node
@@ -73,8 +74,8 @@ def write_trace(
     `OSError`.
     """
     start_s = events[0][0]
-    with path.open("w", encoding="utf-8") as file:
-        trace = Trace(file, began_ns + round(start_s * 1e9))
+    with replacing_text(path) as file:
+        trace = Trace(file, began_ns + round(start_s * 1e9), "heron")
         for at_s, event in events:
             tick = 1 + round((at_s - start_s) * 1e9 / period_ns)
             trace.write(event, tick, at_s - start_s)

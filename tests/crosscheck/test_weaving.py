@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from crosscheck.robot import load
-from crosscheck.weaving import Woven, is_own, text_of, woven
+from crosscheck.weaving import Woven, text_of, woven
+from dslkit.ownership import is_own
 from ezskiros.context.guards import Guards, read_guards
 from support import command_line
 from support.golden import assert_golden
@@ -117,12 +118,12 @@ def test_nothing_else_is_written_over(robot: Path) -> None:
     for name in ("whiteboard.ross", "skills.json"):
         code, said = weave(name)
         assert code == 2
-        assert f"{name} is not overwritten: `crosscheck weave` has not written it" in said
+        assert f"{name} is there, and crosscheck did not write it" in said
     assert {path: path.read_bytes() for path in before} == before
     assert weave("guards.json")[0] == 0
     (robot / "guards.json").write_text((robot / "guards.json").read_text() + "\n")
     assert weave("guards.json")[0] == 0
-    assert is_own((robot / "guards.json").read_bytes())
+    assert is_own((robot / "guards.json").read_bytes(), "crosscheck")
     assert not (robot / "guards.json").read_text().endswith("\n\n")
     code, said = weave("nowhere/guards.json")
     assert code == 2

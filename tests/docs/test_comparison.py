@@ -1,4 +1,4 @@
-"""The page that compares EzSkiROS with SkiROS2: what it says of EzSkiROS comes from checks."""
+"""The page that compares EzSkiROS with SkiROS2: its column of EzSkiROS comes from checks."""
 
 from __future__ import annotations
 
@@ -26,18 +26,19 @@ FAULTS: list[dict[str, Any]] = tomllib.loads(
 HEAD = """\
 # Compared with SkiROS2
 
-What becomes of a fault in a skill: in its description, its behavior tree, its methods, its module.
-The column of SkiROS2 was measured with its core (master of 2024-09-24, c4438e7), without ROS;
-it loaded all of them but those where the second column says so. EzSkiROS finds each before anything
-runs; its column is made by running it.
+This page compares the reactions of SkiROS2 and EzSkiROS to faults in a skill: in its description,
+its behavior tree, its methods and its module. The columns of SkiROS2 were measured with its core
+(master of 2024-09-24, c4438e7), without ROS. SkiROS2 loaded every skill, except where the second
+column is "load". EzSkiROS reports each fault before a skill runs. A test runs EzSkiROS and writes
+the last column.
 
-| fault | SkiROS2 notices | and says | EzSkiROS says, at the place |
+| Fault | SkiROS2 detects it | Message of SkiROS2 | Message of EzSkiROS, with the source text |
 |---|---|---|---|
 """
 
 
 def checked_fault(fault: dict[str, Any]) -> Checked:
-    """What is found where the fault is."""
+    """The result of a check of a skill with the fault."""
     if "tree" in fault:
         return tree(fault["tree"], fault.get("parameters", PARAMETERS))
     if "methods" in fault:

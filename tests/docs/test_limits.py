@@ -35,30 +35,30 @@ def number(count: int) -> str:
 @pytest.mark.parametrize(
     ("what", "limit"),
     [
-        ("Decompressed bytes, whatever the ratio", mib(recordings.SMALL_CHUNK)),
+        ("Decompressed bytes, for any ratio", mib(recordings.SMALL_CHUNK)),
         (
-            "Decompressed bytes for each compressed one, above that",
+            "Decompressed bytes for each compressed byte, above that size",
             number(recordings.HIGHEST_RATIO),
         ),
         ("Decompressed bytes of a chunk, in any case", mib(recordings.LARGEST_CHUNK)),
         (
             "Decompressed bytes of a recording, "
-            f"besides {recordings.HIGHEST_RATIO} for each of its bytes",
+            f"in addition to {recordings.HIGHEST_RATIO} for each of its bytes",
             mib(recordings.SMALL_RECORDING),
         ),
         (
-            "Messages of a recording without index, "
-            f"besides one for each {recordings.BYTES_OF_A_MESSAGE} of its bytes",
+            "Messages of a recording without an index, "
+            f"in addition to one for each {recordings.BYTES_OF_A_MESSAGE} of its bytes",
             number(recordings.MOST_MESSAGES),
         ),
-        ("Texts and messages in the arrays of one message", number(recordings.MOST_ELEMENTS)),
+        ("Strings and messages in the arrays of one message", number(recordings.MOST_ELEMENTS)),
         (
             "Elements of an array of fixed length, unless they are numbers",
             number(recordings.LONGEST_FIXED_ARRAY),
         ),
-        ("Message types in each other", number(recordings.DEEPEST_TYPE)),
+        ("Nesting of message types", number(recordings.DEEPEST_TYPE)),
         (
-            "Fields of a message type, those of its parts included",
+            "Fields of a message type, including the fields of its parts",
             number(recordings.MOST_FIELDS),
         ),
         (
@@ -70,7 +70,7 @@ def number(count: int) -> str:
             "`package.xml` of a package",
             f"{package_xml.LARGEST_FILE >> 10} KiB",
         ),
-        ("Elements of a `package.xml` in each other", number(package_xml.DEEPEST)),
+        ("Nesting of elements in a `package.xml`", number(package_xml.DEEPEST)),
         ("File of skills", mib(read.LARGEST_EXPORT)),
         ("Record of a run, or knowledge of runs", mib(records.LARGEST_RECORD)),
         ("Levels of a behavior tree in a file of skills", number(trees.MOST_LEVELS)),
@@ -80,12 +80,12 @@ def number(count: int) -> str:
         ),
         ("Size of a file", mib(ontologies.LARGEST_FILE)),
         (
-            "Elements, objects, lists or triple terms in each other",
+            "Nesting of elements, objects, lists or triple terms",
             number(ontologies.DEEPEST),
         ),
-        ("Namespaces in force at one XML element", number(ontologies.MOST_NAMESPACES)),
+        ("Namespaces in scope at one XML element", number(ontologies.MOST_NAMESPACES)),
         ("Triples of a file", number(ontologies.MOST_TRIPLES)),
-        ("Text of a file with entities and prefixes in full", mib(ontologies.LONGEST_TEXT)),
+        ("Text of a file with entities and prefixes expanded", mib(ontologies.LONGEST_TEXT)),
     ],
 )
 def test_the_page_has_the_limit(what: str, limit: str) -> None:

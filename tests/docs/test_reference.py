@@ -88,8 +88,8 @@ def quoted_words(before: str) -> set[str]:
 
 def test_the_words_of_the_language_are_listed() -> None:
     all_words = set(re.findall(r'"([a-z]+)"', grammar_rules()))
-    assert quoted_words("are never the name of anything:\n\n") == RESERVED
-    assert quoted_words("are free as names elsewhere:\n\n") == all_words - RESERVED
+    assert quoted_words("are reserved and cannot be names:\n\n") == RESERVED
+    assert quoted_words("Elsewhere they can be names:\n\n") == all_words - RESERVED
 
 
 def test_every_function_has_a_row() -> None:
@@ -104,7 +104,7 @@ def test_the_limits_are_those_of_the_compiler() -> None:
         cell for line in section.split("\n") if line.startswith("| ") for cell in line.split(" | ")
     ]
     assert stated[7::3][:10] == [
-        f"{limits.MAXIMUM_FILE_SIZE // 2**20} MiB, {spaced(limits.MAXIMUM_TOKENS)} words and signs",
+        f"{limits.MAXIMUM_FILE_SIZE // 2**20} MiB, {spaced(limits.MAXIMUM_TOKENS)} tokens",
         f"{limits.MAXIMUM_NESTING} levels",
         f"{limits.MAXIMUM_DEPTH} levels",
         spaced(limits.MAXIMUM_LENGTH),

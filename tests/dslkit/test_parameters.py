@@ -1,4 +1,4 @@
-"""Values of commands: looked at without pydantic, and understood as typer does."""
+"""Values of commands: read without pydantic, understood as typer does, refused in plain words."""
 
 from __future__ import annotations
 
@@ -54,7 +54,6 @@ def program(**options: Any) -> typer.Typer:
 COMMANDS = (
     "a.txt",
     "a.txt b/../c.txt --colour blue --is-dry --name y --names p --names q",
-    "a.txt --colour BLUE",
     "a.txt --folders . --folders ..",
     "a.txt --folders nowhere/./at/all",
     "a.txt --folders file",
@@ -62,15 +61,20 @@ COMMANDS = (
     "a.txt --files-only .",
     "a.txt --files-only new",
     "a.txt --layers 3 --seconds 2 --even 4",
-    "a.txt --layers 0",
-    "a.txt --layers x",
-    "a.txt --seconds 0.1",
     "a.txt --even 3",
-    "a.txt --even x",
     "",
     "--help",
     "a.txt --nothing",
 )
+REFUSED = {
+    "a.txt --colour BLUE": "--colour': 'BLUE' is not one of 'red', 'blue'.",
+    "a.txt --layers 0": "it has to be greater than or equal to 1",
+    "a.txt --layers x": "`x` is no whole number",
+    "a.txt --seconds 0.1": "it has to be greater than or equal to 0.5",
+    "a.txt --seconds x": "`x` is no number",
+    "a.txt --even x": "--even': invalid literal",
+}
+"""Words of a command line, and a part of the answer that differs from typer's."""
 
 
 @pytest.mark.parametrize("words", COMMANDS)
@@ -82,6 +86,14 @@ def test_values_and_errors_are_those_of_typer(
     ours, theirs = (ran(program(**each), words) for each in ({"cls": Group}, {}))
     assert (ours.exit_code, ours.output) == (theirs.exit_code, theirs.output)
     assert type(ours.exception) is type(theirs.exception)
+
+
+@pytest.mark.parametrize("words", REFUSED)
+def test_errors_of_pydantic_are_told_in_plain_words(words: str) -> None:
+    ours, theirs = (ran(program(**each), words) for each in ({"cls": Group}, {}))
+    assert ours.exit_code == theirs.exit_code == 2
+    assert REFUSED[words] in ours.output
+    assert REFUSED[words] not in theirs.output
 
 
 def ran(app: typer.Typer, words: str) -> Result:

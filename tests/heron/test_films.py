@@ -91,10 +91,10 @@ def test_a_gif_is_a_film_too(tmp_path: Path) -> None:
 
 def test_nothing_is_written_over(tmp_path: Path) -> None:
     path = tmp_path / "placing.gif"
-    path.touch()
+    path.write_bytes(b"GIF89a")
     found = CliRunner().invoke(app, ["run", "place", "--film", str(path)])
     assert found.exit_code == 2
-    assert "is there already, and is not written over" in found.output
+    assert "is there, and heron did not write it" in found.output
 
 
 @needs(MOUNTS)

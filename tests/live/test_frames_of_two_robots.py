@@ -50,9 +50,12 @@ class Fleet:
         return self._say(space, "tf", "tf2_msgs/TFMessage", moving)
 
     def begin(self, space: str, **options: Any) -> Process:
-        """Start the node of a robot."""
+        """Start the node of a robot, which hears the transforms of its namespace only."""
         parameters = {"state_file": str(self._folder / f"latched{space.strip('/')}")}
-        process = self._ros.begin(self._program, parameters, namespace=space, **options)
+        own = [f"/{topic}:={space}/{topic}" for topic in ("tf", "tf_static") if space]
+        process = self._ros.begin(
+            self._program, parameters, namespace=space, remapped=own, **options
+        )
         self._processes.append(process)
         return process
 

@@ -27,4 +27,4 @@ class Listener(Ears):
 
 
 if __name__ == "__main__":
-    run(Listener)
+    run(Listener, "listener")

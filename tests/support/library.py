@@ -79,10 +79,10 @@ _HEAD = """\
 
 Written from `src/rossmarie/library` by `pytest --bless tests/docs/test_library.py`; do not edit.
 
-**Nothing of this is certified.** The rules are software beside the control of a robot, and no
-safety function of any standard. The numbers are examples of how a limit is derived: derive your
-own for your robot. Texts of standards were not read. Formulas and numbers of clauses are quoted
-from public pages that show them:
+**Nothing in the library is certified.** The rules are software in addition to the control of a
+robot. They are not a safety function of any standard. The numbers are examples for the derivation
+of a limit: derive the numbers for your own robot. The texts of the standards were not read.
+Formulas and clause numbers are quoted from these public pages:
 
 - ISO 13855, S = (K * T) + C: [GT Engineering, EN ISO 13855, clause 5][gt-13855]. That page has
   S = (K * T) + D_DS + Z since July 2025, with the distance D_DS that belongs to the protective
@@ -96,13 +96,13 @@ from public pages that show them:
 [sick-nano]: https://www.easymanua.ls/sick/nanoscan3/manual?p=34
 [sick-micro]: https://www.easymanua.ls/sick/microscan3-core-i-o/manual?p=49
 
-How to use the library: [the language](language.md#the-library). Each file has tests beside it,
-`NAME.tests.ross` in the words of its rules, and generated ones of all boundaries,
-`NAME.boundaries.ross`. Together they have 100 % MC/DC.
-[Proofs of the generated C](library-proofs.md) have a page of their own.
+For the use of the library see [the language](language.md#the-library). Each file has two files of
+tests: hand-written tests of its rules, `NAME.tests.ross`, and generated tests of all boundaries,
+`NAME.boundaries.ross`. Together they reach 100 % MC/DC. A separate page lists the
+[proofs of the generated C](library-proofs.md).
 
-A latched rule also latches if an input is missing when the monitor starts. Reset it once all
-sensors have spoken.
+A latched rule also latches if an input is missing when the monitor starts. Reset it after all
+sensors have sent a message.
 """
 
 
@@ -165,7 +165,7 @@ def _anchor(file: _File) -> str:
 def _actions(files: Sequence[_File]) -> Iterator[str]:
     yield "## Actions"
     yield ""
-    yield "| File | Action | Does |"
+    yield "| File | Action | Effect |"
     yield "|---|---|---|"
     for file in files:
         for item in file.module.items:
@@ -184,12 +184,12 @@ def _section(file: _File) -> Iterator[str]:
     yield f'import "rossmarie/{name_of(file.path)}" as {file.path.stem};'
     yield "```"
     yield ""
-    yield "| Parameter | As it comes | |"
+    yield "| Parameter | Default | Meaning |"
     yield "|---|---|---|"
     for name, parameter in file.parameters.items():
         yield f"| `{name}` | {_default(parameter)} | {_comment(parameter)} |"
     yield ""
-    yield "| Input | Topic | Silent for at most |"
+    yield "| Input | Topic | Timeout |"
     yield "|---|---|---|"
     for item in file.module.items:
         if isinstance(item, ast.Input):

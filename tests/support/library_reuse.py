@@ -20,11 +20,12 @@ _HEAD = """\
 # One library, five robots
 
 Written by `benchmarks/library_reuse.py` from the rules of [the robots in the box](command-line.md)
-and those of [the library](library.md); do not edit. What it means:
-[one library, several robots](../explanation/one-library.md).
+and the rules of [the library](library.md); do not edit. The page
+[one library, several robots](../explanation/one-library.md) explains the results.
 
-A rule is used *as it is* where no number on which it rests was changed: names of topics, joints and
-frames do not count. It is used *with other numbers* where an import gives at least one of them.
+A rule is used *as it is* if an import changes none of its numbers; names of topics, joints and
+frames do not count. A rule is used *with other numbers* if an import sets at least one of its
+numbers.
 """
 
 
@@ -137,8 +138,8 @@ def _rules(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str
     yield "## Rules"
     yield ""
     yield (
-        "| Robot | Used as they are | With other numbers | Not used: lacks a message "
-        "| Not used else | Own |"
+        "| Robot | Used as they are | With other numbers | Not used: message missing "
+        "| Not used: other reason | Own |"
     )
     yield "|---|---|---|---|---|---|"
     for each in reported:
@@ -160,7 +161,7 @@ def _rules(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str
 def _files(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     yield "## Files of the library"
     yield ""
-    yield "Numbers that an import gives stand in the table; a dash says that the file is not used."
+    yield "The cells are the numbers that an import sets. A dash means that the file is not used."
     yield ""
     yield f"| File | {' | '.join(each.robot.name for each in reported)} |"
     yield f"|---|{'---|' * len(reported)}"
@@ -168,7 +169,7 @@ def _files(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str
         cells = (_cell(each.uses.get(name_of(path))) for each in reported)
         yield f"| {name_of(path)} | {' | '.join(cells)} |"
     yield ""
-    yield "Files that a robot does not use, and why:"
+    yield "Files that a robot does not use, and the reasons:"
     yield ""
     for each in reported:
         for path in files:
@@ -188,11 +189,11 @@ def _reason(reported: _Reported, path: Path) -> str:
         return reported.reasons[name_of(path)]
     if lacking:
         return "it has no " + ", and no ".join(lacking)
-    return "nothing stands in the way, and its rules do not import it"
+    return "it could be used, but the rules do not import it"
 
 
 def _own(reported: Sequence[_Reported]) -> Iterator[str]:
-    yield "## Rules that one robot has"
+    yield "## Rules of a single robot"
     yield ""
     for each in reported:
         names = [f"`{rule.name.text}`" for rule in rules_of(each.robot.rules) if rule.name]
@@ -202,11 +203,11 @@ def _own(reported: Sequence[_Reported]) -> Iterator[str]:
 def _recoveries(reported: Sequence[_Reported], files: Sequence[Path]) -> Iterator[str]:
     yield "## Recoveries"
     yield ""
-    yield "The actions of the rules of the library. A rule says whether its recovery depends on the"
-    yield "task. The last two columns: the robots whose rules use the action, and those that"
-    yield "replace it by one of their own."
+    yield "The actions in the rules of the library. A rule declares if its recovery depends on the"
+    yield "task. The last two columns are the robots that use the action, and the robots that"
+    yield "replace the action by their own."
     yield ""
-    yield "| Action | Rules, whatever the task | Rules of a task | Robots | Replaced by |"
+    yield "| Action | Rules for all tasks | Rules for a task | Robots | Replaced by |"
     yield "|---|---|---|---|---|"
     tasks: dict[str, dict[str, set[str]]] = {}
     for path in files:

@@ -286,8 +286,9 @@ class Ros(Protocol):
         *,
         use_sim_time: bool = False,
         namespace: str = "",
+        remapped: Sequence[str] = (),
     ) -> Process:
-        """Start a node with these parameters and no others."""
+        """Start a node with these parameters and no others, and with names remapped (`/a:=/b`)."""
         ...
 
     def play(self, recording: Path) -> Process:

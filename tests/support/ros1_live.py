@@ -180,12 +180,15 @@ class Ros1:
         *,
         use_sim_time: bool = False,
         namespace: str = "",
+        remapped: Sequence[str] = (),
     ) -> Process:
-        """Start a node with these parameters and no others."""
+        """Start a node with these parameters and no others, and with names remapped."""
         node = f"{namespace[1:]}/{program.name}" if namespace else program.name
         set_parameters(self.variables, node, parameters, use_sim_time=use_sim_time)
         variables = {**self.variables, "ROS_NAMESPACE": namespace}
-        return Process([str(program)], variables, self._folder / f"{program.name}.log", talking)
+        return Process(
+            [str(program), *remapped], variables, self._folder / f"{program.name}.log", talking
+        )
 
     def launch(
         self, folder: Path, parameters: Mapping[str, object], namespace: str = ""

@@ -101,12 +101,14 @@ class Ros2:
         *,
         use_sim_time: bool = False,
         namespace: str = "",
+        remapped: Sequence[str] = (),
     ) -> Process:
-        """Start a node with these parameters and no others."""
+        """Start a node with these parameters and no others, and with names remapped."""
         given = {**parameters, "use_sim_time": use_sim_time}
         rules = [text for item in given.items() for text in ("-p", _rule(*item))]
-        space = ("-r", f"__ns:={namespace}") if namespace else ()
-        command = [str(program), "--ros-args", *rules, *space]
+        names = [*([f"__ns:={namespace}"] if namespace else []), *remapped]
+        renamed = [text for name in names for text in ("-r", name)]
+        command = [str(program), "--ros-args", *rules, *renamed]
         log = self._folder / f"{program.parent.name}.log"
         return Process(command, self.variables, log, talking)
 

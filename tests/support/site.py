@@ -18,7 +18,7 @@ PROGRAMS = PROJECT / "tools" / "website"
 def program(name: str) -> Any:
     """A module of the programs that build the site."""
     if str(PROGRAMS) not in sys.path:
-        sys.path.append(str(PROGRAMS))
+        sys.path.insert(0, str(PROGRAMS))  # before the package `build` of PyPI
     return importlib.import_module(name)
 
 

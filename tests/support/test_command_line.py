@@ -259,6 +259,7 @@ COMMANDS = {
         "check skills",
         "explain EZS401",
         "explain Pick skills",
+        "example pick_place copied",
         "export skills --out skills.json",
         "learn drive.csv",
         "migrate skills",

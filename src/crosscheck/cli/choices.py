@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from dslkit.command_line import ReportFormat
+from dslkit.options import ReportFormat
 
 Answers = Annotated[
     ReportFormat, typer.Option("--format", help="The format of findings and result.")

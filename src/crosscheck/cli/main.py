@@ -13,14 +13,14 @@ import typer
 
 from crosscheck.cli.choices import Answers, ShowFormat, ros_namespace
 from crosscheck.cli.output import output
-from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.completion import codes
+from dslkit.options import Force, Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from dslkit.writing import reason
 from rossmarie.cli.options import MessageFolders, OptionalOutFile, Rules, Systems
 
 app = typer.Typer(
-    help="Rules and skills of one robot, looked at together.",
+    help="Check rules and skills of one robot together.",
     cls=Group,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -31,26 +31,26 @@ app = typer.Typer(
 
 @app.callback()
 def crosscheck(version: Annotated[bool, output.version_option()] = False) -> None:
-    """Rules and skills of one robot, looked at together."""
+    """Check rules and skills of one robot together."""
 
 
 @app.command()
 def check(
     rules: Rules,
     form: Annotated[
-        Format, typer.Option("--format", help="How findings are printed.")
+        Format, typer.Option("--format", help="The format of the findings.")
     ] = Format.TEXT,
     scene: Annotated[
         Path | None,
         typer.Option(
-            metavar="FILE", help="The world that the robot starts in (.turtle).", readable=False
+            metavar="FILE", help="The initial scene of the robot (.turtle).", readable=False
         ),
     ] = None,
     system: Systems = None,
     messages: MessageFolders = None,
     study: StudyFile = None,
 ) -> None:
-    """Find what only rules and skills together can tell."""
+    """Report errors between rules and skills."""
     with output.answering(form, "check", files=1):
         from crosscheck.check import check_robot
 
@@ -77,8 +77,10 @@ def show(
     out: OptionalOutFile = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
-    """Show which skill uses what, which rules guard it, and which interrupt it."""
+    """Show the resources of each skill, and the rules that guard or interrupt the skill."""
+    output.permit(force)
     from crosscheck.cli.showing import run_show
 
     run_show(rules, form, out, system or [], messages or [])
@@ -92,7 +94,7 @@ def impact(
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
-    """List what a change of one description can break: trees and rules."""
+    """List the trees and rules that a change to one description can break."""
     from crosscheck.cli.showing import run_impact
 
     run_impact(skill, rules, form, system or [], messages or [])
@@ -102,12 +104,15 @@ def impact(
 def weave(
     rules: Rules,
     out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="FILE", help="Write it, such as guards.json.")
+        Path,
+        typer.Option("--out", "-o", metavar="FILE", help="The output file, such as guards.json."),
     ],
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
-    """Write which rules each primitive skill waits for before it starts."""
+    """Write the rules for which each primitive skill must wait before it starts."""
+    output.permit(force)
     from crosscheck.cli.weaving import run_weave
 
     run_weave(rules, out, system or [], messages or [])
@@ -119,7 +124,7 @@ def live(
     namespace: Annotated[
         str,
         typer.Option(
-            metavar="NS", help="That of the robot, such as /robot1.", parser=ros_namespace
+            metavar="NS", help="The namespace of the robot, such as /robot1.", parser=ros_namespace
         ),
     ] = "",
     duration: Annotated[
@@ -129,7 +134,7 @@ def live(
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
-    """Watch a robot over ROS: which skills run, which rules act on them, and what is amiss."""
+    """Monitor a running robot over ROS: its skills, its active rules, and errors."""
     from crosscheck.cli.watching import run_live
 
     run_live(rules, namespace, duration, form, system or [], messages or [])
@@ -139,7 +144,11 @@ def live(
 def explain(
     code: Annotated[
         str,
-        typer.Argument(metavar="CODE", help="Such as CHK102.", autocompletion=codes("crosscheck")),
+        typer.Argument(
+            metavar="CODE",
+            help="A code or name, such as CHK102.",
+            autocompletion=codes("crosscheck"),
+        ),
     ],
 ) -> None:
     """Explain a diagnostic."""

@@ -15,10 +15,11 @@ from crosscheck.cli.output import output
 from crosscheck.impact import dependents
 from crosscheck.picture import Pictured, pictured
 from crosscheck.svg import svg_of
-from dslkit.command_line import ReportFormat
 from dslkit.diagnostics.render_json import Json, place
+from dslkit.options import ReportFormat
+from dslkit.ownership import Comment
 
-_ENDINGS = {ShowFormat.TEXT: ".txt", ShowFormat.SVG: ".svg", ShowFormat.JSON: ".json"}
+_COMMENTS = {ShowFormat.TEXT: Comment.HASH}
 
 
 def run_show(
@@ -30,17 +31,13 @@ def run_show(
 ) -> None:
     """Print the skills with their rules, or write them to `out`."""
     with output.answering(form, "show", files=1) as answer:
-        if out is not None:
-            if out.suffix != _ENDINGS[form]:
-                wanted = _ENDINGS[form]
-                output.fail(f"{out} does not end in {wanted}; choose another --out", exit_code=2)
-            output.try_file(out)
+        output.try_file(out)
         skills = list(pictured(loaded(rules, systems, message_folders)))
         answer.result = {"skills": [_skill(each) for each in skills]}
         text = _drawn(skills, form)
         if out is not None:
-            output.save(out, text)
-            output.tell(f"wrote {out}")
+            output.save(out, text, _COMMENTS.get(form))
+            output.tell_written(out)
         elif not answer.is_printed:
             typer.echo(text, nl=False)
 
@@ -52,7 +49,8 @@ def _drawn(skills: Sequence[Pictured], form: ShowFormat) -> str:
         case ShowFormat.SVG:
             return svg_of(skills)
         case ShowFormat.JSON:
-            return json.dumps({"skills": [_skill(each) for each in skills]}, indent=2) + "\n"
+            document = {"generator": output.tool, "skills": [_skill(each) for each in skills]}
+            return json.dumps(document, indent=2) + "\n"
 
 
 def _skill(skill: Pictured) -> Json:
@@ -79,6 +77,8 @@ def run_impact(
 ) -> None:
     """Print everything that depends on a skill."""
     with output.answering(form, "impact", files=1) as answer:
+        if skill.endswith(".ross"):
+            output.fail(f"name the skill first: `crosscheck impact {rules} {skill}`", exit_code=2)
         robot = loaded(rules, systems, message_folders)
         found = robot.skills.skills.get(skill)
         if found is None:

@@ -17,9 +17,9 @@ from crosscheck.live.model import Change
 from crosscheck.live.ros import Ears, NoRosError, listen
 from crosscheck.live.watch import Reported, Watch
 from dslkit import signals
-from dslkit.command_line import ReportFormat
 from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_json import finding
+from dslkit.options import ReportFormat
 
 _LOOK = 0.1
 """The seconds between two checks for silence."""

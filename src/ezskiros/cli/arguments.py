@@ -8,11 +8,36 @@ from typing import Annotated
 
 import typer
 
+_CHECKERS = {".ross": ("a rules file", "rossmarie check")}
+_SKILLS = {"", ".py", ".pyi", ".turtle", ".ttl", ".owl", ".rdf"}
+
+
+def of_skills(paths: list[Path] | None) -> list[Path] | None:
+    """The paths, if they can be those of skills; a file of another kind ends the run."""
+    for path in paths or ():
+        suffix = path.suffix.lower()
+        if suffix in _SKILLS or not path.is_file():
+            continue
+        kind, checker = _CHECKERS.get(suffix, ("", ""))
+        if kind:
+            raise typer.BadParameter(f"{path} is {kind}: `{checker} {path}` checks it")
+        raise typer.BadParameter(f"{path} is no Python file, and no folder with Python files")
+    return paths
+
+
+def of_rules(path: Path | None) -> Path | None:
+    """The path, if it can be that of a rules file; a file of another kind ends the run."""
+    if path is not None and path.suffix.lower() != ".ross":
+        raise typer.BadParameter(f"{path} is no rules file: its name does not end in .ross")
+    return path
+
+
 Skills = Annotated[
     list[Path],
     typer.Argument(
         metavar="PATHS...",
-        help="Python files, folders with them, packages by their names, and scenes (.turtle).",
+        help="Python files or folders, names of packages, and scenes (.turtle).",
+        callback=of_skills,
         readable=False,
     ),
 ]
@@ -20,21 +45,24 @@ OptionalSkills = Annotated[
     list[Path] | None,
     typer.Argument(
         metavar="[PATHS...]",
-        help="Python files, folders with them, and packages by their names; else this folder.",
+        callback=of_skills,
+        help="Python files or folders, and names of packages; default: the current folder.",
         readable=False,
         show_default=False,
     ),
 ]
 Folders = Annotated[
     list[Path] | None,
-    typer.Option("--ontology", metavar="PATH", help="Files and folders for `load()`.", exists=True),
+    typer.Option(
+        "--ontology", metavar="PATH", help="Ontology files and folders for `load()`.", exists=True
+    ),
 ]
 Knowledge = Annotated[
     Path | None,
-    typer.Option("--knowledge", metavar="FILE", help="What `ezskiros learn` wrote."),
+    typer.Option("--knowledge", metavar="FILE", help="The knowledge file of `ezskiros learn`."),
 ]
 OutFile = Annotated[
-    Path | None, typer.Option("--out", "-o", metavar="FILE", help="Write this file.")
+    Path | None, typer.Option("--out", "-o", metavar="FILE", help="The output file.")
 ]
 
 

@@ -6,9 +6,9 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from dslkit.command_line import Format
 from dslkit.diagnostics import Collector, Diagnostic, Severity
 from dslkit.extensions import extension
+from dslkit.options import Format
 from dslkit.writing import reason
 from ezskiros.cli.output import output
 

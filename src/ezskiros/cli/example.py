@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from dslkit.examples import UnknownExampleError, named
+from dslkit.options import Force
 from ezskiros.cli.output import output
 
 _SUMMARIES = {
@@ -21,13 +22,16 @@ _HOMES = (_PACKAGE / "examples", _PACKAGE.parents[1] / "examples")
 
 def example(
     name: Annotated[
-        str | None, typer.Argument(metavar="EXAMPLE", help="Such as pick_place.")
+        str | None,
+        typer.Argument(metavar="EXAMPLE", help="The name of an example, such as pick_place."),
     ] = None,
     folder: Annotated[
-        Path | None, typer.Argument(metavar="DIR", help="The folder to write to; else ./EXAMPLE.")
+        Path | None, typer.Argument(metavar="DIR", help="The output folder; default: ./EXAMPLE.")
     ] = None,
+    force: Force = False,
 ) -> None:
     """Copy skills with their ontology and a scene; without EXAMPLE, list the examples."""
+    output.permit(force)
     if name is None:
         width = max(map(len, _SUMMARIES))
         for each, summary in _SUMMARIES.items():

@@ -9,6 +9,7 @@ from typing import Annotated
 import typer
 
 from dslkit.diagnostics import Collector
+from dslkit.options import Force
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, Skills, name_ontology
 from ezskiros.cli.checking import asked
@@ -18,11 +19,14 @@ from ezskiros.cli.output import output
 def export(
     paths: Skills,
     out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as skills.json.")
+        Path,
+        typer.Option("--out", "-o", metavar="FILE", help="The output file, such as skills.json."),
     ],
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
-    """Write what rules have to know of skills: `skills.json`. Nothing if there are errors."""
+    """Write the description of skills for rules: `skills.json`. Errors prevent the export."""
+    output.permit(force)
     if out.suffix != ".json":  # rules read no other, and no module may be lost
         output.fail(f"{out} does not end in .json; choose another --out", exit_code=2)
     output.try_file(out)

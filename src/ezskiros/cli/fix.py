@@ -33,7 +33,7 @@ def fix(paths: Sequence[Path]) -> None:
     found, _ = asked(lambda collector: _repairs(missing_conditions(paths, collector)))
     repairs = [Repair(Path(path), skill, conditions) for path, skill, conditions in found]
     for repair in repairs:
-        output.try_file(repair.path)
+        output.try_change(repair.path)
     for repair in repairs:
         _write(repair)
 

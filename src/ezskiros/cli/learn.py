@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import ReportFormat
+from dslkit.options import Force, ReportFormat
 from dslkit.writing import reason
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
@@ -24,24 +24,28 @@ def learn(
         list[Path],
         typer.Argument(
             metavar="VERDICTS... TRACES...",
-            help="What `rossmarie replay` and `ezskiros run --trace` wrote; stamps pair them.",
+            help="Verdicts of `rossmarie replay` and traces of `ezskiros run`, in any order.",
             readable=False,
         ),
     ],
     scene: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="The locations that count as places (.turtle)."),
+        typer.Option(metavar="FILE", help="A scene with the locations (.turtle)."),
     ] = None,
     out: Annotated[
         Path | None,
-        typer.Option("--out", "-o", metavar="FILE", help="Write it, such as knowledge.json."),
+        typer.Option(
+            "--out", "-o", metavar="FILE", help="The output file, such as knowledge.json."
+        ),
     ] = None,
     form: Annotated[
         ReportFormat, typer.Option("--format", help="The format of findings and result.")
     ] = ReportFormat.TEXT,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
-    """Learn from runs: which skills tripped which rules, where, and what it cost."""
+    """Learn from recorded runs: rules that became active, skills that failed, and their cost."""
+    output.permit(force)
     with output.answering(form, "learn", files=len(files)) as answer:
         if out is not None:
             if out.suffix != ".json":  # none of the records may be lost

@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat, StudyFile
 from dslkit.completion import codes
+from dslkit.options import Force, Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from dslkit.writing import reason
-from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology
+from ezskiros.cli.arguments import Folders, Knowledge, Skills, name_ontology, of_rules, of_skills
 from ezskiros.cli.checking import asked, print_check
 from ezskiros.cli.example import example
 from ezskiros.cli.export import export
@@ -32,7 +32,7 @@ if TYPE_CHECKING:  # libcst is loaded only where it is needed
     from ezskiros.migrate.files import MigratedFile
 
 app = typer.Typer(
-    help="Skills for SkiROS2, checked against the ontology before the robot is launched.",
+    help="Check skills for SkiROS2 against the ontology before the robot starts.",
     cls=Group,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -44,7 +44,8 @@ Paths = Annotated[
     list[Path],
     typer.Argument(
         metavar="PATHS...",
-        help="Python files, and folders with them.",
+        help="Python files, or folders with Python files.",
+        callback=of_skills,
         readable=False,
     ),
 ]
@@ -52,7 +53,7 @@ Paths = Annotated[
 
 @app.callback()
 def ezskiros(version: Annotated[bool, output.version_option()] = False) -> None:
-    """Skills for SkiROS2, checked against the ontology before the robot is launched."""
+    """Check skills for SkiROS2 against the ontology before the robot starts."""
 
 
 @app.command()
@@ -61,25 +62,32 @@ def check(
     ontology: Folders = None,
     values: Annotated[
         Path | None,
-        typer.Option("--config", metavar="FILE", help="Values that are known at launch (YAML)."),
+        typer.Option(
+            "--config", metavar="FILE", help="Parameter values that are known at launch (YAML)."
+        ),
     ] = None,
     form: Annotated[
-        Format, typer.Option("--format", help="How findings are printed.")
+        Format, typer.Option("--format", help="The format of the findings.")
     ] = Format.TEXT,
     watched: Annotated[
         bool, typer.Option("--watch", help="Check again whenever a file changes.")
     ] = False,
     rules: Annotated[
         Path | None,
-        typer.Option("--rules", metavar="FILE", help="Also look at skills and rules together."),
+        typer.Option(
+            "--rules",
+            metavar="FILE",
+            help="Also check these rules together with the skills.",
+            callback=of_rules,
+        ),
     ] = None,
     knowledge: Knowledge = None,
     fixed: Annotated[
-        bool, typer.Option("--fix", help="Add the pre-conditions that compound skills lack first.")
+        bool, typer.Option("--fix", help="First add missing pre-conditions to compound skills.")
     ] = False,
     study: StudyFile = None,
 ) -> None:
-    """Check the skills of Python files: all that is wrong with them, without ROS."""
+    """Check the skills in Python files, and report all errors. ROS is not needed."""
     name_ontology(ontology)
     if watched:
         if fixed:
@@ -101,17 +109,21 @@ def explain(
     what: Annotated[
         str,
         typer.Argument(
-            metavar="CODE|SKILL", help="Such as EZS401, or Pick.", autocompletion=codes("ezskiros")
+            metavar="CODE|SKILL",
+            help="A code such as EZS401, or a skill such as Pick.",
+            autocompletion=codes("ezskiros"),
         ),
     ],
     paths: Annotated[
-        list[Path] | None, typer.Argument(metavar="PATHS...", help="Where the skill is.")
+        list[Path] | None,
+        typer.Argument(metavar="PATHS...", help="The files or folders with the skill."),
     ] = None,
     ontology: Folders = None,
 ) -> None:
     """Explain a diagnostic, or how the inferred parameters of a skill get their values."""
     if not paths:
-        output.explain(what)
+        hint = f"; for a skill name its files, too: `ezskiros explain {what} PATHS...`"
+        output.explain(what, hint if what.isidentifier() else "")
         return
     from ezskiros.driver import explain_skill
 
@@ -131,20 +143,20 @@ app.command()(example)
 @app.command()
 def migrate(
     paths: Paths,
-    write: Annotated[bool, typer.Option("--write", help="Change the files.")] = False,
+    write: Annotated[bool, typer.Option("--write", help="Change the files in place.")] = False,
     diff: Annotated[bool, typer.Option("--diff", help="Print the changes instead.")] = False,
     form: Annotated[
         ReportFormat, typer.Option("--format", help="The format of findings and result.")
     ] = ReportFormat.TEXT,
     world: Annotated[
-        str, typer.Option(metavar="MODULE", help="The module that has the ontology.")
+        str, typer.Option(metavar="MODULE", help="The module that loads the ontology.")
     ] = "world",
     ontology: Annotated[
         list[Path] | None,
         typer.Option(
             "--ontology",
             metavar="PATH",
-            help="Its files and folders: which names are ambiguous.",
+            help="Ontology files and folders; used to find ambiguous names.",
             exists=True,
         ),
     ] = None,
@@ -195,7 +207,7 @@ def _ambiguous(ontology: list[Path] | None) -> frozenset[str]:
 def _write(files: Sequence[MigratedFile]) -> None:
     """Write what has become of files; ends the run if that fails."""
     for file in files:
-        output.try_file(file.path)
+        output.try_change(file.path)
     for file in files:
         with output.writing(file.path):
             file.write()
@@ -205,18 +217,25 @@ def _write(files: Sequence[MigratedFile]) -> None:
 def stubs(
     out: Annotated[
         Path,
-        typer.Option("--out", "-o", metavar="FILE", help="The stub, beside the module that loads."),
+        typer.Option(
+            "--out",
+            "-o",
+            metavar="FILE",
+            help="The stub file, next to the module that loads the ontology.",
+        ),
     ],
     ontology: Folders = None,
     is_check: Annotated[
-        bool, typer.Option("--check", help="Write nothing; end with 1 if the stub is stale.")
+        bool, typer.Option("--check", help="Write no file; exit with 1 if the stub is stale.")
     ] = False,
     relations: Annotated[
         bool,
-        typer.Option(help="With what EzSkiROS knows of SkiROS2's relations, as `load` has it."),
+        typer.Option(help="Include the built-in relations of SkiROS2, like `load`."),
     ] = True,
+    force: Force = False,
 ) -> None:
-    """Write the stub (`.pyi`) from which editors and type checkers know the ontology."""
+    """Write a stub (`.pyi`) of the ontology for editors and type checkers."""
+    output.permit(force)
     if not is_check:
         output.try_file(out)
     from ezskiros.driver import stub_of

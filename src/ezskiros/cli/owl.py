@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from dslkit.options import Force
+from dslkit.ownership import is_own
 from ezskiros.cli.arguments import Folders, name_ontology
 from ezskiros.cli.output import output
 
@@ -18,12 +20,14 @@ def owl(
     out: Annotated[
         Path,
         typer.Option(
-            "--out", "-o", metavar="DIR", help="SkiROS2's `workspace_dir`, or one inside it."
+            "--out", "-o", metavar="DIR", help="SkiROS2's `workspace_dir`, or a folder in it."
         ),
     ],
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
-    """Write the ontology as SkiROS2 loads it: files in RDF/XML (`.owl`)."""
+    """Write the ontology for SkiROS2: RDF/XML files (`.owl`)."""
+    output.permit(force)
     output.try_folder(out)
     from ezskiros.driver import owl_of
 
@@ -33,21 +37,13 @@ def owl(
         output.reject(found)
     output.print_findings(found)
     texts = {out / name: text for name, text in files.items()}
-    for path in filter(Path.exists, texts):
-        _refuse_foreign(path)
-        output.try_file(path)
+    output.try_folder(out, *files)
     with output.writing_to(out):
         out.mkdir(parents=True, exist_ok=True)
     for path, text in texts.items():
         output.save(path, text)
-        typer.echo(f"wrote {path}")
+        output.tell_written(path)
     _tell_left(out, texts)
-
-
-def _refuse_foreign(path: Path) -> None:
-    """End the run if a file is in the way that this command has not written."""
-    if not _is_own(path):
-        output.fail(f"{path} is not overwritten: `ezskiros owl` has not written it", exit_code=2)
 
 
 def _tell_left(folder: Path, written: Iterable[Path]) -> None:
@@ -60,9 +56,5 @@ def _tell_left(folder: Path, written: Iterable[Path]) -> None:
 
 
 def _is_own(path: Path) -> bool:
-    from ezskiros.hosts.owl_files import is_own
-
-    if not path.is_file():
-        return False
     with output.writing(path), path.open("rb") as opened:
-        return is_own(opened.read(_HEAD))
+        return is_own(opened.read(_HEAD), output.tool)

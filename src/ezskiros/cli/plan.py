@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from dslkit.command_line import Format
 from dslkit.diagnostics import Collector
+from dslkit.options import Force, Format
+from dslkit.ownership import Comment
 from ezskiros.cli.arguments import Folders, Knowledge, OptionalSkills, name_ontology
 from ezskiros.cli.checking import asked, checked, lessons_of, print_check
 from ezskiros.cli.output import output
@@ -26,17 +27,18 @@ def plan(
         str,
         typer.Option(
             metavar="GOAL",
-            help="`(skiros:contain skiros:Location-1 skiros:Product-2)`, or several.",
+            help="One or several facts: `(skiros:contain skiros:Location-1 skiros:Product-2)`.",
         ),
     ],
-    scene: Annotated[
-        Path, typer.Option(metavar="FILE", help="The world that it starts in (.turtle).")
-    ],
+    scene: Annotated[Path, typer.Option(metavar="FILE", help="The initial scene (.turtle).")],
     paths: OptionalSkills = None,
     out: Annotated[
         Path | None,
         typer.Option(
-            "--out", "-o", metavar="FILE", help="Write the plan as a compound skill, too."
+            "--out",
+            "-o",
+            metavar="FILE",
+            help="Also write the plan as a compound skill to this file.",
         ),
     ] = None,
     timeout: Annotated[
@@ -44,12 +46,13 @@ def plan(
     ] = 60.0,
     knowledge: Knowledge = None,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
-    """Find skills that lead from a scene to a goal: a behavior tree, checked and tried out."""
+    """Find a plan from a scene to a goal: a behavior tree, checked and simulated."""
+    output.permit(force)
     if out is not None and (out.suffix != ".py" or not out.stem.isidentifier()):
         output.fail(f"`{out}` is no file for a module of Python, such as plan.py", exit_code=2)
-    if out is not None:
-        output.try_file(out)
+    output.try_file(out)
     lessons, wrong = lessons_of(knowledge)
     if wrong:
         output.reject(wrong)
@@ -125,5 +128,5 @@ def _expected(plan: Plan, lessons: Lessons) -> str:
 
 def _write(path: Path, text: str, paths: list[Path]) -> None:
     """Write a plan as a skill, and check it with the skills that it is made of."""
-    output.save(path, text)
+    output.save(path, text, Comment.HASH)
     raise typer.Exit(print_check([path, *paths], None, Format.TEXT))

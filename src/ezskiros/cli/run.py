@@ -13,10 +13,11 @@ from typing import TYPE_CHECKING, Annotated, NoReturn
 
 import typer
 
-from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
-from dslkit.writing import reason
-from ezskiros.cli.arguments import Folders, name_ontology
+from dslkit.options import Force, Format
+from dslkit.ownership import Comment
+from dslkit.writing import reason, replacing_text
+from ezskiros.cli.arguments import Folders, name_ontology, of_skills
 from ezskiros.cli.checking import checked, file_count
 from ezskiros.cli.context import Context, export_for
 from ezskiros.cli.guards import guarded, guards_for
@@ -39,31 +40,44 @@ if TYPE_CHECKING:  # the engine is loaded only where it is needed
 _GIVEN = re.compile(r"[A-Za-z_]\w*=")
 
 Skill = Annotated[
-    str, typer.Argument(metavar="SKILL", help="Such as Pick, or an implementation: pick.")
+    str,
+    typer.Argument(
+        metavar="SKILL", help="A skill such as Pick, or an implementation such as pick."
+    ),
 ]
 Words = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="[PATHS...] [NAME=VALUE...]",
-        help="Where the skills are, else the current folder; and the values of parameters.",
+        help="Files or folders with the skills (default: this folder), and parameter values.",
     ),
 ]
 
+TraceFile = Annotated[
+    Path | None,
+    typer.Option(metavar="FILE", help="Write the skill trace to this file, as JSON lines."),
+]
 Timeout = Annotated[
     float | None,
     typer.Option(metavar="SECONDS", min=0.0, help="Stop the task after this time."),
 ]
 ContextFile = Annotated[
     Path | None,
-    typer.Option(metavar="FILE", help="Tell which skills run, in the words of this skills.json."),
+    typer.Option(
+        metavar="FILE", help="Publish the running skills, with the names of this skills.json."
+    ),
 ]
 WorldFile = Annotated[
     Path | None,
-    typer.Option("--out", "-o", metavar="FILE", help="Write the world at the end (.turtle)."),
+    typer.Option(
+        "--out", "-o", metavar="FILE", help="Write the final scene to this file (.turtle)."
+    ),
 ]
 GuardsFile = Annotated[
     Path | None,
-    typer.Option(metavar="FILE", help="Let skills wait for rules: guards.json of `crosscheck`."),
+    typer.Option(
+        metavar="FILE", help="Let skills wait for rules: guards.json of `crosscheck weave`."
+    ),
 ]
 
 
@@ -72,39 +86,42 @@ def run(
     words: Words = None,
     scene: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="The world at the start (.turtle)."),
+        typer.Option(metavar="FILE", help="The initial scene (.turtle)."),
     ] = None,
     out: WorldFile = None,
     simulate: Annotated[
-        bool, typer.Option("--simulate", help="Primitives only let their post-conditions hold.")
+        bool,
+        typer.Option(
+            "--simulate", help="Do not execute primitives; only apply their post-conditions."
+        ),
     ] = False,
     ask: Annotated[
-        bool, typer.Option("--ask", help="Ask which, where several things can be inferred.")
+        bool, typer.Option("--ask", help="Ask the user if several individuals match a parameter.")
     ] = False,
     compatible: Annotated[
-        bool, typer.Option("--compatible", help="As SkiROS2 does it, with its defects.")
+        bool,
+        typer.Option("--compatible", help="Reproduce the behavior of SkiROS2, with its defects."),
     ] = False,
-    trace: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write what happens, as JSON lines.")
-    ] = None,
+    trace: TraceFile = None,
     period: Annotated[
-        float, typer.Option(metavar="SECONDS", min=0.0, help="From tick to tick.")
+        float, typer.Option(metavar="SECONDS", min=0.0, help="The time between two ticks.")
     ] = 0.04,
     timeout: Timeout = None,
     context: ContextFile = None,
     guards: GuardsFile = None,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
-    """Run a skill without ROS, in a world of its own. Ctrl-C stops it as SkiROS2 preempts it."""
-    for path in (out, trace):
-        if path is not None:
-            output.try_file(path)
+    """Run a skill without ROS. Ctrl-C preempts the skill."""
+    output.permit(force)
+    output.try_file(out, trace)
     name_ontology(ontology)
     from ezskiros.engine.execution_context import ExecutionContext
     from ezskiros.engine.expansion import Expansions
 
     texts = [each for each in words or [] if _GIVEN.match(each)]
-    paths = [Path(each) for each in words or [] if not _GIVEN.match(each)] or [Path()]
+    named = [Path(each) for each in words or [] if not _GIVEN.match(each)]
+    paths = of_skills(named) or [Path()]
     _check(paths)
     ready = _ready(skill, paths, scene, texts)
     if not simulate:
@@ -121,8 +138,7 @@ def run(
     run = _Run(ready.call, execution, period, timeout, export, waiting)
     outcome = run.to_the_end(is_asked=ask, trace=trace)
     if out is not None:
-        with output.writing(out):
-            ready.world.save(out)
+        output.save(out, ready.world.turtle(), Comment.HASH)
     _tell(skill, outcome)
     raise typer.Exit(0 if outcome.is_success else 1)
 
@@ -227,8 +243,7 @@ class _Run:
                 stack.enter_context(guarded(self._guards, self._execution))
             if trace is not None:
                 stack.enter_context(output.writing(trace))
-                file = stack.enter_context(trace.open("w", encoding="utf-8"))
-                self._trace = Trace(file, self._start_ns)
+                self._trace = Trace(stack.enter_context(replacing_text(trace)), self._start_ns)
             stack.enter_context(self._interruptible())
             if self._live is not None:
                 self._live.start()

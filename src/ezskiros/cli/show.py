@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from dslkit.diagnostics import Collector, Diagnostic
+from dslkit.options import Force
+from dslkit.ownership import Comment
 from ezskiros.cli.arguments import Folders, OptionalSkills, OutFile, name_ontology
 from ezskiros.cli.checking import asked
 from ezskiros.cli.output import output
@@ -33,20 +35,22 @@ def show(
     ],
     paths: OptionalSkills = None,
     form: Annotated[
-        PictureFormat, typer.Option("--format", help="The format; btcpp is BehaviorTree.CPP 4.")
+        PictureFormat,
+        typer.Option("--format", help="The output format; btcpp is BehaviorTree.CPP 4."),
     ] = PictureFormat.TEXT,
     out: OutFile = None,
     depth: Annotated[
-        int, typer.Option(min=0, help="How many levels of compound skills inside it are drawn.")
+        int, typer.Option(min=0, help="The number of drawn levels of nested compound skills.")
     ] = 0,
-    conditions: Annotated[bool, typer.Option(help="With the conditions of the skills.")] = True,
+    conditions: Annotated[bool, typer.Option(help="Show the conditions of the skills.")] = True,
     ontology: Folders = None,
+    force: Force = False,
 ) -> None:
-    """Draw the behavior trees of a compound skill: several if `expandBT` branches."""
+    """Draw the behavior trees of a compound skill, one for each branch of `expandBT`."""
     from ezskiros.cli.outlines import console_for_outlines, plain_console
 
-    if out is not None:
-        output.try_file(out)
+    output.permit(force)
+    output.try_file(out)
     name_ontology(ontology)
     console = console_for_outlines() if out is None else plain_console()
     picture = _Picture(skill, paths or [Path()], depth, conditions, console, form)
@@ -54,7 +58,7 @@ def show(
     if form is PictureFormat.BTCPP:
         _end_without_export(drawn, report.diagnostics)
     if out is not None:
-        output.save(out, drawn)
+        output.save(out, drawn, Comment.HASH if form is PictureFormat.TEXT else None)
     else:
         typer.echo(drawn, nl=False, color=console.is_terminal)
     if output.exit_code(report.diagnostics):

@@ -12,14 +12,16 @@ from ezskiros.engine.values import WorldThing
 
 
 class Trace:
-    """Writes one JSON object per event. Raises `OSError`, as files do.
+    """Writes one JSON object per event. The first one names the `program` that writes it. Raises
+    `OSError`, as files do.
 
     `start_ns` is when the task starts, in nanoseconds since 1970 (UTC): the clock of recordings.
     """
 
-    def __init__(self, file: TextIO, start_ns: int) -> None:
+    def __init__(self, file: TextIO, start_ns: int, program: str = "ezskiros") -> None:
         self._file = file
         self._start_ns = start_ns
+        self._mark = {"generator": program}
 
     def write(self, event: Event, tick: int, seconds: float) -> None:
         """An event, the number of its tick from 1 on, and the seconds since the task started."""
@@ -34,12 +36,18 @@ class Trace:
         }
         if event.values:
             line["parameters"] = {name: _plain(value) for name, value in event.values.items()}
-        self._file.write(json.dumps(line, ensure_ascii=False) + "\n")
+        self._write(line)
 
     def write_context(self, context: Mapping[str, Any], tick: int, seconds: float) -> None:
         """The skills that run now, as the message about them has it."""
         line = {**self._when(tick, seconds), "event": "context", **context}
-        self._file.write(json.dumps(line, ensure_ascii=False, allow_nan=False) + "\n")
+        self._write(line, allow_nan=False)
+
+    def _write(self, line: Mapping[str, object], *, allow_nan: bool = True) -> None:
+        line = {**self._mark, **line}
+        text = json.dumps(line, ensure_ascii=False, allow_nan=allow_nan)
+        self._file.write(f"{text}\n")
+        self._mark = {}
 
     def _when(self, tick: int, seconds: float) -> dict[str, object]:
         """The time of a line. Its stamp goes by `seconds`, so that it never jumps back."""

@@ -10,11 +10,9 @@ from __future__ import annotations
 import itertools
 from collections.abc import Iterator
 from functools import cached_property
-from pathlib import Path
 
 import pyoxigraph
 
-from dslkit.writing import write_whole
 from ezskiros.engine.literals import value_of
 from ezskiros.ontology import Ontology
 from ezskiros.ontology.iris import OWL, RDF, RDFS, XSD, split
@@ -28,7 +26,7 @@ _NO_CLASS = {OWL + "NamedIndividual"}
 
 
 class World:
-    """Things and facts. `load` takes a scene, `save` writes one."""
+    """Things and facts. `load` takes a scene, `turtle` gives one."""
 
     def __init__(self, ontology: Ontology) -> None:
         self.ontology = ontology
@@ -51,15 +49,15 @@ class World:
         found._store.extend(self._store)
         return found
 
-    def save(self, path: Path) -> None:
-        """Write all facts as Turtle. Raises `OSError`."""
+    def turtle(self) -> str:
+        """All facts as Turtle."""
         quads = sorted(self._store, key=_order)
         text = pyoxigraph.serialize(
             (quad.triple for quad in quads),
             format=pyoxigraph.RdfFormat.TURTLE,
             prefixes={**self._model.names, "rdfs": RDFS, "xsd": XSD},
         )
-        write_whole(path, text or b"")
+        return (text or b"").decode()
 
     # --- queries --------------------------------------------------------------------------------
 

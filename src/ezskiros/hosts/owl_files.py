@@ -63,11 +63,6 @@ def owl_files(ontology: Ontology) -> tuple[dict[str, str], list[Diagnostic]]:
     return files, []
 
 
-def is_own(text: bytes) -> bool:
-    """Say whether a file that begins like this was written from an ontology."""
-    return MARK.encode() in text
-
-
 def file_name(document: Document) -> str:
     """The name of the file of a document."""
     return f"{START}{Path(document.file.path).stem}.owl"

@@ -18,11 +18,12 @@ from ezskiros.stubs.places import ELSEWHERE, alias, namespaces, qualified
 from ezskiros.stubs.values import value_type
 
 _HEAD = '''\
+# Written by `ezskiros stubs`. Change the ontology instead.
 # ruff: noqa
 # fmt: off
 # mypy: disable-error-code="assignment, misc, override"
 # pyright: reportIncompatibleMethodOverride=false, reportIncompatibleVariableOverride=false
-"""The ontology, for type checkers. Written by `ezskiros stubs`; change the ontology instead."""
+"""The ontology, for type checkers."""
 
 from builtins import bool as _bool, float as _float, int as _int, str as _str
 from typing import Generic as _Generic, Literal as _Literal, NoReturn as _Nothing

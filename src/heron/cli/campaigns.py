@@ -8,7 +8,8 @@ from pathlib import Path
 import typer
 
 from dslkit.campaign import BusyError, Campaign, ForeignError, UnreachableError, Value
-from dslkit.command_line import INTERRUPTED, CommandLine
+from dslkit.command_line import CommandLine
+from dslkit.ending import INTERRUPTED
 from dslkit.writing import reason
 
 _KEPT = "what is done is kept, and the same command goes on from there"

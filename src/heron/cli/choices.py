@@ -89,26 +89,37 @@ def require_arm(experiment: str, arm: Arm) -> None:
         )
 
 
-def require_new(out: Path) -> None:
-    """End the run if a file would be written over."""
-    if out.exists():
-        output.fail(f"{out} is there already, and is not written over", exit_code=2)
+def require_place(out: Path) -> None:
+    """End the run if a file could not be written, or somebody else's would be written over. Its
+    folder need not exist yet.
+    """
+    output.try_folder(out.parent, out.name)
+
+
+def require_campaign(out: Path, page: str, journal: Path) -> None:
+    """End the run if the page of a campaign or the files beside its journal would replace files of
+    somebody else. Files beside a journal are those of its campaign.
+    """
+    output.try_folder(out, page)
+    if journal.exists() or output.permission.is_given:
+        return
+    for path in sorted(journal.parent.glob("*")):
+        if path.suffix in (".csv", ".svg"):
+            output.require_own_file(path)
 
 
 def require_trace(out: Path) -> None:
     """End the run if a trace could not be written into a file of this name."""
     if out.suffix != ".jsonl":
         output.fail(f"the name of the trace has to end in .jsonl, not as {out}", exit_code=2)
-    require_new(out)
-    output.try_folder(out.parent)
+    require_place(out)
 
 
 def require_film(out: Path) -> None:
     """End the run if a film could not be written into a file of this name."""
     if out.suffix.lower() not in _FILMS:
         output.fail(f"the name of the film has to end in .mp4 or .gif, not as {out}", exit_code=2)
-    require_new(out)
-    output.try_folder(out.parent)
+    require_place(out)
 
 
 def workers_of(jobs: int | None, ray: str | None, limit_s: float = _LIMIT_S) -> Workers:

@@ -9,7 +9,6 @@ from rich.console import Console
 from rich.table import Table
 
 from dslkit.command_line import CommandLine
-from dslkit.writing import write_whole
 from heron.demo import Shot, page_of, shoot_all
 from heron.experiments import EXPERIMENTS
 from heron.experiments.experiment import ARM_NAMES
@@ -24,7 +23,7 @@ def demonstrate(output: CommandLine, seed: int, out: Path) -> None:
         console.print(_table([shot for shot in shots if shot.experiment == name]))
     with output.writing(out):
         out.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(out, page_of(shots))
+    output.save(out, page_of(shots))
     trouble = next((shot.frames.trouble for shot in shots if shot.frames.trouble), None)
     if trouble is not None:
         output.complain(f"the page is without pictures: {trouble}")

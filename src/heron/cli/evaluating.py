@@ -11,7 +11,8 @@ from rich.console import Console
 from dslkit.campaign import Bar, Campaign, Journal, Workers, run
 from dslkit.command_line import CommandLine
 from heron.cli.campaigns import carry_out
-from heron.evaluation import Folder, keys_of, row_of, sources, write_page
+from heron.cli.choices import require_campaign
+from heron.evaluation import PAGE, Folder, keys_of, row_of, sources, write_page
 from heron.experiments import EXPERIMENTS
 
 
@@ -24,6 +25,7 @@ def evaluate(
 ) -> None:
     """Run what is not in the journal, and write the page."""
     folder = Folder(out)
+    require_campaign(out, PAGE, folder.journal)
     keys = list(keys_of([EXPERIMENTS[name] for name in names], seeds))
     carry_out(output, out, lambda: _campaign(keys, folder, workers), partial(write_page, folder))
 

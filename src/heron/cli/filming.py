@@ -15,7 +15,7 @@ from heron.cli.episodes import print_episode
 from heron.experiments import EXPERIMENTS
 from heron.films import CannotDrawError, film_of
 from heron.films.clip import Clip
-from heron.films.gallery import write_gallery
+from heron.films.gallery import EXHIBITS, FOLDER, PAGE, write_gallery
 from heron.films.movie import write_movie
 from heron.variants import Arm
 
@@ -55,6 +55,7 @@ def write_film(output: CommandLine, clips: Sequence[Clip], out: Path) -> None:
 
 def show_gallery(output: CommandLine, seed: int, out: Path) -> None:
     """Films of episodes side by side, and a page with all of them."""
+    output.try_folder(out, PAGE, *(f"{FOLDER}/{each.name}.webp" for each in EXHIBITS))
     with output.writing_to(out), _drawing(output):
         page = write_gallery(out, seed)
     typer.echo(f"the page:  {page}")

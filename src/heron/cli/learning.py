@@ -13,8 +13,9 @@ from rich.table import Table
 from dslkit.campaign import Campaign, Journal, Result, Workers, run
 from dslkit.command_line import CommandLine
 from heron.cli.campaigns import carry_out
+from heron.cli.choices import require_campaign
 from heron.evaluation import sources
-from heron.evaluation.learning import LearningFolder, Watch, write_learning_page
+from heron.evaluation.learning import PAGE, LearningFolder, Watch, write_learning_page
 from heron.learning.learned import learned
 from heron.learning.runs import Run
 from heron.learning.training import train
@@ -30,6 +31,7 @@ def learn(
     from the first seed, if one is wanted.
     """
     folder = LearningFolder(out)
+    require_campaign(out, PAGE, folder.journal)
     carry_out(
         output, out, lambda: _campaign(runs, folder, workers), partial(write_learning_page, folder)
     )

@@ -8,13 +8,12 @@ number of a signal that ended it (130: Ctrl-C).
 from __future__ import annotations
 
 import enum
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
+from dslkit.options import Force
 from dslkit.parameters import Group
 from heron.cli.choices import (
     TRAINING_LIMIT_S,
@@ -28,7 +27,7 @@ from heron.cli.choices import (
     require_drawing,
     require_film,
     require_learning,
-    require_new,
+    require_place,
     require_simulation,
     require_trace,
     variant_of,
@@ -52,6 +51,7 @@ from heron.cli.options import (
     Variant,
     View,
 )
+from heron.cli.watching import film_episode, observers
 from heron.variants import (
     VARIANTS,
     Arm,
@@ -66,13 +66,10 @@ from heron.variants import (
     Trouble,
 )
 
-if TYPE_CHECKING:  # needs MuJoCo
-    from heron.experiments import Observer
-
 _SHOWN_SEED = 1
 """The seed of the demo and the gallery. Its episodes end as most do; a test holds that."""
 app = typer.Typer(
-    help="The experiments of the thesis, in physics.",
+    help="Run the experiments of the thesis in a physics simulation.",
     cls=Group,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -85,23 +82,24 @@ app.add_typer(runs, name="run")
 
 @app.callback()
 def heron(version: Annotated[bool, output.version_option()] = False) -> None:
-    """The experiments of the thesis, in physics."""
+    """Run the experiments of the thesis in a physics simulation."""
 
 
 @runs.command()
 def nav(
     arm: Guarding = Arm.ROSSMARIE,
-    variant: Annotated[
-        Terrain, typer.Option(help="The terrain: what is in the way.")
-    ] = Terrain.GENTLE,
+    variant: Annotated[Terrain, typer.Option(help="The terrain of the drive.")] = Terrain.GENTLE,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
     ros1: Annotated[
-        bool, typer.Option("--ros1", help="With the generated node on guard, by ROS_MASTER_URI.")
+        bool,
+        typer.Option("--ros1", help="Use the generated node as the guard, through ROS_MASTER_URI."),
     ] = False,
+    force: Force = False,
 ) -> None:
-    """Experiment I: through a corridor with a bump, up a ramp, to the block in the room."""
+    """Experiment I: drive through a corridor with a bump, up a ramp, to the block in the room."""
+    output.permit(force)
     if not ros1:
         _run("nav", arm, variant, seed, view, film)
         return
@@ -114,37 +112,37 @@ def nav(
     require_simulation()
     from heron.cli.live import run_live
 
-    with _observers("nav", is_viewed=view) as observers:
-        run_live(output, arm, variant, seed, observers)
+    with observers("nav", is_viewed=view) as watching:
+        run_live(output, arm, variant, seed, watching)
 
 
 @runs.command()
 def place(
     arm: Guarding = Arm.ROSSMARIE,
     variant: Annotated[
-        Table, typer.Option(help="The table: where it is, and the haste.")
+        Table, typer.Option(help="The position of the table, and the speed of the arm.")
     ] = Table.HIGH,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
-    """Experiment II: place a block on a table that is higher than the arm believes, or carry it
-    there in too much haste.
-    """
+    """Experiment II: place a block on a table that is higher than expected, or move too fast."""
+    output.permit(force)
     _run("place", arm, variant, seed, view, film)
 
 
 @runs.command()
 def human(
     arm: Guarding = Arm.ROSSMARIE,
-    variant: Annotated[
-        Person, typer.Option(help="The person: where somebody walks.")
-    ] = Person.INSIDE,
+    variant: Annotated[Person, typer.Option(help="The path of the person.")] = Person.INSIDE,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
-    """Experiment III: carry a block to and fro while somebody comes into the room."""
+    """Experiment III: carry a block back and forth while a person enters the room."""
+    output.permit(force)
     _run("human", arm, variant, seed, view, film)
 
 
@@ -153,45 +151,45 @@ def contact(
     arm: Guarding = Arm.SKILL_AWARE,
     variant: Annotated[
         Encounter,
-        typer.Option(help="The encounter: what the arm touches apart from box and board."),
+        typer.Option(help="The unexpected contact of the arm."),
     ] = Encounter.COLLISION,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
-    """Experiment IV: push a box to a mark and wipe a board, while somebody reaches over the table
-    or the box gets jammed.
+    """Experiment IV: push a box to a mark and wipe a board, while a person reaches over the table
+    or the box jams.
     """
+    output.permit(force)
     _run("contact", arm, variant, seed, view, film)
 
 
 @runs.command()
 def corridor(
     arm: Guarding = Arm.PROACTIVE,
-    variant: Annotated[
-        Passage, typer.Option(help="The passage: who is in the corridor.")
-    ] = Passage.CHILD,
+    variant: Annotated[Passage, typer.Option(help="The people in the corridor.")] = Passage.CHILD,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
-    """Experiment V: drive along a corridor, of which a part belongs to a school, while a child runs
-    out of a door.
-    """
+    """Experiment V: drive along a corridor past a school while a child runs out of a door."""
+    output.permit(force)
     _run("corridor", arm, variant, seed, view, film)
 
 
 @runs.command()
 def blocked(
     arm: Guarding = Arm.TREES,
-    variant: Annotated[
-        Blockage, typer.Option(help="The blockage: what stands in the way.")
-    ] = Blockage.PALLET,
+    variant: Annotated[Blockage, typer.Option(help="The obstacle on the path.")] = Blockage.PALLET,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
-    """Experiment VI: drive to a hall, while something stands across the short way."""
+    """Experiment VI: drive to a hall while an obstacle blocks the shortest path."""
+    output.permit(force)
     _run("blocked", arm, variant, seed, view, film)
 
 
@@ -199,13 +197,15 @@ def blocked(
 def second(
     arm: Guarding = Arm.LEARNED,
     variant: Annotated[
-        Trouble, typer.Option(help="The trouble: what stands in the way in most runs.")
+        Trouble, typer.Option(help="The obstacle on the path in most runs.")
     ] = Trouble.LASTING,
     seed: Seed = 0,
     view: View = False,
     film: Filming = None,
+    force: Force = False,
 ) -> None:
-    """Experiment VII: drive to a hall as the planner says, with what earlier runs have taught."""
+    """Experiment VII: drive to a hall with a planner that uses knowledge from earlier runs."""
+    output.permit(force)
     _run("second", arm, variant, seed, view, film)
 
 
@@ -222,47 +222,15 @@ def _run(
 ) -> None:
     require_arm(name, arm)
     if film is not None:
-        _film(name, arm, variant, seed, film, is_viewed=is_viewed)
+        film_episode(name, arm, variant, seed, film, is_viewed=is_viewed)
         return
     require_simulation()
     from heron.cli.episodes import print_episode
     from heron.experiments import EXPERIMENTS, USUAL
 
     experiment = EXPERIMENTS[name]
-    with _observers(name, is_viewed=is_viewed) as observers:
-        print_episode(experiment, experiment.run(arm, variant, seed, observers, USUAL))
-
-
-def _film(
-    name: str, arm: Arm, variant: enum.Enum, seed: int, out: Path, *, is_viewed: bool
-) -> None:
-    if is_viewed:
-        output.fail("--film draws without a window: leave out --view", exit_code=2)
-    require_film(out)
-    require_drawing()
-    require_simulation()
-    from heron.cli.filming import film
-
-    film(output, name, variant, arm, seed, out)
-
-
-@contextmanager
-def _observers(name: str, *, is_viewed: bool) -> Iterator[list[Observer]]:
-    """A window on an experiment for as long as it is needed, if one is wanted."""
-    if not is_viewed:
-        yield []
-        return
-    from heron.experiments import EXPERIMENTS
-    from heron.viewing import Window, trouble
-
-    reason = trouble()
-    if reason is not None:
-        output.fail(
-            f"--view needs a display: {reason}; `heron demo` makes pictures without one",
-            exit_code=2,
-        )
-    with Window(EXPERIMENTS[name].cameras) as window:
-        yield [window]
+    with observers(name, is_viewed=is_viewed) as watching:
+        print_episode(experiment, experiment.run(arm, variant, seed, watching, USUAL))
 
 
 @app.command()
@@ -274,14 +242,15 @@ def record(
     seed: Seed = 0,
     trace: TraceFile = None,
     begin: Begin = 0,
+    force: Force = False,
 ) -> None:
-    """Run one episode, and write all its topics into an MCAP file."""
+    """Run one episode, and record all its topics in an MCAP file."""
+    output.permit(force)
     chosen = variant_of(known(experiment), variant)
     require_arm(experiment, arm)
     if out.suffix != ".mcap":
         output.fail(f"the name of the recording has to end in .mcap, not as {out}", exit_code=2)
-    require_new(out)
-    output.try_folder(out.parent)
+    require_place(out)
     if trace is not None:
         require_trace(trace)
     require_simulation()
@@ -294,16 +263,18 @@ def record(
 
 @app.command()
 def evaluate(
-    seeds: Annotated[int, typer.Option(min=1, help="How many, from 0 on.")] = 30,
+    seeds: Annotated[int, typer.Option(min=1, help="The number of seeds, starting at 0.")] = 30,
     experiment: Experiments = None,
     out: RunsFolder = Path("build"),
     jobs: Jobs = None,
     ray: Ray = None,
+    force: Force = False,
 ) -> None:
     """Run all arms of the experiments on many seeds, and write tables and plots.
 
-    A run that was interrupted goes on where it was.
+    An interrupted run continues with the missing episodes.
     """
+    output.permit(force)
     chosen = list(map(known, dict.fromkeys(experiment or VARIANTS)))
     output.try_folder(out)
     require_simulation()
@@ -317,27 +288,29 @@ def evaluate(
 def learn(
     formulation: Annotated[
         Formulation,
-        typer.Argument(help="Which numbers are learned: of each step, which move, or of a tree."),
+        typer.Argument(help="The learned quantity: velocities, moves, or the numbers of a tree."),
     ],
     algorithm: Algorithms = None,
     arm: Annotated[
         list[LearningArm] | None,
-        typer.Option(help="Only this one; may be given several times. All if not given."),
+        typer.Option(help="An experiment arm; repeat the option for several. Default: all."),
     ] = None,
-    seeds: Annotated[int, typer.Option(min=1, help="How many, from 0 on.")] = 1,
+    seeds: Annotated[int, typer.Option(min=1, help="The number of seeds, starting at 0.")] = 1,
     steps: Annotated[
         int | None,
-        typer.Option(min=1, help="Steps of a training; as docs/learning.md has them if not given."),
+        typer.Option(min=1, help="The steps of a training; default: see docs/learning.md."),
     ] = None,
     out: RunsFolder = Path("build"),
     film: Filming = None,
     jobs: Jobs = None,
     ray: Ray = None,
+    force: Force = False,
 ) -> None:
-    """Train behind rules and without them: the insertion of figure 4, on many seeds.
+    """Train the insertion of figure 4 with and without rules, on many seeds.
 
-    A run that was interrupted goes on where it was.
+    An interrupted run continues with the missing trainings.
     """
+    output.permit(force)
     algorithms = algorithms_of(formulation, algorithm)
     arms = learning_arms_of(formulation, arm)
     budget = budget_of(formulation, steps)
@@ -362,11 +335,11 @@ app.command()(policy)
 def demo(
     seed: Seed = _SHOWN_SEED,
     out: PageFile = Path("build/heron.html"),
+    force: Force = False,
 ) -> None:
-    """Show one episode of each experiment with all guards, side by side on one page."""
-    output.try_folder(out.parent)
-    if out.parent.exists():
-        output.try_file(out)
+    """Write a page with one episode of each experiment, for all guards side by side."""
+    output.permit(force)
+    require_place(out)
     draw_without_display()
     require_simulation()
     from heron.cli.demonstrating import demonstrate
@@ -378,10 +351,15 @@ def demo(
 def gallery(
     seed: Seed = _SHOWN_SEED,
     out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="DIR", help="Folder of the page and its films.")
+        Path,
+        typer.Option(
+            "--out", "-o", metavar="DIR", help="The output folder of the page and its films."
+        ),
     ] = Path("build"),
+    force: Force = False,
 ) -> None:
-    """Write films of the experiments, without a monitor and with one, and a page of them."""
+    """Write a page with films of the experiments, with and without a monitor."""
+    output.permit(force)
     output.try_folder(out)
     require_drawing()
     require_simulation()

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from dslkit.options import Force
 from heron.cli.choices import (
     output,
     require_drawing,
@@ -21,23 +22,21 @@ from heron.variants import LearningArm
 def insertion(
     policy: Annotated[
         Path | None,
-        typer.Option(
-            metavar="FILE", help="policy.npz or numbers.json, as `heron learn` writes them."
-        ),
+        typer.Option(metavar="FILE", help="policy.npz or numbers.json of `heron learn`."),
     ] = None,
     arm: Annotated[
-        LearningArm, typer.Option(help="guard, or unguarded; the others are about learning.")
+        LearningArm, typer.Option(help="guard or unguarded; the other arms are for training.")
     ] = LearningArm.GUARD,
     seed: Seed = 0,
     film: Filming = None,
     ros1: Annotated[
         bool,
-        typer.Option(
-            "--ros1", help="Run the arm alone, commanded in real time, by ROS_MASTER_URI."
-        ),
+        typer.Option("--ros1", help="Run only the arm, in real time, through ROS_MASTER_URI."),
     ] = False,
+    force: Force = False,
 ) -> None:
-    """Figure 4: insert a peg beside a fragile part and a person, as it was learned."""
+    """Figure 4: insert a peg next to a fragile part and a person, with a learned policy."""
+    output.permit(force)
     if arm not in (LearningArm.GUARD, LearningArm.UNGUARDED):
         output.fail(f"insertion has no arm {arm.value}; there are unguarded, guard", exit_code=2)
     if ros1:
@@ -78,14 +77,12 @@ def _insert_live(policy: Path | None, arm: LearningArm, seed: int, film: Path | 
 def policy(
     learned: Annotated[
         Path,
-        typer.Argument(
-            metavar="FILE", help="policy.npz or numbers.json, as `heron learn` writes them."
-        ),
+        typer.Argument(metavar="FILE", help="policy.npz or numbers.json of `heron learn`."),
     ],
 ) -> None:
-    """Command the arm of the insertion by ROS 1, as it was learned, for one episode.
+    """Command the arm of the insertion through ROS 1 with a learned policy, for one episode.
 
-    A node of its own, in front of the node on guard that is built from the same rules.
+    This node publishes to the guard node, which is generated from the same rules.
     """
     require_simulation()
     require_gymnasium()

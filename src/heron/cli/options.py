@@ -33,7 +33,7 @@ def _typed(ctx: typer.Context) -> list[str]:
 Experiment = Annotated[
     str,
     typer.Argument(
-        help="Which one: nav, place, human, contact, corridor, blocked or second.",
+        help="The experiment: nav, place, human, contact, corridor, blocked or second.",
         autocompletion=lambda: list(VARIANTS),
     ),
 ]
@@ -41,7 +41,7 @@ Experiments = Annotated[
     list[str] | None,
     typer.Option(
         "--experiment",
-        help="Only this one; may be given several times.",
+        help="An experiment; repeat the option for several. Default: all.",
         autocompletion=lambda: list(VARIANTS),
     ),
 ]
@@ -49,7 +49,7 @@ Variant = Annotated[
     str | None,
     typer.Option(
         "--variant",
-        help="Which terrain, table, person or encounter; the first one if not given.",
+        help="A terrain, table, person or other variant; default: the first one.",
         autocompletion=_variants,
     ),
 ]
@@ -57,43 +57,46 @@ Algorithms = Annotated[
     list[str] | None,
     typer.Option(
         "--algorithm",
-        help="Only this one; may be given several times. The usual one if not given.",
+        help="A training algorithm; repeat the option for several. Default: the first one.",
         autocompletion=_algorithms,
     ),
 ]
-Guarding = Annotated[Arm, typer.Option("--arm", help="What guards the robot.")]
-View = Annotated[bool, typer.Option("--view", help="Show it in a window, in real time.")]
+Guarding = Annotated[Arm, typer.Option("--arm", help="The guard of the robot.")]
+View = Annotated[bool, typer.Option("--view", help="Show the episode in a window, in real time.")]
 Filming = Annotated[
     Path | None,
-    typer.Option("--film", metavar="FILE", help="Write a film of it: FILE ends in .mp4 or .gif."),
+    typer.Option("--film", metavar="FILE", help="Write a film to this file (.mp4 or .gif)."),
 ]
 Seed = Annotated[int, typer.Option("--seed", min=0, help="Random seed.")]
 Jobs = Annotated[
-    int | None, typer.Option(min=1, help="Processes at a time; one for each core if not given.")
+    int | None, typer.Option(min=1, help="The number of parallel processes; default: one per core.")
 ]
 Ray = Annotated[
     str | None,
-    typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port instead."),
+    typer.Option(metavar="ADDRESS", help="Run on the Ray cluster at this host:port."),
 ]
 Begin = Annotated[
-    int, typer.Option("--begin", min=0, max=_LATEST_S, help="The stamp of its begin, in seconds.")
+    int,
+    typer.Option(
+        "--begin", min=0, max=_LATEST_S, help="The time stamp of the first message, in seconds."
+    ),
 ]
 RecordingFile = Annotated[
-    Path, typer.Option("--out", "-o", metavar="FILE", help="The file, such as drive.mcap.")
+    Path, typer.Option("--out", "-o", metavar="FILE", help="The output file, such as drive.mcap.")
 ]
 TraceFile = Annotated[
     Path | None,
     typer.Option(
-        "--trace", metavar="FILE", help="Write which skills ran, too, for `ezskiros learn`."
+        "--trace", metavar="FILE", help="Also write the skill trace, for `ezskiros learn`."
     ),
 ]
-PageFile = Annotated[Path, typer.Option("--out", "-o", metavar="FILE", help="The page.")]
+PageFile = Annotated[Path, typer.Option("--out", "-o", metavar="FILE", help="The output file.")]
 RunsFolder = Annotated[
     Path,
     typer.Option(
         "--out",
         "-o",
         metavar="DIR",
-        help="Folder of the page; what is done already is there, too.",
+        help="The output folder; finished runs in it are reused.",
     ),
 ]

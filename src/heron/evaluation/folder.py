@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.campaign import Value
+from dslkit.ownership import Comment, marked
+from dslkit.writing import write_whole
 from heron.evaluation.page import Results, page_of
 from heron.evaluation.plots import plot_of, plot_of_study
 from heron.evaluation.rows import read_rows, read_study, write_rows, write_study
@@ -56,11 +58,11 @@ def write_page(folder: Folder, values: Mapping[str, Value]) -> Path:
     for name, rows_of_experiment in results.experiments.items():
         samples = samples_of(EXPERIMENTS[name], rows_of_experiment)
         if samples:
-            folder.plot(name).write_bytes(plot_of(samples))
+            write_whole(folder.plot(name), plot_of(samples))
     for name, rows_of_study in results.studies.items():
-        folder.plot(name).write_bytes(plot_of_study(STUDIES[name], rows_of_study))
+        write_whole(folder.plot(name), plot_of_study(STUDIES[name], rows_of_study))
     page = folder.path / PAGE
-    page.write_text(page_of(results, _REST), encoding="utf-8")
+    write_whole(page, marked(page_of(results, _REST), "heron", Comment.MARKUP))
     return page
 
 

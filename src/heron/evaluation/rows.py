@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.campaign import Value
+from dslkit.writing import replacing_text
 from heron.experiments import Experiment, Measure, Study
 
 _KEYS = ("variant", "arm", "seed")
@@ -80,7 +81,7 @@ def _write(
     path: Path, keys: Sequence[str], measures: Sequence[Measure], values: Iterable[Value]
 ) -> None:
     names = [measure.name for measure in measures]
-    with path.open("w", encoding="utf-8", newline="") as file:
+    with replacing_text(path) as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([*keys, *names])
         for value in values:

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from dslkit.ownership import Comment, list_written, marked
 from dslkit.writing import write_whole
 from heron.experiments import EXPERIMENTS
 from heron.experiments.experiment import ARM_NAMES
@@ -17,7 +18,7 @@ from heron.films.processes import in_processes
 from heron.variants import Arm, Blockage, Encounter, Passage, Person, Table, Terrain, Trouble
 
 PAGE = "gallery.md"
-_FOLDER = "gallery"
+FOLDER = "gallery"
 _SIZE = (400, 225)
 
 
@@ -97,7 +98,7 @@ EXHIBITS = (
 
 def write_gallery(out: Path, seed: int) -> Path:
     """The page, and beside it a folder with the films. Raises `CannotDrawError` and `OSError`."""
-    folder = out / _FOLDER
+    folder = out / FOLDER
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=folder) as unfinished:
         films = [(each, seed, Path(unfinished) / f"{each.name}.webp") for each in EXHIBITS]
@@ -105,7 +106,8 @@ def write_gallery(out: Path, seed: int) -> Path:
         for _, _, film in films:
             film.replace(folder / film.name)
     page = out / PAGE
-    write_whole(page, page_of(EXHIBITS, seed))
+    list_written(folder, [film.name for _, _, film in films], "heron")
+    write_whole(page, marked(page_of(EXHIBITS, seed), "heron", Comment.MARKUP))
     return page
 
 
@@ -138,7 +140,7 @@ def page_of(exhibits: Sequence[Exhibit], seed: int) -> str:
             "",
             exhibit.words,
             "",
-            f"![{title}: {without}, and with {guard}]({_FOLDER}/{exhibit.name}.webp)",
+            f"![{title}: {without}, and with {guard}]({FOLDER}/{exhibit.name}.webp)",
             "",
             "For a film of your own, of one episode, as MP4 or GIF:",
             "",

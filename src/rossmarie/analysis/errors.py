@@ -20,7 +20,9 @@ class Escalated(Remark):
 class WheneverNot(Remark):
     """The label of a rule that is active whenever another one is."""
 
-    says = "whenever this is not, that is not either"
+    says = "whenever `{active}` is inactive, `{rule}` is inactive too"
+    active: str
+    rule: str
 
 
 class Decided(Remark):
@@ -346,7 +348,18 @@ class Undecided(Note, code="ROSS729", name="undecided"):
     reason: str
 
 
+class NotAsked(Warning, code="ROSS730", name="rules-not-analyzed"):
+    """The solver is not installed, so no query about the rules was asked."""
+
+    title = "the rules were not checked against each other"
+    label = "no conflict between this rule and the others would be found"
+    note = "this check needs the solver z3, which is not installed"
+    help = "install the solver: {advice}"
+    advice: str
+
+
 ALL: tuple[type[Template], ...] = (
+    NotAsked,
     RulesConflict,
     NeverTogether,
     ConflictOrdered,

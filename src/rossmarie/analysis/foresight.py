@@ -10,10 +10,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rossmarie.analysis.errors import InTime, NotInTime, NotProved
+from rossmarie.analysis.errors import InTime, NotInTime
 from rossmarie.analysis.finding import Finding, witness_note
 from rossmarie.analysis.inquiry import Inquiry, has_value
 from rossmarie.analysis.solver import Satisfiability
+from rossmarie.analysis.unproved import not_proved, shown_speed
 from rossmarie.ir import Requirement, TruthValue
 
 
@@ -31,7 +32,7 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
         yield not_proved(required, "no proof was found, and no counterexample either")
     else:
         braking = required.braking
-        finding = NotInTime(rule=required.rule, motion=braking.motion, speed=_speed(required))
+        finding = NotInTime(rule=required.rule, motion=braking.motion, speed=shown_speed(required))
         reaction = finding.Reaction(
             motion=braking.motion,
             reaction=f"{braking.reaction_s:g} s",
@@ -40,19 +41,3 @@ def find_late(inquiry: Inquiry, required: Requirement) -> Iterator[Finding]:
         )
         note = witness_note(below.machine, result.witness, (last,))
         yield Finding(finding.at(required.span, notes=(note, reaction)), result.witness)
-
-
-def not_proved(required: Requirement, reason: str) -> Finding:
-    """The error for an undecided requirement: without a proof, the promise has no value."""
-    finding = NotProved(
-        rule=required.rule,
-        reason=reason,
-        places=required.places,
-        motion=required.braking.motion,
-        speed=_speed(required),
-    )
-    return Finding(finding.at(required.span))
-
-
-def _speed(required: Requirement) -> str:
-    return f"{required.speed:g} m/s"

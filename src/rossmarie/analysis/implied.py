@@ -118,7 +118,7 @@ def _reported(inquiry: Inquiry, rule: int, other: int) -> Iterator[Finding]:
     witness = pair.witness(both_active(pair.machine))
     propositions = propositions_of(pair.machine, (0, 1))
     notes = () if witness is None else (witness_note(pair.machine, witness, propositions),)
-    place = WheneverNot().at(two.head)
+    place = WheneverNot(active=two.name, rule=one.name).at(two.head)
     resource = _shared(machine, rule, other)
     if is_same:
         finding = RuleImplied(rule=one.name, other=two.name)

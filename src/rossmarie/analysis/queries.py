@@ -12,7 +12,7 @@ from rossmarie.analysis.errors import Undecided
 from rossmarie.analysis.failures import find_unnoticed
 from rossmarie.analysis.feedback import find_alternating
 from rossmarie.analysis.finding import Finding
-from rossmarie.analysis.foresight import find_late, not_proved
+from rossmarie.analysis.foresight import find_late
 from rossmarie.analysis.holding import find_self_holding
 from rossmarie.analysis.implied import find_implied
 from rossmarie.analysis.inquiry import Inquiry, OutOfTimeError
@@ -20,6 +20,7 @@ from rossmarie.analysis.latches import find_released_latches
 from rossmarie.analysis.rates import find_unfit_durations
 from rossmarie.analysis.recovery import find_blocked
 from rossmarie.analysis.release import find_never_cleared
+from rossmarie.analysis.unproved import not_proved
 from rossmarie.ir import Machine, Requirement
 
 QUICK_S = 8.0

@@ -39,7 +39,7 @@ from rossmarie.check.rules.feedback import check_feedback
 from rossmarie.check.rules.hazards import declared_hazards
 from rossmarie.check.rules.last_resorts import check_last_resorts
 from rossmarie.check.rules.missing import (
-    warn_of_empty_actions,
+    warn_of_empty_braces,
     warn_of_missing_rules,
     warn_of_missing_timeouts,
 )
@@ -123,7 +123,7 @@ def check(
     if was_parsed:
         warn_of_unused(context)
         warn_of_missing_rules(context)
-        warn_of_empty_actions(context)
+        warn_of_empty_braces(context)
     warn_of_missing_timeouts((*resting, *actions.confirmations), conditions, context)
     hazards = declared_hazards(context, is_parsed=was_parsed)
     if collector.has_errors:

@@ -8,7 +8,8 @@ from pathlib import Path
 
 import typer
 
-from dslkit.command_line import Format
+from dslkit.options import Format
+from dslkit.ownership import Comment
 from dslkit.writing import reason
 from rossmarie.cli.output import output
 from rossmarie.cli.written import lines_of_written
@@ -73,19 +74,21 @@ def run_build(
                 only=only,
                 name=name,
                 placement=placement,
+                replaces_others=output.permission.is_given,
             )
     except RulesError as error:
         output.reject(error.diagnostics)
     except ForeignFileError as error:
-        output.fail(f"{error}; remove it, or choose another --out", exit_code=2)
+        output.fail(f"{error}; choose another --out, or replace it with --force", exit_code=2)
     if sources is not None:
         _make_folder_of(sources)
-        output.save(sources, "".join(f"{Path(each.path).absolute()}\n" for each in built.sources))
+        paths = [f"{Path(each.path).absolute()}\n" for each in built.sources]
+        output.save(sources, "".join(paths), Comment.HASH)
     _tell(built, described)
     if review is not None:
         _make_folder_of(review)
         output.save(review, render_review(built.sources, built.own_code))
-        typer.echo(f"wrote {review}")
+        output.tell_written(review)
 
 
 def _make_folder_of(path: Path) -> None:

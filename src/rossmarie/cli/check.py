@@ -7,14 +7,15 @@ from pathlib import Path
 
 import typer
 
-from dslkit.command_line import Format
 from dslkit.diagnostics import Diagnostic
 from dslkit.extensions import extension
-from dslkit.writing import write_whole
+from dslkit.options import Format
 from rossmarie.cli.output import each_once, output
 from rossmarie.cli.progress import reported_steps
 from rossmarie.driver.analyze import Analysis, analyze_file, write_witnesses
 from rossmarie.ir import Category
+
+_TOGGLE_S = 1.0
 
 
 def run_check(
@@ -22,7 +23,7 @@ def run_check(
     form: Format,
     target: str | None,
     thorough: bool,
-    toggle_s: float,
+    toggle_s: float | None,
     witnesses: Path | None,
     skills: bool,
     systems: Sequence[Path],
@@ -33,6 +34,8 @@ def run_check(
     """Print the findings, write the witnesses, and end with the exit code."""
     with output.answering(form, "check", files=len(files)):
         output.try_study(study)
+        if toggle_s is not None and not thorough:
+            output.fail("--toggle needs --thorough: only that search looks for it", exit_code=2)
         is_tests = witnesses is not None and witnesses.suffix == ".ross"
         if is_tests and len(files) > 1:
             output.fail("tests of witnesses are for one rules file; name one", exit_code=2)
@@ -46,7 +49,7 @@ def run_check(
                 analyze_file(
                     path,
                     thorough=thorough,
-                    toggle_ns=round(toggle_s * 1e9),
+                    toggle_ns=round((_TOGGLE_S if toggle_s is None else toggle_s) * 1e9),
                     systems=systems,
                     message_folders=message_folders,
                     only=only,
@@ -64,9 +67,6 @@ def run_check(
         reported = each_once(found)
         output.log_study(study, "check", files, reported)
         output.print_diagnostics(reported, form, file_count=len(files))
-        if any(each.lacks_solver for each in analyses):
-            advice = output.extras().advice("solver")
-            output.complain(f"without z3, no rules were checked against each other: {advice}")
         if witnesses is not None and is_tests:
             _write_tests(analyses[0], files[0], witnesses, form, systems, message_folders)
         elif witnesses is not None:
@@ -97,8 +97,12 @@ def _for_target(
 
 
 def _write(analyses: Sequence[Analysis], folder: Path, form: Format) -> None:
+    names = [name for each in analyses for name in each.witnesses]
+    output.try_folder(folder, *names)
     with output.writing_to(folder):
         written = [path for each in analyses for path in write_witnesses(each, folder)]
+    if names:
+        output.list_written(folder, names)
     for path in written:
         typer.echo(f"wrote {path}", err=form is not Format.TEXT)
 
@@ -111,15 +115,12 @@ def _write_tests(
     systems: Sequence[Path],
     folders: Sequence[Path],
 ) -> None:
-    from rossmarie.driver.witness_tests import is_foreign, witness_tests
+    from rossmarie.driver.witness_tests import witness_tests
 
     found = witness_tests(analysis, rules, path, systems=systems, message_folders=folders)
     if found is None:
         return
-    with output.writing(path):
-        if is_foreign(path):
-            output.fail(f"{path} is not overwritten: no check has written it", exit_code=2)
-        write_whole(path, found.text)
+    output.save(path, found.text)
     tests = "1 test" if found.count == 1 else f"{found.count} tests"
     typer.echo(f"wrote {tests} to {path}", err=form is not Format.TEXT)
     for name in found.left_out:

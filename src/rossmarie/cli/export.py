@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-import typer
-
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
 from rossmarie.driver.rules_file import rules_file
@@ -24,4 +22,4 @@ def run_export(
     except RulesError as error:
         output.reject(error.diagnostics)
     output.save(out, rules_file(compiled.machine, compiled.sources, out))
-    typer.echo(f"wrote {out}")
+    output.tell_written(out)

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import typer
 
-from dslkit.command_line import ReportFormat
 from dslkit.diagnostics.render_json import Json
+from dslkit.options import ReportFormat
 from rossmarie.analysis.failures import losses
 from rossmarie.analysis.inquiry import Inquiry
 from rossmarie.analysis.loss import Effect, Loss

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import typer
 
-from dslkit.command_line import Format
+from dslkit.options import Format
 from dslkit.writing import reason, write_whole
 from rossmarie.cli.output import output
 from rossmarie.driver.formatting import Formatted, format_file

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 
@@ -11,6 +11,7 @@ import typer
 from rich.console import Console
 
 from dslkit.diagnostics.render_json import Json
+from dslkit.ownership import Comment
 from rossmarie.cli.choices import GraphFormat
 from rossmarie.cli.output import output
 from rossmarie.driver import RulesError, compile_file
@@ -18,6 +19,7 @@ from rossmarie.report.wiring import Wiring, wiring_dot, wiring_of, wiring_svg, w
 from rossmarie.report.wiring.model import Use
 
 _RULES = ".ross"
+_COMMENTS = {GraphFormat.DOT: Comment.SLASHES, GraphFormat.TEXT: Comment.HASH}
 
 
 def run_graph(
@@ -31,8 +33,7 @@ def run_graph(
     with output.answering(form, "graph", files=1) as answer:
         if out is not None and out.suffix == _RULES:
             output.fail(f"{out} would be a rules file; choose another --out", exit_code=2)
-        if out is not None:
-            output.try_file(out)
+        output.try_file(out)
         try:
             compiled = compile_file(rules, systems=systems, message_folders=message_folders)
         except RulesError as error:
@@ -40,8 +41,8 @@ def run_graph(
         wiring = wiring_of(compiled.machine)
         answer.result = wiring_result(wiring)
         if out is not None:
-            output.save(out, _drawn(wiring, form))
-            output.tell(f"wrote {out}")
+            output.save(out, _drawn(wiring, form), _COMMENTS.get(form))
+            output.tell_written(out)
         elif not answer.is_printed:
             console = Console()
             width = console.width if console.is_terminal else None
@@ -57,10 +58,10 @@ def _drawn(wiring: Wiring, form: GraphFormat, width: int | None = None) -> str:
         case GraphFormat.TEXT:
             return wiring_text(wiring, width)
         case GraphFormat.JSON:
-            return json.dumps(wiring_result(wiring), indent=2) + "\n"
+            return json.dumps({"generator": output.tool, **wiring_result(wiring)}, indent=2) + "\n"
 
 
-def wiring_result(wiring: Wiring) -> Json:
+def wiring_result(wiring: Wiring) -> Mapping[str, Json]:
     """The topics, commands and other resources of a node. Times are nanoseconds."""
     return {
         "node": wiring.node,

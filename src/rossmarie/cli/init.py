@@ -19,17 +19,17 @@ RULES = "robot.ross"
 SEEN = "seen"
 
 
-def run_init(recording: Path, folder: Path, *, force: bool) -> None:
+def run_init(recording: Path, folder: Path) -> None:
     """Write a system model, definitions of messages, and rules into a folder."""
     if folder.resolve() == recording.resolve():
         output.fail(f"{folder} is the recording; choose another --out", exit_code=2)
-    _refuse_overwriting([folder / SYSTEM_MODEL, folder / RULES], force=force)
+    _refuse_overwriting([folder / SYSTEM_MODEL, folder / RULES])
     output.try_folder(folder)
     with refusing(), open_recording(recording) as opened:
         output.print_findings(opened.findings)
         beginning = begin(opened)
     texts = _texts(beginning)
-    _refuse_overwriting([folder / name for name in texts], force=force)
+    _refuse_overwriting([folder / name for name in texts])
     for name, text in texts.items():
         path = folder / name
         with output.writing_to(path.parent):
@@ -38,15 +38,10 @@ def run_init(recording: Path, folder: Path, *, force: bool) -> None:
     _tell(beginning, recording, folder)
 
 
-def _refuse_overwriting(paths: list[Path], *, force: bool) -> None:
+def _refuse_overwriting(paths: list[Path]) -> None:
     present = [path for path in paths if path.exists() or path.is_symlink()]
-    if present and not force:
-        names = ", ".join(map(str, present))
-        output.fail(
-            f"nothing is written, because these are there: {names}; choose another --out, or"
-            " replace them by --force",
-            exit_code=2,
-        )
+    if present and not output.permission.is_given:
+        output.refuse_present(present)
 
 
 def _texts(beginning: Beginning) -> dict[Path, str]:

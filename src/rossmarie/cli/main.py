@@ -12,7 +12,7 @@ from typing import Annotated
 
 import typer
 
-from dslkit.command_line import Format, ReportFormat, StudyFile
+from dslkit.options import Force, Format, ReportFormat, StudyFile
 from dslkit.parameters import Group
 from rossmarie.cli.beginnings import example, init, model
 from rossmarie.cli.choices import DumpFormat, GraphFormat, StageName, TargetName
@@ -38,8 +38,10 @@ from rossmarie.cli.options import (
     Rules,
     RulesFiles,
     Systems,
+    Toggle,
     TopicMap,
     WithSkills,
+    Witnesses,
     choice,
     ros_name,
     written,
@@ -47,7 +49,7 @@ from rossmarie.cli.options import (
 from rossmarie.cli.output import output
 
 app = typer.Typer(
-    help="Safety rules for robots: check them, build their monitor, replay a recording.",
+    help="Check safety rules for robots, generate their monitor, and replay recordings.",
     cls=Group,
     no_args_is_help=True,
     pretty_exceptions_enable=False,
@@ -58,42 +60,34 @@ app = typer.Typer(
 
 @app.callback()
 def rossmarie(version: Annotated[bool, output.version_option()] = False) -> None:
-    """Safety rules for robots: check them, build their monitor, replay a recording."""
+    """Check safety rules for robots, generate their monitor, and replay recordings."""
 
 
 @app.command()
 def check(
     files: RulesFiles,
     format: Annotated[  # noqa: A002
-        Format, choice(Format, "How findings are printed.")
+        Format, choice(Format, "The format of the findings.")
     ] = Format.TEXT,
     target: Annotated[
-        TargetName | None, choice(TargetName, "Also report what this target cannot do.")
+        TargetName | None,
+        choice(TargetName, "Also report rules that this target does not support."),
     ] = None,
     thorough: Annotated[
-        bool, typer.Option("--thorough", help="Ask all queries, and tell proofs as well.")
+        bool,
+        typer.Option("--thorough", help="Run all queries about the rules, and also report proofs."),
     ] = False,
-    toggle: Annotated[
-        float,
-        typer.Option(
-            metavar="SECONDS", min=0.0, help="With --thorough: how soon no rule may toggle."
-        ),
-    ] = 1.0,
-    witnesses: Annotated[
-        Path | None,
-        typer.Option(
-            metavar="PATH",
-            help="Write what shows a finding into this folder, or as tests into a .ross file.",
-            parser=written,
-        ),
-    ] = None,
+    toggle: Toggle = None,
+    witnesses: Witnesses = None,
     skills: WithSkills = False,
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
     study: StudyFile = None,
+    force: Force = False,
 ) -> None:
-    """Check rules files: names, types, units, what cannot work, and what rules mean together."""
+    """Check rules files: names, types, units, impossible conditions, and rules that conflict."""
+    output.permit(force)
     from rossmarie.cli.check import run_check
 
     name, systems, folders = target and target.value, system or (), messages or ()
@@ -116,7 +110,7 @@ def check(
 def explain(
     code: Code,
 ) -> None:
-    """Explain a diagnostic: what it means, an example, what to write instead."""
+    """Explain a diagnostic: its meaning, an example, and the correction."""
     output.explain(code)
 
 
@@ -124,10 +118,10 @@ def explain(
 def fmt(
     files: RulesFiles,
     check_only: Annotated[
-        bool, typer.Option("--check", help="Change nothing; exit with 1 if something would.")
+        bool, typer.Option("--check", help="Change no file; exit with 1 if a file would change.")
     ] = False,
 ) -> None:
-    """Write rules files in the one layout."""
+    """Format rules files in the standard layout."""
     from rossmarie.cli.formatting import run_fmt
 
     run_fmt(files, check_only)
@@ -136,52 +130,46 @@ def fmt(
 @app.command()
 def dump(
     rules: Rules,
-    after: Annotated[StageName, choice(StageName, "The stage to stop after.")] = StageName.LOWER,
+    after: Annotated[
+        StageName, choice(StageName, "The last stage of the compiler that runs.")
+    ] = StageName.LOWER,
     format: Annotated[  # noqa: A002
-        DumpFormat, choice(DumpFormat, "How it is written.")
+        DumpFormat, choice(DumpFormat, "The output format.")
     ] = DumpFormat.TEXT,
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
-    """Show what the compiler holds after a stage."""
-    from rossmarie.driver import RulesError
-    from rossmarie.driver.dump import JSON_STAGES, Stage
-    from rossmarie.driver.dump import dump as dump_stage
+    """Show the result of a compiler stage."""
+    from rossmarie.cli.dumping import run_dump
 
-    stage, as_json = Stage(after.value), format is DumpFormat.JSON
-    if as_json and stage not in JSON_STAGES:
-        those = " or ".join(one.value for one in JSON_STAGES)
-        output.fail(f"--after {stage.value} has no JSON form; {those} has", exit_code=2)
-    try:
-        text = dump_stage(
-            rules, stage, as_json=as_json, systems=system or (), message_folders=messages or ()
-        )
-    except RulesError as error:
-        output.reject(error.diagnostics)
-    typer.echo(text, nl=False)
+    run_dump(rules, after, format, system or (), messages or ())
 
 
 @app.command()
 def build(
     rules: Rules,
     out: Annotated[
-        Path, typer.Option("--out", "-o", metavar="DIR", help="Where to write.", parser=written)
+        Path, typer.Option("--out", "-o", metavar="DIR", help="The output folder.", parser=written)
     ],
-    target: Annotated[TargetName, choice(TargetName, "What to generate.")] = TargetName.C99,
+    target: Annotated[
+        TargetName, choice(TargetName, "The target of the generated code.")
+    ] = TargetName.C99,
     license: Licenses = None,  # noqa: A002
     maintainer: Maintainers = None,
     part_of: Annotated[
         str | None,
         typer.Option(
             metavar="PACKAGE",
-            help="Generate a part of this ROS package, for its CMakeLists.txt to include.",
+            help="Generate a part of this ROS package; its CMakeLists.txt includes the part.",
             parser=ros_name,
         ),
     ] = None,
     name: Annotated[
         str | None,
         typer.Option(
-            metavar="NAME", help="Call the monitor so, not like the file.", parser=ros_name
+            metavar="NAME",
+            help="The name of the monitor; default: the name of the file.",
+            parser=ros_name,
         ),
     ] = None,
     sources: ListOfSources = None,
@@ -189,8 +177,10 @@ def build(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
     """Generate the monitor of a rules file."""
+    output.permit(force)
     from rossmarie.cli.build import PackageOptions, run_build
 
     package = PackageOptions(tuple(license or ()), tuple(maintainer or ()), part_of)
@@ -212,13 +202,15 @@ def build(
 def graph(
     rules: Rules,
     format: Annotated[  # noqa: A002
-        GraphFormat, choice(GraphFormat, "How it is drawn.")
+        GraphFormat, choice(GraphFormat, "The format of the drawing.")
     ] = GraphFormat.TEXT,
     out: OptionalOutFile = None,
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
-    """Draw the wiring of a rules file: what its node reads, filters and acts on."""
+    """Draw the connections of a rules file: inputs, filtered commands and effects of its node."""
+    output.permit(force)
     from rossmarie.cli.graph import run_graph
 
     run_graph(rules, format, out, system or [], messages or [])
@@ -230,8 +222,10 @@ def export(
     out: OutFile = Path("rules.json"),
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
-    """Write for other programs what a rules file reads, asks and does."""
+    """Write a description of a rules file for other programs: `rules.json`."""
+    output.permit(force)
     from rossmarie.cli.export import run_export
 
     run_export(rules, out, system or [], messages or [])
@@ -244,7 +238,7 @@ def failures(
     system: Systems = None,
     messages: MessageFolders = None,
 ) -> None:
-    """Tell for each input which rules become active when it is stale."""
+    """List for each input the rules that become active when the input is stale."""
     from rossmarie.cli.failures import run_failures
 
     run_failures(rules, format, system or [], messages or [])
@@ -258,16 +252,21 @@ def report(
     coverage: CoverageFile = None,
     date: Annotated[
         str | None,
-        typer.Option(metavar="YYYY-MM-DD", help="The day that the file bears; else today, in UTC."),
+        typer.Option(metavar="YYYY-MM-DD", help="The date in the report; default: today, in UTC."),
     ] = None,
     thorough: Annotated[
-        bool, typer.Option("--thorough", help="Ask all queries about the rules, as `check`.")
+        bool,
+        typer.Option(
+            "--thorough", help="Run all queries about the rules, like `check --thorough`."
+        ),
     ] = False,
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
-    """Write the safety file of rules: hazards, rules in sentences, what is proved, what is not."""
+    """Write the safety file: hazards, rules in sentences, proofs, and open points."""
+    output.permit(force)
     from rossmarie.cli.report import run_report
 
     run_report(
@@ -285,8 +284,10 @@ def replay(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
-    """Run the monitor of a rules file over a recording, or over many at the same time."""
+    """Run the monitor of a rules file over one or several recordings."""
+    output.permit(force)
     chosen, pairs = list(dict.fromkeys(recordings)), topic_map or []
     rest = (pairs, out, format, system or [], messages or [], only or [])
     if len(chosen) == 1:
@@ -304,21 +305,27 @@ def run_tests(
     rules: Rules,
     tests: Annotated[
         list[str] | None,
-        typer.Argument(metavar="TESTS...", help="Names of tests; `*` stands for anything."),
+        typer.Argument(metavar="TESTS...", help="Names of tests; `*` matches any text."),
     ] = None,
     write: Annotated[
         bool,
-        typer.Option("--write", help="First write tests of all boundaries beside the rules."),
+        typer.Option(
+            "--write", help="First write tests of all boundaries to the test file of the rules."
+        ),
     ] = False,
     junit: Annotated[
         Path | None,
-        typer.Option("--junit", metavar="FILE", help="Also write JUnit's XML.", parser=written),
+        typer.Option(
+            "--junit", metavar="FILE", help="Also write the results as JUnit XML.", parser=written
+        ),
     ] = None,
     format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
-    """Run the tests of a rules file on the interpreter and in C, and say what they cover."""
+    """Run the tests of a rules file in the interpreter and in C, and report their coverage."""
+    output.permit(force)
     from rossmarie.cli.testing import run_test
 
     run_test(
@@ -341,8 +348,10 @@ def coverage(
     format: AnswerFormat = ReportFormat.TEXT,  # noqa: A002
     system: Systems = None,
     messages: MessageFolders = None,
+    force: Force = False,
 ) -> None:
-    """Say what recordings exercise of the rules, and how far each threshold could be moved."""
+    """Report the coverage of rules by recordings, and the margin of each threshold."""
+    output.permit(force)
     from rossmarie.cli.testing import run_coverage
 
     run_coverage(rules, recordings, topic_map or [], format, out, system or [], messages or [])
@@ -358,8 +367,10 @@ def verify(
     system: Systems = None,
     messages: MessageFolders = None,
     only: Only = None,
+    force: Force = False,
 ) -> None:
-    """Prove that the generated C is what the rules mean, for runs of any length (CBMC)."""
+    """Prove with CBMC that the generated C implements the rules, for runs of any length."""
+    output.permit(force)
     from rossmarie.cli.verification import run_verify
 
     run_verify(

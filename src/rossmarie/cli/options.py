@@ -9,8 +9,8 @@ from typing import Annotated, Any
 
 import typer
 
-from dslkit.command_line import ReportFormat
 from dslkit.completion import codes, folders
+from dslkit.options import ReportFormat
 from rossmarie.ir.filing import Category
 from rossmarie.targets.manifest import BadFieldError, Person, parse_license, parse_maintainer
 
@@ -67,34 +67,74 @@ def choice(kind: type[enum.Enum], text: str) -> Any:
     )
 
 
-# Not `readable`: an unreadable file is a finding like others (ROSS801, ROSS611).
-Rules = Annotated[Path, typer.Argument(metavar="RULES", help="A .ross file.", readable=False)]
+_RECORDINGS = (".bag", ".csv", ".db3", ".mcap")
+
+
+def _rules(path: Path) -> Path:
+    """The path, if it can be that of a rules file; a file of another kind ends the run."""
+    suffix = path.suffix.lower()
+    if suffix in _RECORDINGS:
+        raise typer.BadParameter(
+            f"{path} is a recording, no rules file (.ross); a rules file stands before recordings"
+        )
+    if suffix == ".py":
+        raise typer.BadParameter(f"{path} is a Python file: `ezskiros check {path}` checks skills")
+    return path
+
+
+def _all_rules(paths: list[Path]) -> list[Path]:
+    return [_rules(path) for path in paths]
+
+
+def _recordings(paths: list[Path]) -> list[Path]:
+    """The paths, if they can be those of recordings; a rules file ends the run."""
+    for path in paths:
+        if path.suffix.lower() == ".ross":
+            raise typer.BadParameter(
+                f"{path} is a rules file: name one rules file first, then recordings"
+            )
+    return paths
+
+
+# Not `readable`: a file that cannot be read is a finding like others (ROSS801, ROSS611).
+Rules = Annotated[
+    Path,
+    typer.Argument(metavar="RULES", help="A rules file (.ross).", readable=False, callback=_rules),
+]
 RulesFiles = Annotated[
-    list[Path], typer.Argument(metavar="RULES...", help=".ross files.", readable=False)
+    list[Path],
+    typer.Argument(
+        metavar="RULES...", help="Rules files (.ross).", readable=False, callback=_all_rules
+    ),
 ]
 Recordings = Annotated[
     list[Path],
     typer.Argument(
-        metavar="RECORDINGS...", help=".bag, .db3, .mcap, bag folders, or .csv.", readable=False
+        metavar="RECORDINGS...",
+        help="Recordings: .bag, .db3, .mcap, a bag folder, or .csv.",
+        readable=False,
+        callback=_recordings,
     ),
 ]
 Systems = Annotated[
     list[Path] | None,
-    typer.Option(
-        "--system", metavar="FILE", help="A system model beside those imported.", readable=False
-    ),
+    typer.Option("--system", metavar="FILE", help="An additional system model.", readable=False),
 ]
 MessageFolders = Annotated[
     list[Path] | None,
     typer.Option(
-        "--messages", metavar="DIR", help="A folder with .msg files.", exists=True, file_okay=False
+        "--messages",
+        metavar="DIR",
+        help="A folder with message definitions (.msg).",
+        exists=True,
+        file_okay=False,
     ),
 ]
 
 Licenses = Annotated[
     list[str] | None,
     typer.Option(
-        "--license", metavar="NAME", help="The licence of a package for ROS.", parser=_license
+        "--license", metavar="NAME", help="The license of the ROS package.", parser=_license
     ),
 ]
 Maintainers = Annotated[
@@ -102,7 +142,7 @@ Maintainers = Annotated[
     typer.Option(
         "--maintainer",
         metavar='"NAME <MAIL>"',
-        help="Who maintains a package for ROS.",
+        help="The maintainer of the ROS package.",
         parser=_maintainer,
     ),
 ]
@@ -111,23 +151,21 @@ ListOfSources = Annotated[
     typer.Option(
         "--sources",
         metavar="FILE",
-        help="Also write a list of all files that the rules rest on.",
+        help="Also write a list of all source files of the rules.",
         parser=written,
     ),
 ]
-_OUT = typer.Option("--out", "-o", metavar="FILE", help="Write this file.", parser=written)
+_OUT = typer.Option("--out", "-o", metavar="FILE", help="The output file.", parser=written)
 OutFile = Annotated[Path, _OUT]
 OptionalOutFile = Annotated[Path | None, _OUT]
 ProofsFile = Annotated[
     Path | None,
-    typer.Option(metavar="FILE", help="A report of what was proved, as JSON.", readable=False),
+    typer.Option(metavar="FILE", help="The report of `verify --out`.", readable=False),
 ]
-WithSkills = Annotated[
-    bool, typer.Option("--skills", help="Also look at rules and skills together.")
-]
+WithSkills = Annotated[bool, typer.Option("--skills", help="Also check rules and skills together.")]
 CoverageFile = Annotated[
     Path | None,
-    typer.Option(metavar="FILE", help="A report of what was exercised, as JSON.", readable=False),
+    typer.Option(metavar="FILE", help="The report of `coverage --out`.", readable=False),
 ]
 
 
@@ -145,7 +183,7 @@ ReviewPage = Annotated[
     typer.Option(
         "--review",
         metavar="FILE",
-        help="Also write a page of the rules beside their C.",
+        help="Also write a page with the rules next to their C.",
         parser=written,
     ),
 ]
@@ -156,8 +194,25 @@ ReportFolder = Annotated[
         "--out",
         "-o",
         metavar="DIR",
-        help="Write timeline.html and verdicts.jsonl here; of several recordings, each into a"
-        " folder of its name.",
+        help="Write timeline.html and verdicts.jsonl into this folder. Each of several recordings"
+        " gets its own folder.",
+        parser=written,
+    ),
+]
+Toggle = Annotated[
+    float | None,
+    typer.Option(
+        metavar="SECONDS",
+        min=0.0,
+        help="With --thorough: report rules that can become active again within SECONDS after they"
+        " have cleared; default: 1.",
+    ),
+]
+Witnesses = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="PATH",
+        help="Write the traces of findings into this folder, or as tests into a .ross file.",
         parser=written,
     ),
 ]
@@ -166,32 +221,34 @@ ProverTimeout = Annotated[
     typer.Option(
         metavar="SECONDS",
         min=1,
-        help="The processor time of each solver for one query.",
+        help="The CPU-time limit of each solver for one query.",
     ),
 ]
 ProverFolder = Annotated[
     Path | None,
     typer.Option(
-        metavar="DIR", help="Write what the prover gets here, to ask again.", parser=written
+        metavar="DIR", help="Save the input files of the prover in this folder.", parser=written
     ),
 ]
 
 Code = Annotated[
     str,
-    typer.Argument(metavar="CODE", help="Such as ROSS301.", autocompletion=codes("rossmarie")),
+    typer.Argument(
+        metavar="CODE", help="A code or name, such as ROSS301.", autocompletion=codes("rossmarie")
+    ),
 ]
 
 RobotName = Annotated[
     str | None,
     typer.Argument(
         metavar="ROBOT",
-        help="Such as turtlebot4.",
+        help="The name of a robot, such as turtlebot4.",
         autocompletion=folders("rossmarie", "robots", "system.ross"),
     ),
 ]
 RobotFolder = Annotated[
     Path | None,
-    typer.Argument(metavar="DIR", help="The folder to write to; else ./ROBOT.", parser=written),
+    typer.Argument(metavar="DIR", help="The output folder; default: ./ROBOT.", parser=written),
 ]
 
 Only = Annotated[
@@ -199,7 +256,7 @@ Only = Annotated[
     typer.Option(
         "--only",
         metavar="CATEGORY",
-        help="Of the rules only those of this category, such as human or 'task dependent'.",
+        help="Use only rules of this category, such as human or 'task dependent'.",
         parser=_category,
     ),
 ]
@@ -209,6 +266,6 @@ TopicMap = Annotated[
     typer.Option(
         "--topic-map",
         metavar="RULES=RECORDED",
-        help="Read the topic that the rules call RULES from the recorded topic RECORDED.",
+        help="Read the topic RULES of the rules from the recorded topic RECORDED.",
     ),
 ]

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import typer
 
-from dslkit.command_line import ReportFormat
 from dslkit.diagnostics.render_json import Json
-from dslkit.writing import write_whole
+from dslkit.options import ReportFormat
+from dslkit.writing import replacing_text, write_whole
 from rossmarie.cli.output import output
 from rossmarie.cli.progress import reported_progress
 from rossmarie.driver import RulesError
@@ -47,7 +47,7 @@ def run_replay(
     with output.answering(form, "replay", files=2) as answer:
         pairs = topic_pairs(topic_map)
         if out is not None:
-            output.try_folder(out)
+            output.try_folder(out, TIMELINE, VERDICTS)
         with refusing(), reported_progress("replaying") as on_progress:
             replay, found = replay_file(
                 rules,
@@ -112,8 +112,8 @@ def write_reports(replay: Replay, out: Path) -> tuple[Path, Path]:
     """Write timeline and verdicts. Returns their paths. Raises `OSError`."""
     timeline, verdicts = out / TIMELINE, out / VERDICTS
     out.mkdir(parents=True, exist_ok=True)
-    write_whole(timeline, render_timeline(replay))
-    with verdicts.open("w", encoding="utf-8") as stream:
+    write_whole(timeline, output.marked(render_timeline(replay)))
+    with replacing_text(verdicts) as stream:
         stream.writelines(f"{line}\n" for line in verdict_lines(replay))
     return timeline, verdicts
 
@@ -122,10 +122,8 @@ def write_model_of(recording: Path, out: Path | None) -> None:
     """Print the system model of a recording, or write it to `out`, with the definitions of
     non-standard types beside it.
 
-    Existing files stay: users complete system models by hand.
+    The model has no mark: models are completed by hand, so it is the user's once it is written.
     """
-    if out is not None and out.is_file():
-        output.fail(f"{out} is there; remove it, or choose another name", exit_code=2)
     if out is not None:
         output.try_file(out)
     with refusing(), open_recording(recording) as opened:
@@ -137,7 +135,7 @@ def write_model_of(recording: Path, out: Path | None) -> None:
         return
     _save_definitions(out.parent, definitions)
     output.save(out, text)
-    typer.echo(f"wrote {out}")
+    output.tell_written(out)
 
 
 def _save_definitions(folder: Path, definitions: Mapping[str, str]) -> None:

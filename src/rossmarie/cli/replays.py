@@ -17,13 +17,21 @@ from rich.console import Console
 
 from dslkit.answer import Answer
 from dslkit.campaign import Campaign, Journal, Processes, Result, Value, run
-from dslkit.command_line import INTERNAL_ERROR, INTERRUPTED, ReportFormat
 from dslkit.diagnostics import Diagnostic
 from dslkit.diagnostics.render_json import Json
 from dslkit.diagnostics.wire import Receiver, Sender
+from dslkit.ending import INTERNAL_ERROR, INTERRUPTED
+from dslkit.options import ReportFormat
 from dslkit.writing import reason
 from rossmarie.cli.output import output
-from rossmarie.cli.replay import refusing, replay_result, topic_pairs, write_reports
+from rossmarie.cli.replay import (
+    TIMELINE,
+    VERDICTS,
+    refusing,
+    replay_result,
+    topic_pairs,
+    write_reports,
+)
 from rossmarie.driver import compile_file
 from rossmarie.driver.replay import replay_file
 from rossmarie.engines import start_monitor
@@ -68,8 +76,10 @@ def run_replays(
     """
     with output.answering(form, "replay", files=1 + len(recordings)) as answer:
         pairs = topic_pairs(topic_map)
-        if out is not None:
-            output.try_folder(out)
+        keys = list(map(str, recordings))
+        folders = {} if out is None else _folders(out, keys)
+        for folder in folders.values():
+            output.try_folder(folder, TIMELINE, VERDICTS)
         with refusing():
             compiled = compile_file(
                 rules, systems=systems, message_folders=message_folders, only=only
@@ -78,8 +88,6 @@ def run_replays(
         started = start_monitor(compiled.machine)  # built once, for all processes
         if started.reason:
             typer.echo(started.reason, err=True)
-        keys = list(map(str, recordings))
-        folders = {} if out is None else _folders(out, keys)
         console = Console()
         width = console.width if console.is_terminal else None
         warnings = len(compiled.warnings)

@@ -56,7 +56,7 @@ def run_report(
         raise typer.Exit(output.exit_code([error.diagnostic])) from None
     output.print_findings(found)
     output.save(out, render_safety_file(content))
-    typer.echo(f"wrote {out}")
+    output.tell_written(out)
     for point in open_points(content):
         typer.echo(f"not done: {point}")
 

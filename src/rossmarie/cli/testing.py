@@ -11,8 +11,8 @@ from pathlib import Path
 import typer
 
 from dslkit.answer import Answer
-from dslkit.command_line import ReportFormat
 from dslkit.diagnostics.render_json import Json
+from dslkit.options import ReportFormat
 from dslkit.writing import reason
 from rossmarie.cli.junit import junit_text
 from rossmarie.cli.output import output
@@ -41,8 +41,7 @@ def run_test(
 ) -> None:
     """Run the tests, and print their results and coverage. With `write`, generate them first."""
     with output.answering(form, "test", files=1) as answer:
-        if junit is not None:
-            output.try_file(junit)
+        output.try_file(junit)
         try:
             if write:
                 _write(rules, systems, message_folders)
@@ -105,8 +104,8 @@ def run_coverage(
     with output.answering(form, "coverage", files=1 + len(recordings)) as answer:
         pairs = topic_pairs(topic_map)
         if report is not None:
-            output.try_file(report)
             refuse_report(report, (rules, *recordings))
+            output.try_file(report)
         with refusing(), reported_progress("moving thresholds") as on_progress:
             found = cover_recordings(
                 rules,
@@ -127,7 +126,7 @@ def run_coverage(
         answer.result = json.loads(text)
         if report is not None:
             output.save(report, text)
-            output.tell(f"wrote {report}")
+            output.tell_written(report)
 
 
 def _report_text(found: Exercised, rules: Path, recordings: Sequence[Path]) -> str:

@@ -10,8 +10,8 @@ from typing import NoReturn
 
 import typer
 
-from dslkit.command_line import ReportFormat
 from dslkit.diagnostics import Template
+from dslkit.options import ReportFormat
 from dslkit.source import Span
 from rossmarie.cli.output import output
 from rossmarie.cli.progress import reported_progress
@@ -49,8 +49,7 @@ def run_verify(
     JSON, and the input of the prover into the folder `kept`.
     """
     with output.answering(form, "verify", files=1) as answer:
-        if report is not None:
-            output.try_file(report)
+        output.try_file(report)
         if kept is not None:
             output.try_folder(kept)
         try:
@@ -71,16 +70,16 @@ def run_verify(
             write_proofs(proofs, sys.stdout)
         if report is not None:
             output.save(report, text)
-            output.tell(f"wrote {report}")
+            output.tell_written(report)
         raise typer.Exit(0 if proofs.is_complete else 1)
 
 
 def _keep(queries: Queries, folder: Path, rules: Path) -> None:
     try:
         with output.writing_to(folder):
-            paths = keep(queries, folder, rules)
+            paths = keep(queries, folder, rules, replaces_others=output.permission.is_given)
     except ForeignFileError as error:
-        output.fail(f"{error}; remove it, or choose another --keep", exit_code=2)
+        output.fail(f"{error}; choose another --keep, or replace it with --force", exit_code=2)
     for line in lines_of_written(paths):
         output.tell(line)
 

@@ -10,6 +10,7 @@ from dslkit.diagnostics import Collector, Diagnostic
 from dslkit.source import Span
 from dslkit.writing import write_whole
 from rossmarie.analysis.finding import Finding
+from rossmarie.analysis.unproved import without_solver
 from rossmarie.analysis.witness import Witness
 from rossmarie.check.instances.telling import reported
 from rossmarie.driver.pipeline import Compiled, RulesError, check_file, compile_checked
@@ -22,16 +23,15 @@ TOGGLE_NS = 1_000_000_000
 
 @dataclass(frozen=True)
 class Analysis:
-    """All findings on a rules file, and the witnesses as recordings (CSV), by file name. `compiled`
-    are the rules that were queried, None if no query ran. `proved` are the spans of the proved
-    requirements. `lacks_solver` is True if no query ran because z3 is not installed.
+    """All findings on a rules file, and the witnesses as recordings (CSV), by file name; the rules
+    as they were asked, None if nothing was. `proved` are the spans of the requirements that were
+    proved.
     """
 
     findings: tuple[Finding, ...]
     witnesses: dict[str, str]
     compiled: Compiled | None = None
     proved: frozenset[Span] = frozenset()
-    lacks_solver: bool = False
 
     @property
     def diagnostics(self) -> tuple[Diagnostic, ...]:
@@ -63,9 +63,16 @@ def analyze_file(
     except RulesError:
         return without_answers
     if EXTRAS.missing("solver"):
-        return replace(without_answers, compiled=compiled, lacks_solver=True)
+        return _without_solver(compiled, result.diagnostics)
     found = analyzed(compiled, result.diagnostics, rules, thorough, toggle_ns, on_step)
     return replace(found, compiled=compiled)
+
+
+def _without_solver(compiled: Compiled, checked: Sequence[Diagnostic]) -> Analysis:
+    """The findings of an environment without z3, `checked` among them."""
+    asked = without_solver(compiled.machine, compiled.requirements, EXTRAS.advice("solver"))
+    found = reported([each.diagnostic for each in asked], compiled.instances)
+    return Analysis(tuple(map(Finding, (*checked, *found))), {}, compiled=compiled)
 
 
 def analyzed(

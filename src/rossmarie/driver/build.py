@@ -78,15 +78,17 @@ def build_files(
     only: Sequence[Category] = (),
     name: str | None = None,
     placement: Placement = OWN_PACKAGE,
+    replaces_others: bool = False,
 ) -> Built:
     """Generate `target` for a rules file into `folder`, with `name` instead of the name of the
     file, and `only` rules of these categories.
 
-    Files with unchanged content are not touched, so that a build system sees no change. A file for
-    the user to edit is not touched once it exists. Raises `RulesError` for errors in the rules, for
-    unsupported features and for a folder with another package, and `ForeignFileError` if an
-    existing file was not generated from these rules. In all these cases nothing is written. Raises
-    `OSError` if the folder cannot be written.
+    A file whose content would not change is not touched, so that a build system sees no change;
+    one that belongs to the user is not touched once it is there. With `replaces_others`, files that
+    were not generated from these rules are replaced.
+    Raises `RulesError` for errors in the rules, for what the target cannot do and for a folder that
+    holds another package, `ForeignFileError` if a file in the way was not generated from these
+    rules (in all these cases nothing is written), and `OSError` if the folder cannot be written.
     """
     compiled = compile_file(rules, systems=systems, message_folders=message_folders, only=only)
     machine = compiled.machine if name is None else replace(compiled.machine, name=name)
@@ -96,8 +98,10 @@ def build_files(
     of_user = TARGETS[target].owned_by_user
     kept = set() if placement.part_of else {name for name in of_user if (folder / name).exists()}
     files = {name: text for name, text in files.items() if name not in kept}
-    # In a part of a package, the user's files are elsewhere; these are only examples.
-    written = write_generated(files, folder, rules, unnamed=of_user)
+    # In a part of a package the files of the user lie elsewhere, and these are only examples.
+    written = write_generated(
+        files, folder, rules, unnamed=of_user, replaces_others=replaces_others
+    )
     next_step = TARGETS[target].next_step(machine) if placement.part_of is None else None
     left_out = () if machine.left_out is None else machine.left_out.rules
     return Built(written, compiled.warnings, next_step, compiled.sources, own_code(files), left_out)
@@ -113,16 +117,21 @@ def own_code(files: Mapping[str, str]) -> dict[str, str]:
 
 
 def write_generated(
-    files: Mapping[str, str], folder: Path, rules: Path, *, unnamed: Collection[str] = ()
+    files: Mapping[str, str],
+    folder: Path,
+    rules: Path,
+    *,
+    unnamed: Collection[str] = (),
+    replaces_others: bool = False,
 ) -> list[Path]:
-    """Write files generated from rules, by name, into a folder. Returns the paths. Raises the
-    errors of `build_files`. Files in `unnamed` do not name their rules file.
+    """Write what was generated from rules, by name, into a folder, and give the paths. Raises
+    as `build_files` does; files that are `unnamed` do not name their rules.
     """
     changed = {}
     for name, text in files.items():
         path = folder / name
         present = path.read_bytes() if path.exists() else None
-        if present is not None and name not in unnamed:
+        if present is not None and name not in unnamed and not replaces_others:
             check_own(path, present, text, rules)
         if present != text.encode():
             changed[path] = text

@@ -92,6 +92,18 @@ class BadPackageField(Error, code="ROSS808", name="bad-package-field"):
     form: str
 
 
+class RulesAsSystem(Error, code="ROSS811", name="rules-as-system"):
+    """A file with rules in the place of a system model."""
+
+    title = "`{path}` is no system model: it has rules"
+    label = "the first one"
+    note = (
+        "a system model declares the topics, types and places of a robot, for several rules files"
+    )
+    help = "name the system model by --system, and the rules file as RULES"
+    path: str
+
+
 class NotARulesFile(Error, code="ROSS809", name="not-a-rules-file"):
     """A file beside the checked rules that is read as rules, but has another ending."""
 
@@ -128,5 +140,6 @@ ALL: tuple[type[Template], ...] = (
     MalformedPackageXml,
     BadPackageField,
     NotARulesFile,
+    RulesAsSystem,
     ForeignFile,
 )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable, Collection, Mapping, Sequence
 from copy import copy
-from operator import index as as_index
 from os import PathLike
 from pathlib import Path
 from typing import Protocol
@@ -18,7 +17,7 @@ from rossmarie.driver.pipeline import compile_file
 from rossmarie.driver.python_columns import PythonColumns
 from rossmarie.engines import NamedValues, Value, start_monitor
 from rossmarie.guard import Declared, Guard
-from rossmarie.ir import Category, Event, Machine, event_line, without_margins
+from rossmarie.ir import Category, Event, Machine, as_instant, event_line, without_margins
 from rossmarie.native import NativeMonitor, fit
 
 
@@ -112,7 +111,7 @@ class Monitor:
         `ValueError` for an instant out of range, and `MemoryError` if events were lost for lack of
         memory.
         """
-        return self._engine.update(as_index(at_ns), self._values.messages(values))
+        return self._engine.update(as_instant(at_ns), self._values.messages(values))
 
     def advance(self, at_ns: int) -> list[Event]:
         """Let time pass without a message. Timers due exactly at this instant fire.
@@ -120,7 +119,7 @@ class Monitor:
         Raises `TypeError` for an instant that is no integer, `ValueError` for one out of
         range, `MemoryError` if events were lost for lack of memory.
         """
-        return self._engine.advance(as_index(at_ns))
+        return self._engine.advance(as_instant(at_ns))
 
     def reset(self, at_ns: int, rule: str | None = None) -> list[Event]:
         """Reset one latched rule, or all, for an operator. Latched rules with a false condition
@@ -129,7 +128,9 @@ class Monitor:
         Raises `ValueError` for an unknown rule or an instant out of range, `TypeError` for an
         instant that is no integer, `MemoryError` if events were lost for lack of memory.
         """
-        return self._engine.reset(as_index(at_ns), None if rule is None else self.rules.index(rule))
+        return self._engine.reset(
+            as_instant(at_ns), None if rule is None else self.rules.index(rule)
+        )
 
     def explain(self, event: Event) -> str:
         """An event in words: the rule, the change, and its causes."""

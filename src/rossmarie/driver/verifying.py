@@ -66,9 +66,11 @@ def _programs(machine: ir.Machine) -> Iterator[Harness]:
         yield reactor_harness(machine)
 
 
-def keep(queries: Queries, folder: Path, rules: Path) -> list[Path]:
-    """Write the input of the prover. Raises the errors of `build_files`."""
-    return write_generated(queries.texts(), folder, rules)
+def keep(
+    queries: Queries, folder: Path, rules: Path, *, replaces_others: bool = False
+) -> list[Path]:
+    """Write the prover's input files. Raises as `build_files` does."""
+    return write_generated(queries.texts(), folder, rules, replaces_others=replaces_others)
 
 
 def prove(

@@ -99,14 +99,6 @@ def witness_tests(
     return WitnessTests(format_text(whole), len(tests), tuple(left_out))
 
 
-def is_foreign(path: Path) -> bool:
-    """Say whether a file exists that these tests must not replace. Raises `OSError`."""
-    if not path.exists():
-        return False
-    with path.open(encoding="utf-8", errors="replace") as stream:
-        return stream.read(len(_MARK)) != _MARK
-
-
 def _with_witness(findings: Sequence[Finding]) -> Iterator[tuple[Finding, Witness]]:
     for finding in findings:
         if finding.witness is not None:

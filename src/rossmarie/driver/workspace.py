@@ -23,6 +23,7 @@ from rossmarie.driver.errors import (
     ImportNotFound,
     NotARulesFile,
     NotUtf8,
+    RulesAsSystem,
 )
 from rossmarie.driver.foreign import WEB_PAGE, foreign_kind
 from rossmarie.syntax import MAXIMUM_FILE_SIZE, ast, parse
@@ -53,6 +54,8 @@ def load_modules(main: Path, systems: Sequence[Path], collector: Collector) -> l
     beside = main.parent / SYSTEM_MODEL
     for path in (*systems, *([beside] if is_file(beside) else []), main):
         loader.load(path)
+    for path in systems:
+        loader.refuse_rules(path)
     return loader.with_last(main)
 
 
@@ -100,6 +103,13 @@ class _Loader:
             else:
                 self.loaded.append(imported)
                 stack.pop()
+
+    def refuse_rules(self, system: Path) -> None:
+        """Report a file that is named as a system model and has rules."""
+        module = self.parsed[_identity(system)]
+        rule = next((item for item in module.items if isinstance(item, ast.Rule)), None)
+        if rule is not None:
+            self.collector.add(RulesAsSystem(path=str(system)).at(rule.span))
 
     def _open(self, wanted: _Wanted, stack: list[tuple[Imported, list[_Wanted]]]) -> None:
         path, written = wanted.path, wanted.written

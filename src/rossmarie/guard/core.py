@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from copy import copy
-from operator import index as as_index
 
 from rossmarie.engines import NamedValues, Value, start_guard
-from rossmarie.ir import Event, FieldBounds, Machine, Reported, State, event_line
+from rossmarie.ir import Event, FieldBounds, Machine, Reported, State, as_instant, event_line
 
 
 class Core:
@@ -70,13 +69,13 @@ class Core:
     # --- events and time ---------------------------------------------------------------------
 
     def update(self, at_ns: int, values: Mapping[str, Value]) -> Reported:
-        """Process arriving messages: one on each topic with a named field."""
-        self._engine.update(as_index(at_ns), self._values.messages(values))
+        """Messages arrive: one on each topic of which a field is named."""
+        self._engine.update(as_instant(at_ns), self._values.messages(values))
         return self.take()
 
     def advance(self, at_ns: int) -> Reported:
-        """Let time pass without a message. Timers due exactly at this instant fire."""
-        self._engine.advance(as_index(at_ns))
+        """Time passes without a message; what is due at this very instant happens as well."""
+        self._engine.advance(as_instant(at_ns))
         return self.take()
 
     def reset(self, at_ns: int, rule: str | None = None) -> Reported:
@@ -84,14 +83,14 @@ class Core:
         clear.
         """
         names = [each.name for each in self.machine.rules]
-        self._engine.reset(as_index(at_ns), None if rule is None else names.index(rule))
+        self._engine.reset(as_instant(at_ns), None if rule is None else names.index(rule))
         return self.take()
 
     def report(self, at_ns: int, task: int, *, success: bool) -> Reported:
         """Report the end of a task that was ordered to start. For a task that is not running,
         nothing follows (R6). Raises `IndexError` if there is no such task.
         """
-        self._engine.report(as_index(at_ns), task, success=success)
+        self._engine.report(as_instant(at_ns), task, success=success)
         return self.take()
 
     def watch_call(self, topic: str) -> Callable[..., int | None]:

@@ -8,7 +8,6 @@ import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from operator import index as as_index
 from threading import RLock
 from typing import Any
 
@@ -36,6 +35,7 @@ from rossmarie.ir import (
     Event,
     Machine,
     Verdict,
+    as_instant,
     machine_to_json,
     near_name,
     require_instant,
@@ -136,7 +136,7 @@ class Guard:
             note = arrive(at_ns, observation)
             if note is None:
                 self._require_fit(at_ns, observation, None)
-                note = arrive(as_index(at_ns), np.ascontiguousarray(observation))
+                note = arrive(as_instant(at_ns), np.ascontiguousarray(observation))
                 assert note is not None, "it fits now"
             self._see(at_ns, note)
             if note[0] & REPORTED:
@@ -318,7 +318,7 @@ class Guard:
     def _now(self) -> int:
         if self._at_ns is None:
             raise ValueError("nothing has happened yet: the first step comes first")
-        return as_index(self._at_ns)
+        return as_instant(self._at_ns)
 
     def _first_step(
         self, at_ns: int, observation: Array | None, action: Array | None
@@ -328,7 +328,7 @@ class Guard:
         require_array("observation", observation)
         if action is not None:
             require_array("action", action)
-        require_instant(as_index(at_ns))
+        require_instant(as_instant(at_ns))
         self._connect(observation.size, None if action is None else action.size)
         return self._step(at_ns, observation, action)
 
@@ -348,7 +348,7 @@ class Guard:
         """
         self._require_fit(at_ns, observation, action)
         return self.step(
-            as_index(at_ns), np.ascontiguousarray(observation), np.ascontiguousarray(action)
+            as_instant(at_ns), np.ascontiguousarray(observation), np.ascontiguousarray(action)
         )
 
     def _require_fit(self, at_ns: int, observation: Array | None, action: Array | None) -> None:
@@ -367,7 +367,7 @@ class Guard:
             require_array(what, array)
             if array.size != size:
                 raise MappingError(f"the {what} has {array.size} numbers, but had {size} at first")
-        instant = as_index(at_ns)
+        instant = as_instant(at_ns)
         require_instant(instant)
         if self._at_ns is not None and instant < self._at_ns:
             raise ValueError(

@@ -35,6 +35,7 @@ from rossmarie.ir.limits import (
     LONGEST_NS,
     MOST_EVALUATIONS,
     NEVER_NS,
+    as_instant,
     require_instant,
 )
 from rossmarie.ir.malformed import MalformedMachine
@@ -246,6 +247,7 @@ __all__ = [
     "all_channels",
     "arrays_of",
     "arrival_names",
+    "as_instant",
     "bare_frame",
     "below_margins",
     "beside",

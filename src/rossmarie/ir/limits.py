@@ -6,6 +6,9 @@ An instant plus a duration, and the difference of two instants, never leave the 
 
 from __future__ import annotations
 
+from operator import index
+from typing import SupportsIndex
+
 EARLIEST_NS = -(2**61)
 """Instants lie above this (in the year 1896, counted from the Unix epoch)."""
 
@@ -26,6 +29,17 @@ MOST_POSES_IN_ALL = 100_000
 
 MOST_EVALUATIONS = 10_000
 """The most evaluations in one call of a monitor, however long the silence before it was."""
+
+
+def as_instant(at_ns: SupportsIndex) -> int:
+    """An instant as an integer. Raises `TypeError` for one that is no integer."""
+    try:
+        return index(at_ns)
+    except TypeError:
+        raise TypeError(
+            "an instant is an integer number of nanoseconds, such as 500_000_000 for 0.5 s, "
+            f"not {at_ns!r}"
+        ) from None
 
 
 def require_instant(at_ns: int) -> None:

@@ -81,6 +81,7 @@ def _header(replay: Replay) -> dict[str, object]:
     return {
         "type": "header",
         "schema": SCHEMA,
+        "generator": "rossmarie",
         "rules_file": replay.rules_file,
         "recording": replay.recording,
         "monitor": replay.monitor,

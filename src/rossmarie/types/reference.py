@@ -17,37 +17,38 @@ _INTRODUCTION = """\
 
 <!-- Written by `python -m rossmarie.types.reference docs/reference/units.md`; do not edit. -->
 
-A unit stands directly after a number or a bracket: `0.5 m/s`, `[-10, 10] deg`. It is a product
+A unit follows directly after a number or a bracket: `0.5 m/s`, `[-10, 10] deg`. A unit is a product
 of the symbols below:
 
-- `*` or `.` multiplies, `/` divides what follows, from left to right: `kg*m^2`, `kgm.m`,
+- `*` or `.` multiplies, and `/` divides by the next symbol, from left to right: `kg*m^2`, `kgm.m`,
   `J/kg/K`, `N/sec`;
-- `^` raises to a whole power: `m/s^2`, `m.s^-2`;
-- no white space inside: `5 m / t` is a division;
-- upper and lower case matter: `Hz`, `kPa`, and `mPa` would be something else than `MPa`.
+- `^` raises to an integer power: `m/s^2`, `m.s^-2`;
+- a unit contains no white space: `5 m / t` is a division;
+- units are case-sensitive: `Hz`, `kPa`. `mPa` and `MPa` are different.
 
-Units convert where their dimensions are equal. **An angle is a dimension of its own**: `deg` and
-`rad` convert, and a plain number is neither. So `rad/s` times `m` is `rad*m/s`, which is no speed;
-divide by `1 rad` to say that the angle is meant as a ratio. Torque and energy have one dimension
-(`N*m` and `J` convert).
+Units of the same dimension are converted automatically. **An angle is a dimension of its own**:
+`deg` and `rad` convert into each other, and a plain number is not an angle. Therefore `rad/s` times
+`m` is `rad*m/s`, which is not a speed; divide by `1 rad` to use the angle as a ratio. Torque and
+energy have the same dimension (`N*m` and `J` convert).
 
-`degC` has an offset, so it stands alone: `20 degC`, but `5 K/s`. Two temperatures in `degC` can be
-compared and subtracted (the difference is in `K`), but not added, scaled or negated.
+`degC` has an offset and cannot be part of a product: `20 degC`, but `5 K/s`. Two temperatures in
+`degC` can be compared and subtracted (the difference is in `K`), but not added, scaled or negated.
 """
 
 _FIELDS = """\
 ## Units of message fields
 
-Message definitions do not say the units of their fields. For the common messages this table does,
-from the comments in the definitions and REP 103. It also holds for these messages inside others:
+Message definitions contain no units. This table contains the units of common messages, from the
+comments in the definitions and REP 103. It also applies to these messages inside other messages:
 `nav_msgs/Odometry` gets its units from the rows for `geometry_msgs/Pose` and `geometry_msgs/Twist`.
-Times and durations are in `s` everywhere. The components of a quaternion are plain numbers.
+Times and durations are always in `s`. The components of a quaternion are plain numbers.
 
-Of a field that is not here the unit is *not known*: it can be compared with plain numbers, and with
-other values once an input says its unit (`input q = topic /joint_states :
-sensor_msgs/JointState .position in rad`) or a system model does
+The unit of a field that is not in the table is *not known*. Such a field can be compared with plain
+numbers. To compare it with other values, declare its unit in an input
+(`input q = topic /joint_states : sensor_msgs/JointState .position in rad`) or in a system model
 (`unit my_msgs/Wheel.speed = rad/s;`, which also overrides the table). Positions, velocities and
-efforts of joints are left open on purpose: they are of angles or of lengths, by the kind of joint.
+efforts of joints are deliberately not in the table: the kind of joint determines if they are angles
+or lengths.
 """
 
 

@@ -124,5 +124,7 @@ def test_a_part_of_a_package_is_written_anew_with_the_files_that_a_user_may_copy
 def test_the_files_that_rules_rest_on_are_listed(rules: Path, out: Path, tmp_path: Path) -> None:
     listed = tmp_path / "files.txt"
     run("build", rules, "--out", out, "--sources", listed)
-    files = [Path(line) for line in listed.read_text(encoding="utf-8").splitlines()]
+    mark, *lines = listed.read_text(encoding="utf-8").splitlines()
+    assert mark == "# Written by rossmarie."
+    files = [Path(line) for line in lines]
     assert sorted(files) == [rules.with_name("limits.ross"), rules]

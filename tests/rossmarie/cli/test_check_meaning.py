@@ -57,7 +57,7 @@ def test_witnesses_are_written_as_tests(rules: Path, tmp_path: Path) -> None:
 def test_a_file_that_no_check_has_written_is_not_overwritten(rules: Path) -> None:
     done = run("check", "--witnesses", rules, rules)
     assert done.returncode == 2
-    assert "is not overwritten" in done.stderr
+    assert "rossmarie did not write it" in done.stderr
     assert rules.read_text() == RULES
 
 

@@ -59,7 +59,8 @@ def test_nothing_is_written_if_a_file_is_there(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
         "rossmarie: nothing is written, because these are there: "
-        "husky/husky.ross, husky/system.ross\n"
+        "husky/husky.ross, husky/system.ross; "
+        "choose another folder, or replace them with --force\n"
     )
     assert sorted(path.name for path in folder.iterdir()) == ["husky.ross", "system.ross"]
     assert (folder / "husky.ross").read_text() == "mine"

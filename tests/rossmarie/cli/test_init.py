@@ -91,7 +91,7 @@ def test_files_that_are_there_stay(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout) == (2, "")
     assert done.stderr == (
         "rossmarie: nothing is written, because these are there: robot/robot.ross; choose another"
-        " --out, or replace them by --force\n"
+        " folder, or replace them with --force\n"
     )
     assert {path.name: path.read_text() for path in folder.iterdir()} == {
         "robot.ross": "mine",

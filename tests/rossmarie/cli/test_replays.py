@@ -18,7 +18,8 @@ import pytest
 import typer
 
 from dslkit.campaign import Campaign, Failure
-from dslkit.command_line import INTERNAL_ERROR, ReportFormat
+from dslkit.ending import INTERNAL_ERROR
+from dslkit.options import ReportFormat
 from rossmarie.cli import replays
 from support import command_line
 from support.recordings import ROS1, readings, write_ros1
@@ -97,15 +98,15 @@ def test_a_recording_that_cannot_be_read_decides_on_the_exit_code(switches: Path
     assert done.stdout.endswith("1 of 2 recordings replayed, 9.0 s: 1 activation\n")
 
 
-def test_reports_that_cannot_be_written_are_reported_and_the_rest_goes_on(switches: Path) -> None:
+def test_nothing_is_written_where_one_report_cannot_be(switches: Path) -> None:
     (switches / "out").mkdir()
     (switches / "out/drive1.csv").write_text("in the way")
     given = ["drive1.csv", "drive2.csv", "--out", "out"]
     done = replay(switches / "rules.ross", *given, folder=switches)
     assert done.returncode == 2
-    assert "cannot write to out/drive1.csv: file exists" in done.stdout
-    assert "wrote out/drive2.csv/timeline.html" in done.stdout
-    assert "2 of 2 recordings replayed" in done.stdout
+    assert "cannot write to out/drive1.csv" in done.stderr
+    assert "is not a folder" in done.stderr
+    assert [each.name for each in (switches / "out").iterdir()] == ["drive1.csv"]
 
 
 def test_findings_about_the_rules_are_reported_once(switches: Path) -> None:

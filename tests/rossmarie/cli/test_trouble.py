@@ -179,7 +179,9 @@ def test_a_system_model_is_written_once_and_in_the_one_layout(tmp_path: Path) ->
     assert run("fmt", "--check", target).returncode == 0
     assert run("check", target).returncode == 0
     target.write_text("// completed by hand\n")
-    assert is_refused(run("model", bag, "-o", target), f"{target} is there; remove it")
+    assert is_refused(
+        run("model", bag, "-o", target), f"{target} is there, and rossmarie did not write it"
+    )
     assert target.read_text() == "// completed by hand\n"
 
 

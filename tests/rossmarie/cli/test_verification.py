@@ -205,6 +205,10 @@ def test_what_is_read_is_not_written_over(rules: Path, prove_by: Any, read: str)
     before = Path(read).read_text()
     code, printed = verify(rules, "--out", read)
     assert code == 2
+    assert f"{read} is there, and rossmarie did not write it" in printed
+    assert Path(read).read_text() == before
+    code, printed = verify(rules, "--out", read, "--force")
+    assert code == 2
     assert "choose another --out" in printed
     assert Path(read).read_text() == before
 

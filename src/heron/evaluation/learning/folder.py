@@ -8,6 +8,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from dslkit.campaign import Value
+from dslkit.ownership import Comment, marked
+from dslkit.writing import replacing_text, write_whole
 from heron.evaluation.learning.curves import curves_of
 from heron.evaluation.learning.page import name_of, page_of
 from heron.evaluation.learning.trainings import trainings_of
@@ -46,9 +48,9 @@ def write_learning_page(folder: LearningFolder, values: Mapping[str, Value]) -> 
     found = trainings_of(rows)
     for one in found:
         picture = folder.rows.parent / f"{name_of(one)}.svg"
-        picture.write_bytes(curves_of(one))
+        write_whole(picture, curves_of(one))
     page = folder.path / PAGE
-    page.write_text(page_of(found, _REST), encoding="utf-8")
+    write_whole(page, marked(page_of(found, _REST), "heron", Comment.MARKUP))
     return page
 
 
@@ -68,7 +70,7 @@ def read_rows(path: Path) -> list[Value]:
 
 def _write_rows(path: Path, rows: Iterable[Value]) -> None:
     rows = list(rows)
-    with path.open("w", encoding="utf-8", newline="") as file:
+    with replacing_text(path) as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(rows[0])
         writer.writerows([_text(value) for value in row.values()] for row in rows)

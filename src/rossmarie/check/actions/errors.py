@@ -286,7 +286,7 @@ class PartlyRamped(Warning, code="ROSS413", name="partly-ramped"):
 
 
 class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
-    """An empty action or effect."""
+    """An action, effect or rule that is written down and has nothing in it."""
 
     title = "this {what} does nothing"
     label = "nothing in here"
@@ -304,6 +304,9 @@ class DoesNothing(Warning, code="ROSS414", name="does-nothing"):
     class Action(Remark):
         says = "say what it does, or write `action {name};`"
         name: str
+
+    class Rule(Remark):
+        says = "name the action that it starts: `then {{ ACTION; }}`"
 
 
 class MissingTimeLimit(Error, code="ROSS415", name="missing-time-limit"):

@@ -34,13 +34,17 @@ def warn_of_missing_rules(context: Context) -> None:
         context.collector.add(NoRules(what=what).at(first.name.span))
 
 
-def warn_of_empty_actions(context: Context) -> None:
-    """Warn of every action with empty braces."""
+def warn_of_empty_braces(context: Context) -> None:
+    """Warn of every action and every rule with braces and nothing in them."""
     for item in context.declarations.items:
         if isinstance(item, ast.Action) and item.body is not None and not item.effects:
             finding = DoesNothing(what="action")
             help = finding.Action(name=item.name.text)
             context.collector.add(finding.at(item.body, help=help))
+    for rule in context.declarations.rules:
+        if not rule.steps and rule.made_from is None:
+            finding = DoesNothing(what="rule")
+            context.collector.add(finding.at(rule.span, help=finding.Rule()))
 
 
 def warn_of_missing_timeouts(
